@@ -1,0 +1,129 @@
+#ifndef QUADRILLE_INTERNAL_GREEDY_ORDER_H
+#define QUADRILLE_INTERNAL_GREEDY_ORDER_H
+
+#include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/pair_queue.h>
+#include <quadrille/internal/parked_pairs.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Contracts pairs in the order of their costs, the least first, until the stop policy is
+/// satisfied. Costs are compared as floats; equal ones by the lower, then by the higher index of
+/// the pair.
+///
+/// A contraction changes the costs of the pairs at its vertex and of no others. A pair that is
+/// refused waits until a vertex next to it has moved.
+template <class Policies>
+class GreedyOrder {
+public:
+  GreedyOrder(PairContraction<Policies>& surface, Report& report)
+      : surface_(surface), report_(report), stamp_(surface.vertex_capacity(), 0),
+        queue_(3 * surface.complex().live_faces() / 2 + surface.vertex_capacity() / 8),
+        parked_(surface.vertex_capacity()) {
+    for (Index v = 0; v < stamp_.size(); ++v)
+      surface_.for_each_neighbour(v, [&](Index w) {
+        if (v < w)
+          push(v, w);
+      });
+  }
+
+  void run() {
+    while (const std::optional<QueuedPair> next = next_pair()) {
+      const Candidate candidate = surface_.evaluate(next->first, next->second);
+      surface_.announce(candidate);
+      if (is_enough())
+        return finish(StopReason::target_met);
+      if (const auto cause = surface_.rejection(next->first, next->second, candidate))
+        park(*next, *cause);
+      else if (surface_.overshoots() && !is_last_resort_)
+        keep_as_last_resort(*next);
+      else
+        contract(*next, candidate);
+      if (is_cancelled())
+        return finish(StopReason::cancelled);
+    }
+    finish(is_enough()           ? StopReason::target_met
+           : parked_.size() == 0 ? StopReason::no_pair_left
+                                 : StopReason::all_pairs_rejected);
+  }
+
+private:
+  using Candidate = typename PairContraction<Policies>::Candidate;
+
+  static constexpr std::uint32_t dead = ~std::uint32_t{0};
+
+  bool is_outdated(const QueuedPair& pair) const {
+    return pair.stamp < stamp_[pair.first] || pair.stamp < stamp_[pair.second];
+  }
+  auto outdated() const {
+    return [this](const QueuedPair& pair) { return is_outdated(pair); };
+  }
+
+  void push(Index v, Index w) {
+    const auto [first, second] = std::minmax(v, w);
+    const auto cost = static_cast<float>(surface_.evaluate(first, second).cost);
+    queue_.push({std::max(cost, 0.0f), first, second, time_}, outdated());
+  }
+
+  // When the queue is empty, the cheapest of the pairs that would go beyond the target.
+  std::optional<QueuedPair> next_pair() {
+    std::optional<QueuedPair> next = queue_.pop(outdated());
+    is_last_resort_ = !next && last_resort_;
+    return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
+  }
+
+  void keep_as_last_resort(const QueuedPair& pair) {
+    if (!last_resort_)
+      last_resort_ = pair;
+  }
+
+  void park(const QueuedPair& pair, Rejection cause) {
+    ++report_.rejections[static_cast<std::size_t>(cause)];
+    parked_.park(pair);
+  }
+
+  void contract(const QueuedPair& pair, const Candidate& candidate) {
+    const Index kept = surface_.contract(pair.first, pair.second, candidate);
+    report_.error = std::max(report_.error, surface_.status().next_error);
+    ++time_;
+    stamp_[pair.first] = stamp_[pair.second] = dead;
+    stamp_[kept] = time_;
+    for (Index end : {pair.first, pair.second})
+      parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
+    surface_.for_each_neighbour(kept, [&](Index w) {
+      push(kept, w);
+      parked_.release(w, [&](const QueuedPair& p) {
+        if (!is_outdated(p))
+          queue_.push(p, outdated());
+      });
+    });
+  }
+
+  bool is_enough() const { return surface_.policies().stop(surface_.status()); }
+
+  bool is_cancelled() const {
+    return time_ % 256 == 0 && !surface_.policies().visitor.proceed(surface_.status());
+  }
+
+  void finish(StopReason reason) { report_.stop = reason; }
+
+  PairContraction<Policies>& surface_;
+  Report& report_;
+  std::vector<std::uint32_t> stamp_; // of each vertex: when it was last contracted
+  std::uint32_t time_ = 0;           // contractions so far
+  PairQueue queue_;
+  ParkedPairs parked_;
+  std::optional<QueuedPair> last_resort_;
+  bool is_last_resort_ = false;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_GREEDY_ORDER_H

@@ -1,0 +1,39 @@
+#ifndef QUADRILLE_INTERNAL_MARKS_H
+#define QUADRILLE_INTERNAL_MARKS_H
+
+#include <quadrille/internal/triangle_complex.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A small number for each vertex that can be forgotten for all vertices at once, in constant time.
+class Marks {
+public:
+  explicit Marks(std::size_t vertices) : mark_(vertices, 0) {}
+
+  /// Forgets all marks. Until the next call, marks are numbers below `range`.
+  void clear(Index range = 1) {
+    base_ = end_;
+    if (base_ > none - range) {
+      std::fill(mark_.begin(), mark_.end(), 0);
+      base_ = 1;
+    }
+    end_ = base_ + range;
+  }
+
+  bool is_marked(Index vertex) const { return mark_[vertex] >= base_; }
+  bool is_marked_with(Index vertex, Index number) const { return mark_[vertex] == base_ + number; }
+  Index operator[](Index vertex) const { return mark_[vertex] - base_; } ///< of a marked vertex
+  void set(Index vertex, Index number = 0) { mark_[vertex] = base_ + number; }
+
+private:
+  std::vector<Index> mark_;
+  Index base_ = 0, end_ = 1;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_MARKS_H

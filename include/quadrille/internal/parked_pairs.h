@@ -1,0 +1,77 @@
+#ifndef QUADRILLE_INTERNAL_PARKED_PAIRS_H
+#define QUADRILLE_INTERNAL_PARKED_PAIRS_H
+
+#include <quadrille/internal/pair_queue.h>
+#include <quadrille/internal/triangle_complex.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Pairs that were refused, each listed at both of its ends until the neighbourhood of one changes.
+class ParkedPairs {
+public:
+  explicit ParkedPairs(std::size_t vertices) : first_entry_(vertices, none) {}
+
+  void park(const QueuedPair& pair) {
+    const Index slot = new_slot();
+    slots_[slot] = {pair, {none, none}, 2};
+    link(pair.first, slot, 0);
+    link(pair.second, slot, 1);
+    ++size_;
+  }
+
+  /// Empties the list of a vertex and calls visit(pair) for each pair that was still parked.
+  template <class Visit>
+  void release(Index vertex, Visit visit) {
+    Index entry = first_entry_[vertex];
+    first_entry_[vertex] = none;
+    while (entry != none) {
+      Slot& slot = slots_[entry / 2];
+      const Index next = slot.next[entry % 2];
+      if (--slot.lists == 1) {
+        --size_;
+        visit(slot.pair); // the other list forgets it later
+      } else {
+        free_.push_back(entry / 2);
+      }
+      entry = next;
+    }
+  }
+
+  std::size_t size() const { return size_; }
+
+private:
+  struct Slot {
+    QueuedPair pair;
+    std::array<Index, 2> next; // in the lists of the two ends
+    int lists;                 // how many lists it is in; parked while in both
+  };
+
+  Index new_slot() {
+    if (free_.empty()) {
+      slots_.emplace_back();
+      return static_cast<Index>(slots_.size() - 1);
+    }
+    const Index slot = free_.back();
+    free_.pop_back();
+    return slot;
+  }
+
+  // An entry is a slot and the end whose list it is in: 2·slot + end.
+  void link(Index vertex, Index slot, Index end) {
+    slots_[slot].next[end] = first_entry_[vertex];
+    first_entry_[vertex] = 2 * slot + end;
+  }
+
+  std::vector<Slot> slots_;
+  std::vector<Index> free_;
+  std::vector<Index> first_entry_;
+  std::size_t size_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PARKED_PAIRS_H

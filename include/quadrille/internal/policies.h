@@ -1,0 +1,77 @@
+#ifndef QUADRILLE_INTERNAL_POLICIES_H
+#define QUADRILLE_INTERNAL_POLICIES_H
+
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+#include <quadrille/vector.h>
+
+#include <cstddef>
+#include <tuple>
+
+namespace quadrille::internal {
+
+/// A pair as cost and placement see it.
+template <std::size_t N, class Memory>
+struct PairView {
+  Vector<N> first, second;
+  Memory memory;        ///< of both ends, about `first`
+  double squared_reach; ///< of the distance from an end to its farthest neighbour
+};
+
+template <class Cost>
+using PairOf = PairView<Cost::dimension, typename Cost::Memory>;
+
+/// Everything that `simplify` was asked for, each with its default where it was not named.
+template <class Cost_, class Placement_, class Pairs_, class Stop_, class Visitor_,
+          class... Filters>
+struct Policies {
+  using Cost = Cost_;
+  using Placement = Placement_;
+  using Pairs = Pairs_;
+  using Stop = Stop_;
+  using Visitor = Visitor_;
+
+  Cost cost;
+  Placement placement;
+  Pairs pairs;
+  Stop stop;
+  Visitor visitor;
+  Topology topology;
+  std::tuple<Filters...> filters;
+};
+
+/// Expresses what is remembered about the point d, where the cost keeps its memory about its
+/// vertex.
+template <class Memory, std::size_t N>
+void move_origin(Memory& memory, const Vector<N>& d) {
+  if constexpr (requires { memory.move_origin(d); })
+    memory.move_origin(d);
+}
+
+/// The square of the error of a contraction as a distance, in the engine's unit.
+template <class Cost>
+double squared_error(const Cost& cost, const PairOf<Cost>& pair, double value) {
+  if constexpr (requires { cost.squared_error(pair, value); })
+    return cost.squared_error(pair, value);
+  else
+    return value;
+}
+
+/// True if a surface of this status lies beyond the target and not just at it.
+template <class Stop>
+bool is_passed(const Stop& stop, const Status& status) {
+  if constexpr (requires { stop.is_passed(status); })
+    return stop.is_passed(status);
+  else
+    return false;
+}
+
+template <class Policy>
+void validate(const Policy& policy) {
+  if constexpr (requires { policy.validate(); })
+    policy.validate();
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_POLICIES_H

@@ -1,0 +1,98 @@
+#ifndef QUADRILLE_INTERNAL_STAR_H
+#define QUADRILLE_INTERNAL_STAR_H
+
+#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A face at a vertex: its other two vertices, in the order of the face.
+struct StarFace {
+  Index face, second, third;
+};
+
+/// The faces around a pair of vertices: those of one end only, which a contraction changes, and
+/// those of both, which it removes.
+struct PairStar {
+  std::vector<StarFace> first, second; // the faces of one end only
+  std::vector<StarFace> shared;        // the faces of both, seen from the first end
+
+  void gather(TriangleComplex& complex, Index a, Index b) {
+    first.clear();
+    second.clear();
+    shared.clear();
+    complex.for_each_corner(a, [&](Index face, Index i) {
+      const StarFace f = star_face(complex, face, i);
+      (f.second == b || f.third == b ? shared : first).push_back(f);
+    });
+    complex.for_each_corner(b, [&](Index face, Index i) {
+      const StarFace f = star_face(complex, face, i);
+      if (f.second != a && f.third != a)
+        second.push_back(f);
+    });
+  }
+
+  static StarFace star_face(const TriangleComplex& complex, Index face, Index i) {
+    const auto& v = complex.vertices(face);
+    return {face, v[i == 2 ? 0 : i + 1], v[i == 0 ? 2 : i - 1]};
+  }
+};
+
+/// A face that a contraction changes: its moving corner before and after, and its two others.
+struct ChangedFace {
+  Vector<3> before, after, second, third;
+};
+
+/// What a filter sees of a contraction that is about to be done.
+template <std::size_t N>
+class ContractionView {
+public:
+  ContractionView(const PairStar& star, const std::vector<Vector<N>>& positions,
+                  const Vector<N>& first, const Vector<N>& second, const Vector<N>& target)
+      : star_(star), positions_(positions), first_(first), second_(second), target_(target) {}
+
+  class Faces {
+  public:
+    explicit Faces(const ContractionView& view) : view_(view) {}
+    class Iterator {
+    public:
+      Iterator(const ContractionView& view, std::size_t i) : view_(view), i_(i) {}
+      ChangedFace operator*() const { return view_.face(i_); }
+      Iterator& operator++() { return ++i_, *this; }
+      friend bool operator==(const Iterator& a, const Iterator& b) { return a.i_ == b.i_; }
+
+    private:
+      const ContractionView& view_;
+      std::size_t i_;
+    };
+    Iterator begin() const { return {view_, 0}; }
+    Iterator end() const { return {view_, size()}; }
+    std::size_t size() const { return view_.star_.first.size() + view_.star_.second.size(); }
+
+  private:
+    const ContractionView& view_;
+  };
+
+  /// The faces that stay, as ChangedFace, in the engine's unit of length.
+  Faces faces() const { return Faces(*this); }
+  const Vector<N>& target() const { return target_; }
+
+private:
+  ChangedFace face(std::size_t i) const {
+    const std::size_t n = star_.first.size();
+    const StarFace& f = i < n ? star_.first[i] : star_.second[i - n];
+    return {space(i < n ? first_ : second_), space(target_), space(positions_[f.second]),
+            space(positions_[f.third])};
+  }
+
+  const PairStar& star_;
+  const std::vector<Vector<N>>& positions_;
+  const Vector<N>&first_, second_, target_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_STAR_H

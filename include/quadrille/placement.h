@@ -1,0 +1,50 @@
+#ifndef QUADRILLE_PLACEMENT_H
+#define QUADRILLE_PLACEMENT_H
+
+#include <quadrille/vector.h>
+
+#include <algorithm>
+
+namespace quadrille {
+
+/// The position halfway between the two ends of a pair.
+struct MidpointPlacement {
+  auto operator()(const auto& /*cost*/, const auto& pair) const {
+    return 0.5 * (pair.first + pair.second);
+  }
+};
+
+/// The cheaper end of a pair, the first if both cost the same. The output's vertices are a subset
+/// of the input's: exact positions, exact attributes.
+struct EndpointPlacement {
+  auto operator()(const auto& cost, const auto& pair) const {
+    return cost(pair, pair.second) < cost(pair, pair.first) ? pair.second : pair.first;
+  }
+};
+
+/// The position of least cost. Where the cost has none, or it lies further from both ends than
+/// `pair.reach`, the distance to the farthest neighbour, the cheapest of the two ends and the
+/// midpoint.
+///
+/// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: with the
+/// point quadrics of `Quadric` a system that is singular along a line does not come up).
+struct OptimalPlacement {
+  auto operator()(const auto& cost, const auto& pair) const {
+    if (const auto x = cost.minimizer(pair); x && is_within_reach(pair, *x))
+      return *x;
+    const auto end = EndpointPlacement{}(cost, pair);
+    const auto midpoint = MidpointPlacement{}(cost, pair);
+    return cost(pair, midpoint) < cost(pair, end) ? midpoint : end;
+  }
+
+private:
+  // False for a position that is not finite.
+  static bool is_within_reach(const auto& pair, const auto& x) {
+    return std::min(squared_distance(space(x), space(pair.first)),
+                    squared_distance(space(x), space(pair.second))) <= pair.squared_reach;
+  }
+};
+
+} // namespace quadrille
+
+#endif // QUADRILLE_PLACEMENT_H

@@ -1,0 +1,89 @@
+#ifndef QUADRILLE_QUADRIC_H
+#define QUADRILLE_QUADRIC_H
+
+#include <quadrille/quadric_form.h>
+#include <quadrille/vector.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace quadrille {
+
+/// How much the plane of a face counts.
+enum class Weighting {
+  by_area, ///< as its area: the error does not depend on how a surface is cut into triangles
+  uniform  ///< as one, the scheme of the 1997 paper
+};
+
+/// The cost of Garland and Heckbert: a vertex remembers the planes of the faces that have gone into
+/// it, as a sum of quadrics, and a position costs the weighted sum of its squared distances to
+/// them.
+///
+/// A boundary edge adds a *constraint plane* through the edge and perpendicular to its face,
+/// weighted with boundary_weight · |edge|², so that it scales as the areas do. Quadrics are kept
+/// about their vertices, where a new plane has neither a linear nor a constant term.
+///
+/// Each face also adds a point quadric of 10⁻⁹ of its weight. Where the planes leave a direction
+/// free (a flat part, a straight crease) it decides between positions that cost the same otherwise,
+/// so flat parts keep an even triangulation and the system to be solved is never singular by
+/// rounding; elsewhere it vanishes beside the planes.
+///
+/// Source: Garland and Heckbert, Surface Simplification Using Quadric Error Metrics, 1997, sections
+/// 4 to 6; area weights and the squared edge length: Garland's thesis, 1999.
+struct Quadric {
+  static constexpr std::size_t dimension = 3;
+  using Memory = QuadricForm<3>;
+
+  double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
+  Weighting weighting = Weighting::by_area;
+
+  /// What a face pqr leaves at each of its corners. Nothing for a face without area.
+  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    const Vector<3> normal = double_area_vector(p, q, r);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return {};
+    const double weight = weighting == Weighting::by_area ? std::sqrt(squared) / 2 : 1;
+    Memory memory = Memory::plane(normal, weight / squared);
+    for (std::size_t i = 0; i < 3; ++i)
+      memory.add_to_matrix(i, i, shape_weight * weight);
+    return memory;
+  }
+  static constexpr bool face_is_alike_at_corners = true;
+
+  /// What the boundary edge pq of a face pqr leaves at both of its ends.
+  Memory boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    const Vector<3> normal = double_area_vector(p, q, r);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return {};
+    // edge × unit normal has the length of the edge: its square is the weight's |edge|²
+    return Memory::plane(cross(q - p, normal), boundary_weight / squared);
+  }
+
+  double operator()(const auto& pair, const Vector<3>& x) const {
+    return pair.memory(x - pair.first);
+  }
+
+  /// The position of least cost, if there is one.
+  std::optional<Vector<3>> minimizer(const auto& pair) const {
+    std::optional<Vector<3>> x = pair.memory.minimizer();
+    if (x)
+      *x += pair.first;
+    return x;
+  }
+
+  /// The square of the root mean square distance to the planes: see Report::error.
+  double squared_error(const auto& pair, double cost) const {
+    const double weight = pair.memory.trace(); // a plane of unit normal has a trace of its weight
+    return weight > 0 ? cost / weight : 0;
+  }
+
+private:
+  static constexpr double shape_weight = 1e-9;
+};
+
+} // namespace quadrille
+
+#endif // QUADRILLE_QUADRIC_H

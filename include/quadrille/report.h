@@ -1,0 +1,102 @@
+#ifndef QUADRILLE_REPORT_H
+#define QUADRILLE_REPORT_H
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <string_view>
+
+namespace quadrille {
+
+/// What a stop policy sees: the surface as it is just before the next contraction.
+struct Status {
+  std::size_t initial_faces = 0;
+  std::size_t initial_vertices = 0;
+  std::size_t faces = 0;
+  std::size_t vertices = 0;
+  std::size_t contractions = 0;
+  /// The error of the contraction that comes next, as a distance in the mesh's units: see
+  /// Report::error.
+  double next_error = 0;
+  double diagonal = 0; ///< of the input's bounding box, in the mesh's units
+};
+
+enum class StopReason {
+  target_met,         ///< the stop policy said so
+  no_pair_left,       ///< every pair has been contracted
+  all_pairs_rejected, ///< pairs are left, and each of them is refused by the topology or by a
+                      ///< filter
+  cancelled           ///< the visitor said so
+};
+
+/// Why a contraction was refused.
+enum class Rejection {
+  topology,    ///< the link condition does not hold: the contraction would change the topology
+  constraint,  ///< an end or the edge itself is constrained
+  normal_flip, ///< a face would turn over, or further than the filter allows
+  shape,       ///< a good triangle would become a sliver
+  degree,      ///< the vertex would have too many edges
+  position,    ///< the placement gave a position that is not finite
+  filter,      ///< a filter of the user's refused
+};
+inline constexpr std::size_t rejection_causes = 7;
+
+constexpr std::string_view to_string(StopReason reason) {
+  constexpr std::array<std::string_view, 4> names{"target met", "no pair left",
+                                                  "all pairs rejected", "cancelled"};
+  return names[static_cast<std::size_t>(reason)];
+}
+
+constexpr std::string_view to_string(Rejection cause) {
+  constexpr std::array<std::string_view, rejection_causes> names{
+      "topology", "constraint", "normal flip", "shape", "degree", "position", "filter"};
+  return names[static_cast<std::size_t>(cause)];
+}
+
+/// What `simplify` did. It prints itself in one line.
+struct Report {
+  std::size_t faces_before = 0, faces_after = 0;
+  std::size_t vertices_before = 0, vertices_after = 0;
+
+  std::size_t contractions = 0; ///< pairs of vertices made one
+  StopReason stop = StopReason::no_pair_left;
+
+  /// The largest error of any contraction, as a distance in the mesh's units.
+  ///
+  /// For a quadric it is √(Q(x)/w): the root mean square distance from the new vertex x to the
+  /// planes that it remembers, weighted as the quadric weights them (w is their sum). It is an
+  /// estimate and no bound: it is measured at vertices only, to planes and not to triangles, and a
+  /// plane may count up to three times. For the distance between the surfaces call
+  /// `surface_distance` of <quadrille/distance.h>.
+  double error = 0;
+
+  /// How many contractions were refused, by cause. A pair counts each time that it is refused.
+  std::array<std::size_t, rejection_causes> rejections{};
+  std::size_t rejected(Rejection cause) const {
+    return rejections[static_cast<std::size_t>(cause)];
+  }
+
+  /// Seconds spent: reading the mesh, preparing costs and pairs, contracting, writing the mesh.
+  struct {
+    double read = 0, prepare = 0, contract = 0, write = 0;
+    double total() const { return read + prepare + contract + write; }
+  } seconds;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Report& report) {
+  out << report.faces_before << " -> " << report.faces_after << " faces, " << report.vertices_before
+      << " -> " << report.vertices_after << " vertices, " << report.contractions
+      << " contractions, stopped: " << to_string(report.stop) << ", error " << report.error;
+  const char* separator = ", rejected: ";
+  for (std::size_t cause = 0; cause < rejection_causes; ++cause) {
+    if (report.rejections[cause] == 0)
+      continue;
+    out << separator << report.rejections[cause] << ' ' << to_string(static_cast<Rejection>(cause));
+    separator = ", ";
+  }
+  return out << ", " << report.seconds.total() << " s";
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_REPORT_H

@@ -1,0 +1,89 @@
+#ifndef QUADRILLE_VECTOR_H
+#define QUADRILLE_VECTOR_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace quadrille {
+
+/// A point or displacement of N real coordinates: three of space, then N − 3 attributes.
+/// An aggregate of doubles; components are read and written with `v[i]`.
+template <std::size_t N>
+struct Vector {
+  std::array<double, N> coordinates{};
+
+  constexpr double& operator[](std::size_t i) { return coordinates[i]; }
+  constexpr double operator[](std::size_t i) const { return coordinates[i]; }
+
+  constexpr Vector& operator+=(const Vector& other) {
+    for (std::size_t i = 0; i < N; ++i)
+      coordinates[i] += other[i];
+    return *this;
+  }
+  constexpr Vector& operator-=(const Vector& other) {
+    for (std::size_t i = 0; i < N; ++i)
+      coordinates[i] -= other[i];
+    return *this;
+  }
+  constexpr Vector& operator*=(double factor) {
+    for (std::size_t i = 0; i < N; ++i)
+      coordinates[i] *= factor;
+    return *this;
+  }
+  friend constexpr Vector operator+(Vector a, const Vector& b) { return a += b; }
+  friend constexpr Vector operator-(Vector a, const Vector& b) { return a -= b; }
+  friend constexpr Vector operator*(double factor, Vector a) { return a *= factor; }
+  friend constexpr bool operator==(const Vector&, const Vector&) = default;
+};
+
+template <std::size_t N>
+constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < N; ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+template <std::size_t N>
+constexpr double squared_length(const Vector<N>& a) {
+  return dot(a, a);
+}
+
+template <std::size_t N>
+constexpr double squared_distance(const Vector<N>& a, const Vector<N>& b) {
+  return squared_length(a - b);
+}
+
+constexpr Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+/// Twice the area vector of the triangle pqr: its length is twice the area, its direction the
+/// normal.
+constexpr Vector<3> double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+  return cross(q - p, r - p);
+}
+
+template <std::size_t N>
+bool is_finite(const Vector<N>& a) {
+  double sum = 0;
+  for (double x : a.coordinates)
+    sum += x - x; // 0 for a finite x, NaN for any other
+  return sum == 0;
+}
+
+/// The three coordinates of space of a position with attributes.
+template <std::size_t N>
+constexpr Vector<3> space(const Vector<N>& a) {
+  return {{a[0], a[1], a[2]}};
+}
+
+/// A position itself: nothing is copied where there are no attributes.
+constexpr const Vector<3>& space(const Vector<3>& a) {
+  return a;
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_VECTOR_H
