@@ -2,35 +2,121 @@
 #define QUADRILLE_CONCEPTS_H
 
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/star.h>
+#include <quadrille/pairs.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
 #include <concepts>
 #include <cstddef>
 
+/// \file
+/// The policies of `simplify` and what each of them has to answer. A policy is a plain value: it is
+/// copied, and called as const. The engine works in a unit of length of its own, a power of two
+/// times the mesh's, and hands positions to costs, placements and filters in it; pairs and stops
+/// speak in the mesh's unit.
+
 namespace quadrille {
 
-/// What does a vertex remember of the surface, and what does a target position cost?
+/// **Cost**: what does a vertex remember of the surface, and what does a target position cost?
+///
+/// Checked: `C::dimension`, 3 plus the number of attributes; `C::Memory`, a semiregular type with
+/// +=; `cost.face(p, q, r)`, what a face leaves at its corner p; `cost(pair, x)`, the cost of
+/// contracting a pair to x, where `pair.first`, `pair.second` are the positions of its ends and
+/// `pair.memory` is the sum of what both remember.
+///
+/// Not checked: a cost is at least 0 and depends on nothing but its arguments.
+///
+/// Used where there, each by itself: `memory.move_origin(d)`, if what is remembered is kept about
+/// its vertex (`pair.memory` is then about `pair.first`); `cost.minimizer(pair)`, an optional
+/// position of least cost, which OptimalPlacement needs; `cost.boundary(p, q, r)`, what the
+/// boundary edge pq of the face pqr leaves at p; `cost.crease(p, q, r)` with `cost.crease_degrees`,
+/// the same for a crease; `cost.squared_error(pair, value)`, a cost as the square of a distance;
+/// `cost.validate()`, which throws if the policy makes no sense.
+///
+/// The least model:
+/// ```cpp
+/// struct Distance {  // how far the two ends have to go
+///   static constexpr std::size_t dimension = 3;
+///   struct Memory { Memory& operator+=(const Memory&) { return *this; } };
+///   Memory face(auto&&, auto&&, auto&&) const { return {}; }
+///   double operator()(const auto& pair, const auto& x) const {
+///     return squared_distance(pair.first, x) + squared_distance(pair.second, x);
+///   }
+/// };
+/// ```
+/// Models: Quadric, AttributeQuadric<N>, EdgeLength.
 template <class C>
-concept CostPolicy = std::copy_constructible<C> &&
-    requires(const C cost, typename C::Memory memory, const Vector<C::dimension> p) {
-  requires std::semiregular<typename C::Memory>;
-  {memory += memory};
+concept CostPolicy = std::copy_constructible<C> && requires {
+  { C::dimension } -> std::convertible_to<std::size_t>;
+  typename C::Memory;
+} && std::semiregular<typename C::Memory> &&
+    requires(const C cost, typename C::Memory memory, const Vector<C::dimension> p,
+             const internal::PairOf<C> pair) {
+  memory += memory;
   { cost.face(p, p, p) } -> std::convertible_to<typename C::Memory>;
-  { cost(internal::PairOf<C>{}, p) } -> std::convertible_to<double>;
+  { cost(pair, p) } -> std::convertible_to<double>;
 };
 
-/// Where does the contracted vertex go?
+/// **Placement**: where does the contracted vertex go?
+///
+/// Checked: `placement(cost, pair)` gives a position; `pair` is as in CostPolicy. Not checked: the
+/// position is finite (one that is not is refused and counted as Rejection::position).
+///
+/// The least model: `struct First { auto operator()(auto&&, const auto& pair) const { return
+/// pair.first; } };`
+///
+/// Models: OptimalPlacement, EndpointPlacement, MidpointPlacement.
 template <class P, class Cost>
-concept PlacementFor = CostPolicy<Cost> &&
+concept PlacementPolicy = std::copy_constructible<P> &&
     requires(const P placement, const Cost cost, const internal::PairOf<Cost> pair) {
   { placement(cost, pair) } -> std::convertible_to<Vector<Cost::dimension>>;
 };
 
-/// Is this enough?
+/// **Pairs**: which pairs of vertices may ever be contracted?
+///
+/// Checked: `pairs(surface, emit)` is a call; `surface` is a SurfaceView, `emit(i, j)` selects a
+/// pair. With `static constexpr bool includes_edges = true` in the policy every edge is a pair as
+/// well, now and later; without it only the emitted pairs and what becomes of them are. Not
+/// checked: the indices are those of vertices (std::out_of_range otherwise).
+///
+/// The least model: `struct None { void operator()(const SurfaceView&, auto&&) const {} };`
+///
+/// Models: EdgePairs, ThresholdPairs.
+template <class P>
+concept PairPolicy = std::copy_constructible<P> &&
+    requires(const P pairs, const SurfaceView surface,
+             void (*const emit)(std::size_t, std::size_t)) {
+  pairs(surface, emit);
+};
+
+/// **Stop**: is this enough? Asked before each contraction.
+///
+/// Checked: `stop(status)` gives a bool; `status` is a Status. Not checked: it stays true.
+///
+/// Used where there: `stop.is_passed(status)`: is a surface of this status beyond the target and
+/// not just at it? The engine then looks for a pair that meets the target exactly.
+///
+/// The least model is a lambda: `[](const Status& status) { return status.faces < 1000; }`
+///
+/// Models: FaceCount, FaceRatio, VertexCount, ErrorLimit, AnyOf, AllOf.
 template <class S>
 concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const Status status) {
   { stop(status) } -> std::convertible_to<bool>;
+};
+
+/// **Filter**: may this contraction be done? Asked just before it; any number of filters work
+/// together.
+///
+/// Checked: `filter.allows(contraction)` gives a bool. `contraction.faces()` are the faces that
+/// change, each with its moving corner `before` and `after` and its others, `second` and `third`;
+/// `contraction.target()` is the new position.
+///
+/// Models: NormalFlip, TriangleShape, HighestDegree.
+template <class F, class Cost>
+concept FilterPolicy = std::copy_constructible<F> &&
+    requires(const F filter, const internal::ContractionView<Cost::dimension> contraction) {
+  { filter.allows(contraction) } -> std::convertible_to<bool>;
 };
 
 } // namespace quadrille

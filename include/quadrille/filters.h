@@ -4,22 +4,34 @@
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 namespace quadrille {
 
-/// Refuses a contraction that turns the normal of a face by `degrees` or more. A face without area
-/// has no normal and may turn to any.
+/// Refuses a contraction that turns the normal of a face by `degrees` or more. On by default, with
+/// 90 degrees. A face without area has no normal and may turn to any; 180 degrees allows
+/// everything.
 class NormalFlip {
 public:
   static constexpr Rejection cause = Rejection::normal_flip;
 
-  /// degrees lies in (0, 180].
+  /// degrees lies in (0, 180]; throws std::invalid_argument otherwise.
   explicit NormalFlip(double degrees = 90)
-      : cosine_(degrees == 90 ? 0 : std::cos(degrees * std::numbers::pi / 180)) {}
+      : cosine_(degrees == 90 ? 0 : std::cos(degrees * std::numbers::pi / 180)),
+        allows_everything_(degrees == 180) {
+    if (!(degrees > 0 && degrees <= 180))
+      throw std::invalid_argument("quadrille::NormalFlip: " + std::to_string(degrees) +
+                                  " degrees are not in (0, 180]");
+  }
 
   bool allows(const auto& contraction) const {
+    if (allows_everything_)
+      return true;
     for (const auto& face : contraction.faces())
       if (turns_too_far(double_area_vector(face.before, face.second, face.third),
                         double_area_vector(face.after, face.second, face.third)))
@@ -37,6 +49,63 @@ private:
   }
 
   double cosine_;
+  bool allows_everything_;
+};
+
+/// Refuses a contraction that makes a sliver out of a better triangle: one of less than `quality`
+/// and of less than its quality before. The quality of a triangle is 4√3 · area / Σ|edge|²: 1 for
+/// an equilateral one, 0 for one without area.
+class TriangleShape {
+public:
+  static constexpr Rejection cause = Rejection::shape;
+
+  /// quality lies in [0, 1]; throws std::invalid_argument otherwise.
+  explicit TriangleShape(double quality = 0.05) : quality_(quality) {
+    if (!(quality >= 0 && quality <= 1))
+      throw std::invalid_argument("quadrille::TriangleShape: the quality " +
+                                  std::to_string(quality) + " is not in [0, 1]");
+  }
+
+  bool allows(const auto& contraction) const {
+    for (const auto& face : contraction.faces()) {
+      const double after = quality(face.after, face.second, face.third);
+      if (after < quality_ && after < quality(face.before, face.second, face.third))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  static double quality(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+    const double edges = squared_distance(p, q) + squared_distance(q, r) + squared_distance(r, p);
+    return edges > 0 ? 2 * std::numbers::sqrt3 *
+                           std::sqrt(squared_length(double_area_vector(p, q, r))) / edges
+                     : 0;
+  }
+
+  double quality_;
+};
+
+/// Refuses a contraction after which its vertex would have more than `degree` faces, unless one of
+/// the two ends has as many already.
+class HighestDegree {
+public:
+  static constexpr Rejection cause = Rejection::degree;
+
+  /// degree is at least 3; throws std::invalid_argument otherwise.
+  explicit HighestDegree(std::size_t degree = 24) : degree_(degree) {
+    if (degree < 3)
+      throw std::invalid_argument("quadrille::HighestDegree: " + std::to_string(degree) +
+                                  " is less than 3");
+  }
+
+  bool allows(const auto& contraction) const {
+    const std::size_t after = contraction.faces().size();
+    return after <= degree_ || after <= contraction.highest_degree();
+  }
+
+private:
+  std::size_t degree_;
 };
 
 } // namespace quadrille

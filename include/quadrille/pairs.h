@@ -1,15 +1,27 @@
 #ifndef QUADRILLE_PAIRS_H
 #define QUADRILLE_PAIRS_H
 
+#include <quadrille/vector.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
 namespace quadrille {
+
+/// What a pair policy sees: the surface as it is at the beginning, in the mesh's units.
+struct SurfaceView {
+  std::span<const Vector<3>> points;
+  std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
+};
 
 /// The edges of the surface: those that it has at the beginning and those that contractions make.
 /// Disjoint parts are never joined.
 struct EdgePairs {
-  /// Every edge is a pair at any time, so there is nothing to select.
+  /// Every edge is a pair at any time, and there is nothing more to select.
   static constexpr bool includes_edges = true;
 
-  void operator()(const auto& /*surface*/, const auto& /*emit*/) const {}
+  void operator()(const SurfaceView& /*surface*/, const auto& /*emit*/) const {}
 };
 
 } // namespace quadrille

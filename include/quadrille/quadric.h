@@ -7,8 +7,20 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 namespace quadrille {
+
+namespace internal {
+
+inline void require_weight(const char* policy, const char* name, double weight) {
+  if (!(weight >= 0) || !std::isfinite(weight))
+    throw std::invalid_argument(std::string(policy) + ": " + name + " " + std::to_string(weight) +
+                                " is negative or not finite");
+}
+
+} // namespace internal
 
 /// How much the plane of a face counts.
 enum class Weighting {
@@ -36,7 +48,18 @@ struct Quadric {
   using Memory = QuadricForm<3>;
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
+  double crease_weight = 100;   ///< the same for both faces of a crease
+  double crease_degrees = 180;  ///< an edge is a crease if its normals differ by more; 180: none is
   Weighting weighting = Weighting::by_area;
+
+  /// Throws std::invalid_argument for a weight or an angle that makes no sense.
+  void validate() const {
+    internal::require_weight("quadrille::Quadric", "boundary_weight", boundary_weight);
+    internal::require_weight("quadrille::Quadric", "crease_weight", crease_weight);
+    if (!(crease_degrees >= 0 && crease_degrees <= 180))
+      throw std::invalid_argument("quadrille::Quadric: crease_degrees " +
+                                  std::to_string(crease_degrees) + " is not in [0, 180]");
+  }
 
   /// What a face pqr leaves at each of its corners. Nothing for a face without area.
   Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
@@ -54,12 +77,12 @@ struct Quadric {
 
   /// What the boundary edge pq of a face pqr leaves at both of its ends.
   Memory boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    const Vector<3> normal = double_area_vector(p, q, r);
-    const double squared = squared_length(normal);
-    if (!(squared > 0))
-      return {};
-    // edge × unit normal has the length of the edge: its square is the weight's |edge|²
-    return Memory::plane(cross(q - p, normal), boundary_weight / squared);
+    return constraint_plane(p, q, r, boundary_weight);
+  }
+
+  /// What a crease pq leaves at both of its ends for its face pqr.
+  Memory crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    return constraint_plane(p, q, r, crease_weight);
   }
 
   double operator()(const auto& pair, const Vector<3>& x) const {
@@ -80,7 +103,18 @@ struct Quadric {
     return weight > 0 ? cost / weight : 0;
   }
 
-private:
+  /// The plane through the edge pq and perpendicular to the face pqr, about p, with weight · |pq|².
+  static Memory constraint_plane(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
+                                 double weight) {
+    const Vector<3> normal = double_area_vector(p, q, r);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return {};
+    // edge × unit normal is as long as the edge: its square brings the weight's |pq|²
+    return Memory::plane(cross(q - p, normal), weight / squared);
+  }
+
+  /// Of the point quadric of a face, beside its plane.
   static constexpr double shape_weight = 1e-9;
 };
 

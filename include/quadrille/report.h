@@ -58,7 +58,14 @@ struct Report {
   std::size_t faces_before = 0, faces_after = 0;
   std::size_t vertices_before = 0, vertices_after = 0;
 
-  std::size_t contractions = 0; ///< pairs of vertices made one
+  std::size_t contractions = 0;          ///< pairs of vertices made one
+  std::size_t non_edge_contractions = 0; ///< those of them that had no face in common
+
+  std::size_t components_before = 0, components_after = 0; ///< parts that no vertex connects
+  std::size_t non_manifold_edges = 0;    ///< of the result: edges of three faces or more
+  std::size_t non_manifold_vertices = 0; ///< of the result: neither a disc nor half a disc around
+  std::size_t duplicated_vertices = 0;   ///< added to write a non-manifold result to a FaceGraph
+
   StopReason stop = StopReason::no_pair_left;
 
   /// The largest error of any contraction, as a distance in the mesh's units.
@@ -87,6 +94,13 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   out << report.faces_before << " -> " << report.faces_after << " faces, " << report.vertices_before
       << " -> " << report.vertices_after << " vertices, " << report.contractions
       << " contractions, stopped: " << to_string(report.stop) << ", error " << report.error;
+  if (report.non_edge_contractions > 0)
+    out << ", " << report.non_edge_contractions << " contractions of no edge";
+  if (report.components_before != report.components_after)
+    out << ", " << report.components_before << " -> " << report.components_after << " components";
+  if (report.non_manifold_edges + report.non_manifold_vertices > 0)
+    out << ", " << report.non_manifold_edges << " non-manifold edges, "
+        << report.non_manifold_vertices << " non-manifold vertices";
   const char* separator = ", rejected: ";
   for (std::size_t cause = 0; cause < rejection_causes; ++cause) {
     if (report.rejections[cause] == 0)

@@ -1,53 +1,78 @@
 #ifndef QUADRILLE_SIMPLIFY_H
 #define QUADRILLE_SIMPLIFY_H
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/concepts.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
-#include <quadrille/internal/face_graph_adapter.h>
-#include <quadrille/internal/greedy_order.h>
-#include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/arguments.h>
+#include <quadrille/internal/diagnostics.h>
+#include <quadrille/internal/meshes.h>
 #include <quadrille/pairs.h>
+#include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
+#include <quadrille/topology.h>
 #include <quadrille/visitor.h>
-
-#include <chrono>
 
 namespace quadrille {
 
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Mesh, class Stop>
-Report simplify(Mesh& mesh, Stop stop) {
-  using Clock = std::chrono::steady_clock;
-  auto t0 = Clock::now();
-  auto lap = [&] {
-    auto t = Clock::now();
-    double s = std::chrono::duration<double>(t - t0).count();
-    t0 = t;
-    return s;
-  };
-  auto vpm = get(CGAL::vertex_point, mesh);
-  auto vim = CGAL::get_initialized_vertex_index_map(mesh);
-  internal::FaceGraphAdapter<Mesh, decltype(vpm), decltype(vim)> adapter(mesh, vpm, vim);
-  using P = internal::Policies<Cost, Placement, EdgePairs, Stop, Visitor, NormalFlip>;
-  P policies{{}, {}, {}, stop, {}, Topology::kept, std::tuple<NormalFlip>(NormalFlip{})};
-  Report report;
-  auto input = adapter.template read<Cost::dimension>();
-  report.seconds.read = lap();
-  internal::PairContraction<P> surface(std::move(input), policies);
-  internal::GreedyOrder<P> order(surface, report);
-  report.seconds.prepare = lap();
-  order.run();
-  report.seconds.contract = lap();
-  adapter.write(surface);
-  report.seconds.write = lap();
-  report.faces_before = surface.status().initial_faces;
-  report.faces_after = surface.status().faces;
-  report.vertices_before = surface.status().initial_vertices;
-  report.vertices_after = surface.status().vertices;
-  report.contractions = surface.status().contractions;
-  return report;
+/// Simplifies a triangle mesh in place, contracting the cheapest pair of vertices again and again.
+///
+/// `mesh` models CGAL's MutableFaceGraph and FaceListGraph: Surface_mesh, Polyhedron_3,
+/// Linear_cell_complex_for_combinatorial_map, OpenMesh. The arguments are policies, in any order
+/// and at most one of a kind, filters, a Topology, and CGAL named parameters:
+///
+/// | argument                | what                                | default |
+/// |-------------------------|-------------------------------------|--------------------------------|
+/// | CostPolicy              | what a contraction costs            | Cost{} | | PlacementPolicy |
+/// where the vertex goes               | Placement{}                    | | PairPolicy | which
+/// pairs there are               | EdgePairs{}                    | | StopPolicy              |
+/// when to stop                        | FaceRatio{0.5}                 | | FilterPolicy, any
+/// number| what to refuse                      | NormalFlip{90}                 | | Topology | kept
+/// or free                        | kept; free with non-edge pairs | | vertex_point_map,
+/// vertex_index_map, visitor | as in CGAL      |                                | |
+/// edge_is_constrained_map | such an edge stays, with its ends   |                                |
+/// | vertex_is_constrained_map | such a vertex stays where it is   | | | edge_is_crease_map      |
+/// creases, see Quadric                |                                | | vertex_color_map,
+/// vertex_texture_map, vertex_normal_map, vertex_attribute_map | see AttributeQuadric | |
+///
+/// What is left keeps its descriptors, so property maps stay right. As in CGAL, meshes that only
+/// mark what is removed (Surface_mesh, OpenMesh) are left for the caller to tidy up:
+/// `mesh.collect_garbage()`.
+///
+/// Time O(n log n) in the worst case and close to linear on meshes; about 130 bytes a face beside
+/// the mesh. Throws std::invalid_argument for a face that is not a triangle, a vertex that is not
+/// finite or a policy that makes no sense, std::length_error above 2³⁰ faces, and what the user's
+/// own maps, policies and visitors throw. If it throws, the mesh is as it was.
+template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, internal::FaceGraph Mesh,
+          class... Arguments>
+requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&&...) Report
+    simplify(Mesh& mesh, const Arguments&... arguments) {
+  const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+  const auto& named =
+      internal::pick<internal::IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
+  return internal::simplify_face_graph(mesh, policies, named);
+}
+
+/// Simplifies a polygon soup of triangles in place; it may be non-manifold and of any orientation.
+///
+/// `points` and `triangles` are random-access containers, of points of a CGAL kernel (or of
+/// anything, with `point_map`) and of three indices each. Points and triangles that are left keep
+/// their order; points of no triangle, degenerate and doubled triangles are dropped. Property maps
+/// of the named parameters are over the index of a point, and hold the results at the new indices.
+/// Topology is free by default. Otherwise as above.
+template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement,
+          internal::PointContainer Points, internal::TriangleContainer Triangles,
+          class... Arguments>
+requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&&...) Report
+    simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
+  const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+  const auto& named =
+      internal::pick<internal::IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
+  return internal::simplify_soup(points, triangles, policies, named);
 }
 
 } // namespace quadrille

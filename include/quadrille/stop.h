@@ -1,12 +1,15 @@
 #ifndef QUADRILLE_STOP_H
 #define QUADRILLE_STOP_H
 
+#include <quadrille/internal/policies.h>
 #include <quadrille/report.h>
 
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace quadrille {
 

@@ -1,21 +1,23 @@
 #ifndef QUADRILLE_INTERNAL_FACE_GRAPH_ADAPTER_H
 #define QUADRILLE_INTERNAL_FACE_GRAPH_ADAPTER_H
 
+#include <quadrille/internal/attributes.h>
+#include <quadrille/internal/points.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/internal/umbrellas.h>
 #include <quadrille/vector.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,9 +28,10 @@ namespace quadrille::internal {
 /// Vertices and faces that are left keep their descriptors. So do edges: of the edges that
 /// contractions made one, one is left, and each of its halfedges still points to what became of its
 /// target.
-template <class Mesh, class PointMap, class VertexIndexMap>
+template <class Mesh, class PointMap, class VertexIndexMap, class Attributes = NoAttributes>
 class FaceGraphAdapter {
 public:
+  static constexpr std::size_t dimension = 3 + Attributes::size;
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
@@ -36,26 +39,51 @@ public:
   using Face = typename Traits::face_descriptor;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
-  FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices)
-      : mesh_(mesh), points_(points), indices_(indices) {}
+  FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes = {})
+      : mesh_(mesh), points_(points), indices_(indices), attributes_(attributes) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
   /// finite.
-  template <std::size_t N>
-  SurfaceInput<N> read() {
-    SurfaceInput<N> surface;
+  SurfaceInput<dimension> read() {
+    SurfaceInput<dimension> surface;
     read_vertices(surface);
     read_faces(surface);
     return surface;
   }
 
+  /// Fixes the vertices of which get(map, vertex) is true.
+  template <class Map>
+  void fix_vertices(Map map, SurfaceInput<dimension>& surface) const {
+    for (Index v = 0; v < vertices_.size(); ++v)
+      if (get(map, vertices_[v]))
+        surface.fix(v);
+  }
+
+  /// Fixes the ends of the edges of which get(map, edge) is true, and has these edges left by
+  /// write().
+  template <class Map>
+  void fix_edges(Map map, SurfaceInput<dimension>& surface) {
+    for_each_edge_in(map, [&](Edge e, Index v, Index w) {
+      surface.fix(v);
+      surface.fix(w);
+      fixed_edges_.push_back({std::min(v, w), std::max(v, w), e});
+    });
+    std::sort(fixed_edges_.begin(), fixed_edges_.end(), FixedEdge::less);
+  }
+
+  /// Makes creases of the edges of which get(map, edge) is true.
+  template <class Map>
+  void name_creases(Map map, SurfaceInput<dimension>& surface) const {
+    for_each_edge_in(map, [&](Edge, Index v, Index w) { surface.creases.push_back({v, w}); });
+  }
+
   /// Rewrites the mesh. `surface` tells which faces are left, of which vertices, and where they
   /// lie.
   ///
-  /// Everything that can throw (memory, the user's point map) comes before the first change of the
-  /// connectivity, and is taken back if it does.
+  /// Everything that can throw (memory, the user's maps) comes before the first change of the
+  /// connectivity, and is taken back if it does. Returns how many vertices it had to duplicate.
   template <class Surface>
-  void write(const Surface& surface) {
+  std::size_t write(const Surface& surface) {
     collect_faces(surface.complex());
     umbrellas_.build(sides_, surface.complex().vertex_capacity(), [this](Index i, Index j) {
       return opposite(halfedges_[i], mesh_) == halfedges_[j];
@@ -64,11 +92,41 @@ public:
     collect_doomed(surface.complex());
     write_points(surface);
     write_connectivity();
+    return umbrellas_.duplicates().size();
   }
 
 private:
-  template <std::size_t N>
-  void read_vertices(SurfaceInput<N>& surface) {
+  struct FixedEdge {
+    Index low, high;
+    Edge edge;
+
+    static bool less(const FixedEdge& a, const FixedEdge& b) {
+      return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    }
+  };
+
+  // What write_points has overwritten.
+  struct Undo {
+    std::vector<std::pair<Vertex, Point>> points;
+    std::vector<std::pair<Vertex, AttributeValue<Attributes>>> attributes;
+
+    void run(FaceGraphAdapter& adapter) const {
+      for (const auto& [v, p] : points)
+        put(adapter.points_, v, p);
+      if constexpr (Attributes::size > 0)
+        for (const auto& [v, value] : attributes)
+          adapter.attributes_.put_raw(v, value);
+    }
+  };
+
+  template <class Map, class Visit>
+  void for_each_edge_in(Map map, Visit visit) const {
+    for (Edge e : edges(mesh_))
+      if (get(map, e))
+        visit(e, index(source(e, mesh_)), index(target(e, mesh_)));
+  }
+
+  void read_vertices(SurfaceInput<dimension>& surface) {
     const auto range = vertices(mesh_);
     std::size_t index_end = 0;
     for (Vertex v : range) {
@@ -80,19 +138,20 @@ private:
     surface.positions.resize(vertices_.size());
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       dense_[get(indices_, vertices_[i])] = static_cast<Index>(i);
-      const auto& p = get(points_, vertices_[i]);
-      Vector<N>& position = surface.positions[i];
-      position[0] = CGAL::to_double(p.x());
-      position[1] = CGAL::to_double(p.y());
-      position[2] = CGAL::to_double(p.z());
-      if (!is_finite(position))
-        throw std::invalid_argument("quadrille::simplify: vertex " + std::to_string(i) +
-                                    " is not finite");
+      surface.positions[i] = read_position(vertices_[i]);
+      require_finite(surface.positions[i], i);
     }
   }
 
-  template <std::size_t N>
-  void read_faces(SurfaceInput<N>& surface) {
+  Vector<dimension> read_position(Vertex v) {
+    const Vector<3> position = from_cgal(get(points_, v));
+    if constexpr (Attributes::size > 0)
+      return join(position, attributes_.read(v));
+    else
+      return position;
+  }
+
+  void read_faces(SurfaceInput<dimension>& surface) {
     for (Face f : faces(mesh_)) {
       const std::array<Halfedge, 3> h = halfedges_of(f);
       if (next(h[2], mesh_) != h[0])
@@ -137,9 +196,24 @@ private:
     chosen_ = halfedges_;
     for (Index side = 0; side < sides_.size(); ++side) {
       const Index mate = umbrellas_.mate(side);
-      if (mate != none && side < mate)
+      if (mate != none && mate < side)
+        continue; // done with its mate
+      if (const std::optional<Halfedge> fixed = fixed_halfedge(sides_[side]))
+        chosen_[side] = *fixed;
+      if (mate != none)
         chosen_[mate] = opposite(chosen_[side], mesh_);
     }
+  }
+
+  // The half of a fixed edge that runs as the side does, if there is one.
+  std::optional<Halfedge> fixed_halfedge(const Side& side) const {
+    const FixedEdge wanted{std::min(side.from, side.to), std::max(side.from, side.to), Edge()};
+    const auto found =
+        std::lower_bound(fixed_edges_.begin(), fixed_edges_.end(), wanted, FixedEdge::less);
+    if (found == fixed_edges_.end() || FixedEdge::less(wanted, *found))
+      return std::nullopt;
+    const Halfedge h = halfedge(found->edge, mesh_);
+    return index(target(h, mesh_)) == side.to ? h : opposite(h, mesh_);
   }
 
   void collect_doomed(const TriangleComplex& complex) {
@@ -149,36 +223,39 @@ private:
     doomed_edges_.reserve(num_edges(mesh_));
   }
 
+  // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
   template <class Surface>
   void write_points(const Surface& surface) {
-    std::vector<std::pair<Vertex, Point>> old_points;
     std::vector<Vertex> added;
     added.reserve(umbrellas_.duplicates().size());
     vertices_.reserve(vertices_.size() + umbrellas_.duplicates().size());
+    Undo undo;
     try {
-      for (Index v = 0; v < vertices_.size(); ++v) {
-        if (!surface.complex().has_faces(v) || !surface.is_moved(v))
-          continue;
-        old_points.emplace_back(vertices_[v], get(points_, vertices_[v]));
-        put(points_, vertices_[v], point(surface.position(v)));
-      }
+      for (Index v = 0; v < surface.vertex_capacity(); ++v)
+        if (surface.complex().has_faces(v) && surface.is_moved(v))
+          write_position(vertices_[v], surface.position(v), undo);
       for (Index original : umbrellas_.duplicates()) {
         added.push_back(add_vertex(mesh_));
         vertices_.push_back(added.back());
         put(points_, added.back(), Point(get(points_, vertices_[original])));
+        if constexpr (Attributes::size > 0)
+          attributes_.put_raw(added.back(), attributes_.raw(vertices_[original]));
       }
     } catch (...) {
       for (Vertex v : added)
         remove_vertex(v, mesh_);
-      for (const auto& [v, p] : old_points)
-        put(points_, v, p);
+      undo.run(*this);
       throw;
     }
   }
 
-  static Point point(const Vector<3>& p) {
-    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-    return Point(FT(p[0]), FT(p[1]), FT(p[2]));
+  void write_position(Vertex v, const Vector<dimension>& position, Undo& undo) {
+    undo.points.emplace_back(v, get(points_, v));
+    put(points_, v, to_cgal<Point>(space(position)));
+    if constexpr (Attributes::size > 0) {
+      undo.attributes.emplace_back(v, attributes_.raw(v));
+      attributes_.write(v, attributes_of(position));
+    }
   }
 
   void write_connectivity() {
@@ -228,12 +305,14 @@ private:
   Mesh& mesh_;
   PointMap points_;
   VertexIndexMap indices_;
-  std::vector<Vertex> vertices_;    // by the engine's index; behind them those that write() adds
-  std::vector<Index> dense_;        // the engine's index by the user's, which may have gaps
-  std::vector<Face> faces_;         // the faces that are left
-  std::vector<Side> sides_;         // three a face: side k leads to corner k
-  std::vector<Halfedge> halfedges_; // of each side before
-  std::vector<Halfedge> chosen_;    // and after
+  [[no_unique_address]] Attributes attributes_;
+  std::vector<FixedEdge> fixed_edges_; // sorted
+  std::vector<Vertex> vertices_;       // by the engine's index; behind them those that write() adds
+  std::vector<Index> dense_;           // the engine's index by the user's, which may have gaps
+  std::vector<Face> faces_;            // the faces that are left
+  std::vector<Side> sides_;            // three a face: side k leads to corner k
+  std::vector<Halfedge> halfedges_;    // of each side before
+  std::vector<Halfedge> chosen_;       // and after
   Umbrellas umbrellas_;
   std::vector<Face> doomed_faces_;
   std::vector<Edge> doomed_edges_;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -25,13 +26,14 @@ class GreedyOrder {
 public:
   GreedyOrder(PairContraction<Policies>& surface, Report& report)
       : surface_(surface), report_(report), stamp_(surface.vertex_capacity(), 0),
-        queue_(3 * surface.complex().live_faces() / 2 + surface.vertex_capacity() / 8),
+        queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
     for (Index v = 0; v < stamp_.size(); ++v)
-      surface_.for_each_neighbour(v, [&](Index w) {
-        if (v < w)
-          push(v, w);
-      });
+      if (surface_.complex().has_faces(v))
+        surface_.for_each_partner(v, [&](Index w) {
+          if (v < w)
+            push(v, w);
+        });
   }
 
   void run() {
@@ -62,6 +64,9 @@ private:
   bool is_outdated(const QueuedPair& pair) const {
     return pair.stamp < stamp_[pair.first] || pair.stamp < stamp_[pair.second];
   }
+  bool is_bare(const QueuedPair& pair) const {
+    return !surface_.complex().has_faces(pair.first) || !surface_.complex().has_faces(pair.second);
+  }
   auto outdated() const {
     return [this](const QueuedPair& pair) { return is_outdated(pair); };
   }
@@ -75,6 +80,8 @@ private:
   // When the queue is empty, the cheapest of the pairs that would go beyond the target.
   std::optional<QueuedPair> next_pair() {
     std::optional<QueuedPair> next = queue_.pop(outdated());
+    while (next && is_bare(*next))
+      next = queue_.pop(outdated());
     is_last_resort_ = !next && last_resort_;
     return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
   }
@@ -97,7 +104,9 @@ private:
     stamp_[kept] = time_;
     for (Index end : {pair.first, pair.second})
       parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
-    surface_.for_each_neighbour(kept, [&](Index w) {
+    if (!surface_.complex().has_faces(kept))
+      return;
+    surface_.for_each_partner(kept, [&](Index w) {
       push(kept, w);
       parked_.release(w, [&](const QueuedPair& p) {
         if (!is_outdated(p))

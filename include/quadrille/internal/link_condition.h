@@ -13,6 +13,89 @@
 
 namespace quadrille::internal {
 
+/// How the faces lie around a vertex.
+enum class VertexKind : std::uint8_t { interior, boundary, singular };
+
+/// Classifies vertices by their links: that of an interior vertex is one cycle, that of a boundary
+/// vertex one path.
+class VertexClassifier {
+public:
+  VertexKind operator()(TriangleComplex& complex, Index v, Marks& marks) {
+    star_.clear();
+    complex.for_each_corner(
+        v, [&](Index face, Index i) { star_.push_back(PairStar::star_face(complex, face, i)); });
+    return classify(marks);
+  }
+
+private:
+  struct LinkVertex {
+    Index degree = 0;
+    std::array<Index, 2> neighbours{}; // the first two
+
+    void add(Index neighbour) {
+      if (degree < 2)
+        neighbours[degree] = neighbour;
+      ++degree;
+    }
+  };
+
+  VertexKind classify(Marks& marks) {
+    number_link(marks);
+    std::size_t ends = 0;
+    Index start = 0;
+    for (Index i = 0; i < link_.size(); ++i) {
+      if (link_[i].degree > 2)
+        return VertexKind::singular;
+      if (link_[i].degree == 1) {
+        ++ends;
+        start = i;
+      }
+    }
+    if (star_.empty())
+      return VertexKind::interior; // it takes part in nothing
+    if (ends > 2 || walk(start) != star_.size())
+      return VertexKind::singular;
+    return ends == 0 ? VertexKind::interior : VertexKind::boundary;
+  }
+
+  void number_link(Marks& marks) {
+    link_.clear();
+    marks.clear();
+    const auto number_of = [&](Index v) {
+      if (!marks.is_marked(v)) {
+        marks.set(v, static_cast<Index>(link_.size()));
+        link_.emplace_back();
+      }
+      return marks[v];
+    };
+    for (const StarFace& f : star_) {
+      const Index p = number_of(f.second), q = number_of(f.third);
+      link_[p].add(q);
+      link_[q].add(p);
+    }
+  }
+
+  // The number of edges on the way from `start` to the other end of its path, or round its cycle.
+  std::size_t walk(Index start) const {
+    if (link_.empty())
+      return 0;
+    Index previous = start;
+    Index current = link_[start].neighbours[0];
+    std::size_t edges = 1;
+    while (current != start && link_[current].degree == 2) {
+      const auto& n = link_[current].neighbours;
+      const Index next = n[0] == previous ? n[1] : n[0];
+      previous = current;
+      current = next;
+      ++edges;
+    }
+    return edges;
+  }
+
+  std::vector<StarFace> star_;
+  std::vector<LinkVertex> link_;
+};
+
 /// Tells whether a contraction keeps the topology of the surface.
 ///
 /// The contraction of an edge ab does, if Lk(a) ∩ Lk(b) = Lk(ab), where the links of boundary edges
@@ -22,23 +105,21 @@ namespace quadrille::internal {
 /// Dey, Edelsbrunner, Guha and Nekhayev, Topology preserving edge contraction, 1999.
 class LinkCondition {
 public:
+  LinkCondition() = default;
+
   /// Classifies every vertex, in linear time.
-  LinkCondition(TriangleComplex& complex, Marks& marks)
-      : kind_(complex.vertex_capacity(), Kind::interior) {
-    std::vector<StarFace> star;
-    std::vector<LinkVertex> link;
+  LinkCondition(TriangleComplex& complex, Marks& marks) : kind_(complex.vertex_capacity()) {
+    VertexClassifier classify;
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-      star.clear();
-      complex.for_each_corner(
-          v, [&](Index face, Index i) { star.push_back(PairStar::star_face(complex, face, i)); });
-      kind_[v] = classify(star, marks, link);
+      kind_[v] = classify(complex, v, marks);
+      is_closed_ = is_closed_ && kind_[v] == Kind::interior;
     }
   }
 
   bool holds(const PairStar& star, Index a, Index b, Marks& marks) const {
     if (star.shared.empty())
       return false; // not an edge
-    marks.clear(2);
+    marks.clear();
     constexpr Index in_first = 0, in_both = 1;
     for (const StarFace& f : star.first)
       mark_unless(f, a, b, in_first, marks);
@@ -69,10 +150,13 @@ public:
            is_along_boundary(star, a, b);
   }
 
+  /// Is every vertex inside the surface?
+  bool is_closed() const { return is_closed_; }
+
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 
 private:
-  enum class Kind : std::uint8_t { interior, boundary, singular };
+  using Kind = VertexKind;
 
   static void mark_unless(const StarFace& f, Index a, Index b, Index number, Marks& marks) {
     for (Index v : {f.second, f.third})
@@ -101,72 +185,8 @@ private:
                        [&](const StarFace& f) { return f.second == v || f.third == v; });
   }
 
-  struct LinkVertex {
-    Index degree = 0;
-    std::array<Index, 2> neighbours{}; // the first two
-
-    void add(Index neighbour) {
-      if (degree < 2)
-        neighbours[degree] = neighbour;
-      ++degree;
-    }
-  };
-
-  // The link of an interior vertex is one cycle, that of a boundary vertex one path.
-  static Kind classify(const std::vector<StarFace>& star, Marks& marks,
-                       std::vector<LinkVertex>& link) {
-    number_link(star, marks, link);
-    std::size_t ends = 0;
-    Index start = 0;
-    for (Index i = 0; i < link.size(); ++i) {
-      if (link[i].degree > 2)
-        return Kind::singular;
-      if (link[i].degree == 1) {
-        ++ends;
-        start = i;
-      }
-    }
-    if (star.empty() || ends > 2 || walk(link, start) != star.size())
-      return Kind::singular;
-    return ends == 0 ? Kind::interior : Kind::boundary;
-  }
-
-  static void number_link(const std::vector<StarFace>& star, Marks& marks,
-                          std::vector<LinkVertex>& link) {
-    link.clear();
-    marks.clear(static_cast<Index>(2 * star.size()));
-    const auto number_of = [&](Index v) {
-      if (!marks.is_marked(v)) {
-        marks.set(v, static_cast<Index>(link.size()));
-        link.emplace_back();
-      }
-      return marks[v];
-    };
-    for (const StarFace& f : star) {
-      const Index p = number_of(f.second), q = number_of(f.third);
-      link[p].add(q);
-      link[q].add(p);
-    }
-  }
-
-  // The number of edges on the way from `start` to the other end of its path, or round its cycle.
-  static std::size_t walk(const std::vector<LinkVertex>& link, Index start) {
-    if (link.empty())
-      return 0;
-    Index previous = start;
-    Index current = link[start].neighbours[0];
-    std::size_t edges = 1;
-    while (current != start && link[current].degree == 2) {
-      const auto& n = link[current].neighbours;
-      const Index next = n[0] == previous ? n[1] : n[0];
-      previous = current;
-      current = next;
-      ++edges;
-    }
-    return edges;
-  }
-
   std::vector<Kind> kind_;
+  bool is_closed_ = true;
 };
 
 } // namespace quadrille::internal

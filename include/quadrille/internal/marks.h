@@ -14,20 +14,23 @@ class Marks {
 public:
   explicit Marks(std::size_t vertices) : mark_(vertices, 0) {}
 
-  /// Forgets all marks. Until the next call, marks are numbers below `range`.
-  void clear(Index range = 1) {
+  /// Forgets all marks.
+  void clear() {
     base_ = end_;
-    if (base_ > none - range) {
+    if (base_ > none / 2) {
       std::fill(mark_.begin(), mark_.end(), 0);
       base_ = 1;
     }
-    end_ = base_ + range;
+    end_ = base_ + 1;
   }
 
   bool is_marked(Index vertex) const { return mark_[vertex] >= base_; }
   bool is_marked_with(Index vertex, Index number) const { return mark_[vertex] == base_ + number; }
   Index operator[](Index vertex) const { return mark_[vertex] - base_; } ///< of a marked vertex
-  void set(Index vertex, Index number = 0) { mark_[vertex] = base_ + number; }
+  void set(Index vertex, Index number = 0) {
+    mark_[vertex] = base_ + number;
+    end_ = std::max(end_, mark_[vertex] + 1);
+  }
 
 private:
   std::vector<Index> mark_;

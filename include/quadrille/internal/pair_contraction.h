@@ -1,11 +1,16 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 #define QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 
+#include <quadrille/internal/attributes.h>
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/memories.h>
+#include <quadrille/internal/pair_lists.h>
+#include <quadrille/internal/pair_selection.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/surface.h>
+#include <quadrille/internal/topology_count.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -13,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -40,33 +44,44 @@ public:
   };
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
-      : policies_(policies), positions_(std::move(input.positions)), unit_(positions_),
-        complex_(positions_.size(), input.triangles), marks_(positions_.size()),
-        link_condition_(complex_, marks_), memories_(positions_.size()),
-        squared_reach_(positions_.size(), 0), is_moved_(positions_.size(), false) {
-    unit_.scale(positions_);
-    status_.faces = status_.initial_faces = complex_.live_faces();
+      : policies_(policies), scale_(scale_of(input, policies.cost)),
+        complex_(input.positions.size(), input.triangles), marks_(input.positions.size()),
+        pairs_(select_pairs(policies.pairs, input, complex_, marks_)),
+        is_topology_kept_(keeps_topology(input)), positions_(std::move(input.positions)),
+        is_fixed_(std::move(input.is_fixed)), squared_reach_(positions_.size(), 0),
+        is_moved_(positions_.size(), false) {
+    scale_.apply(positions_);
+    if (!is_topology_kept_ || input.has_doubled_faces)
+      for (Index v = 0; v < positions_.size(); ++v)
+        drop_doubled_faces(v);
+    if (is_topology_kept_)
+      link_condition_ = LinkCondition(complex_, marks_);
+    else
+      initial_components_ = count_components(complex_);
+    start_status();
+    memories_ =
+        InitialMemories<Cost>::compute(policies_.cost, positions_, complex_, marks_, input.creases);
     for (Index v = 0; v < positions_.size(); ++v)
-      status_.vertices += complex_.has_faces(v);
-    status_.initial_vertices = status_.vertices;
-    status_.diagonal = unit_.diagonal();
-    remember_faces();
-    remember_boundaries();
+      update_reach(v);
   }
 
   /// Where the pair goes and what that costs.
   Candidate evaluate(Index a, Index b) const {
     const Pair pair = view(a, b);
-    const Position target = policies_.placement(policies_.cost, pair);
+    const Position target = is_fixed(a)   ? pair.first
+                            : is_fixed(b) ? pair.second
+                                          : policies_.placement(policies_.cost, pair);
     return {pair, target, policies_.cost(pair, target)};
   }
 
   /// Why this contraction must not be done, if so. The star of the pair is gathered by the way.
   std::optional<Rejection> rejection(Index a, Index b, const Candidate& candidate) {
     star_.gather(complex_, a, b);
+    if (is_fixed(a) && is_fixed(b))
+      return Rejection::constraint;
     if (!is_finite(candidate.target) || !std::isfinite(candidate.cost))
       return Rejection::position;
-    if (policies_.topology == Topology::kept && !link_condition_.holds(star_, a, b, marks_))
+    if (is_topology_kept_ && !link_condition_.holds(star_, a, b, marks_))
       return Rejection::topology;
     const ContractionView<dimension> contraction(star_, positions_, candidate.pair.first,
                                                  candidate.pair.second, candidate.target);
@@ -76,8 +91,11 @@ public:
     return cause;
   }
 
-  /// Would the contraction whose star was gathered last go beyond the target of the stop policy?
+  /// Would the contraction whose star was gathered last go beyond the target of the stop policy,
+  /// where another one might not?
   bool overshoots() const {
+    if (is_topology_kept_ && link_condition_.is_closed())
+      return false; // each contraction takes two faces
     Status after = status_;
     after.faces -= star_.shared.size();
     --after.vertices;
@@ -87,60 +105,106 @@ public:
   /// Contracts the pair whose star was gathered last, and returns the vertex that is left: an end
   /// that keeps its place, else the first.
   Index contract(Index a, Index b, const Candidate& candidate) {
-    const bool b_stays = candidate.target == candidate.pair.second;
+    const bool b_stays =
+        !is_fixed(a) && (is_fixed(b) || (candidate.target == candidate.pair.second &&
+                                         candidate.target != candidate.pair.first));
     const Index kept = b_stays ? b : a, gone = b_stays ? a : b;
+    non_edge_contractions_ += star_.shared.empty();
     for (const StarFace& f : star_.shared)
       complex_.kill(f.face);
     complex_.merge(kept, gone);
-    is_moved_[kept] = is_moved_[kept] || !(candidate.target == positions_[kept]);
-    positions_[kept] = candidate.target;
-    memories_[kept] = candidate.pair.memory;
-    move_origin(memories_[kept], candidate.target - candidate.pair.first);
-    link_condition_.merge(kept, gone);
+    pairs_.merge(kept, gone);
+    --status_.vertices;
+    place(kept, candidate);
+    if (is_topology_kept_)
+      link_condition_.merge(kept, gone);
+    else
+      drop_leftovers(kept);
     update_reach(kept);
     status_.faces = complex_.live_faces();
-    --status_.vertices;
     ++status_.contractions;
     return kept;
   }
 
   /// Calls visit(w) once for each vertex w that makes a pair with v.
   template <class Visit>
-  void for_each_neighbour(Index v, Visit visit) {
+  void for_each_partner(Index v, Visit visit) {
+    constexpr Index by_edge = 0, by_list = 1;
     marks_.clear();
-    marks_.set(v);
-    complex_.for_each_corner(v, [&](Index face, Index) {
-      for (Index w : complex_.vertices(face)) {
-        if (marks_.is_marked(w))
-          continue;
-        marks_.set(w);
+    marks_.set(v, by_list);
+    if constexpr (includes_edges<typename Policies::Pairs>)
+      complex_.for_each_corner(v, [&](Index face, Index) {
+        for (Index w : complex_.vertices(face)) {
+          if (marks_.is_marked(w))
+            continue;
+          marks_.set(w, by_edge);
+          visit(w);
+        }
+      });
+    if (pairs_.size() == 0)
+      return;
+    pairs_.for_each_partner(v, [&](Index w) {
+      if (!complex_.has_faces(w) || marks_.is_marked_with(w, by_list))
+        return false; // a leftover, or a pair that has become the same as another
+      if (!marks_.is_marked(w))
         visit(w);
-      }
+      marks_.set(w, by_list);
+      return true;
     });
+  }
+
+  std::size_t pair_count() const {
+    return pairs_.size() +
+           (includes_edges<typename Policies::Pairs> ? 3 * complex_.live_faces() / 2 : 0);
   }
 
   /// Tells the status of the contraction that comes next.
   void announce(const Candidate& candidate) {
     const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
-    status_.next_error = unit_.in_mesh_units(std::sqrt(std::max(0.0, squared)));
+    status_.next_error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+  }
+
+  /// Tells what became of the surface.
+  void complete(Report& report) {
+    report.faces_after = status_.faces;
+    report.vertices_after = status_.vertices;
+    report.contractions = status_.contractions;
+    report.non_edge_contractions = non_edge_contractions_;
+    const TopologyCount count = count_topology(complex_, marks_);
+    report.components_after = count.components;
+    report.components_before = is_topology_kept_ ? count.components : initial_components_;
+    report.non_manifold_edges = count.non_manifold_edges;
+    report.non_manifold_vertices = count.non_manifold_vertices;
   }
 
   const Status& status() const { return status_; }
   const Policies& policies() const { return policies_; }
-  std::size_t vertex_capacity() const { return positions_.size(); }
-
-  /// Of a vertex, in the mesh's unit of length.
-  Position position(Index v) const {
-    Position p = positions_[v];
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] = unit_.in_mesh_units(p[i]);
-    return p;
-  }
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
+
+  std::size_t vertex_capacity() const { return positions_.size(); }
   bool is_moved(Index v) const { return is_moved_[v]; }
+  /// Of a vertex, in the units of the mesh and its attributes.
+  Position position(Index v) const { return scale_.position_of_mesh(positions_[v]); }
 
 private:
+  static Scale<dimension> scale_of(const SurfaceInput<dimension>& input, const Cost& cost) {
+    const Box<dimension> box(input.positions);
+    Scale<dimension> scale(box);
+    if constexpr (requires {
+                    cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
+                  })
+      scale.set_attribute_weights(
+          cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()));
+    return scale;
+  }
+
+  // Unless the user says, an adapter's default, or free if there are pairs that are not edges.
+  bool keeps_topology(const SurfaceInput<dimension>& input) const {
+    const Topology by_default = pairs_.size() > 0 ? Topology::free : input.default_topology;
+    return policies_.topology.value_or(by_default) == Topology::kept;
+  }
+
   Pair view(Index a, Index b) const {
     Pair pair{positions_[a], positions_[b], memories_[b],
               std::max(squared_reach_[a], squared_reach_[b])};
@@ -148,6 +212,8 @@ private:
     pair.memory += memories_[a];
     return pair;
   }
+
+  bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
 
   template <class Filter, class Contraction>
   static bool refuses(const Filter& filter, const Contraction& contraction,
@@ -161,86 +227,93 @@ private:
     return true;
   }
 
-  void remember_faces() {
-    for (Index face = 0; face < complex_.face_capacity(); ++face) {
-      if (complex_.is_dead(face))
-        continue;
-      const auto [p, q, r] = complex_.vertices(face);
-      remember_face(p, q, r);
-    }
+  void start_status() {
+    status_.faces = status_.initial_faces = complex_.live_faces();
+    for (Index v = 0; v < positions_.size(); ++v)
+      status_.vertices += complex_.has_faces(v);
+    status_.initial_vertices = status_.vertices;
+    status_.diagonal = scale_.diagonal();
   }
 
-  void remember_face(Index p, Index q, Index r) {
-    const Cost& cost = policies_.cost;
-    const Memory memory = cost.face(positions_[p], positions_[q], positions_[r]);
-    memories_[p] += memory;
-    if constexpr (requires { requires Cost::face_is_alike_at_corners; }) {
-      memories_[q] += memory;
-      memories_[r] += memory;
-    } else {
-      memories_[q] += cost.face(positions_[q], positions_[r], positions_[p]);
-      memories_[r] += cost.face(positions_[r], positions_[p], positions_[q]);
-    }
+  void place(Index kept, const Candidate& candidate) {
+    is_moved_[kept] = is_moved_[kept] || candidate.target != positions_[kept];
+    positions_[kept] = candidate.target;
+    memories_[kept] = candidate.pair.memory;
+    move_origin(memories_[kept], candidate.target - candidate.pair.first);
   }
 
-  // Each end of a boundary edge sees it by itself: one of its neighbours belongs to one face only.
-  void remember_boundaries() {
-    for (Index v = 0; v < positions_.size(); ++v) {
-      update_reach(v);
-      if constexpr (requires(Cost c, Position p) { c.boundary(p, p, p); })
-        for_each_boundary_edge(v, [&](Index w, Index opposite) {
-          memories_[v] +=
-              policies_.cost.boundary(positions_[v], positions_[w], positions_[opposite]);
-        });
-    }
+  // What contractions that change the topology leave behind: doubled faces, vertices without a
+  // face.
+  void drop_leftovers(Index kept) {
+    drop_doubled_faces(kept);
+    for (const StarFace& f : star_.shared)
+      for (Index v : {f.second, f.third})
+        drop_if_bare(v);
+    drop_if_bare(kept);
   }
 
-  // Calls visit(w, opposite) for each edge vw of one face.
-  template <class Visit>
-  void for_each_boundary_edge(Index v, Visit visit) {
-    constexpr Index once = 0, often = 1;
-    marks_.clear(2);
+  // Of faces with the same three vertices the first is left.
+  void drop_doubled_faces(Index v) {
+    const auto is_same = [](const StarFace& a, const StarFace& b) {
+      return a.second == b.second && a.third == b.third;
+    };
+    doubles_.clear();
     complex_.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex_, face, i);
-      for (Index w : {f.second, f.third})
-        marks_.set(w, marks_.is_marked(w) ? often : once);
+      StarFace f = PairStar::star_face(complex_, face, i);
+      if (f.third < f.second)
+        std::swap(f.second, f.third);
+      doubles_.push_back(f);
     });
-    complex_.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex_, face, i);
-      if (marks_.is_marked_with(f.second, once))
-        visit(f.second, f.third);
-      if (marks_.is_marked_with(f.third, once))
-        visit(f.third, f.second);
+    std::sort(doubles_.begin(), doubles_.end(), [](const StarFace& a, const StarFace& b) {
+      return std::tie(a.second, a.third, a.face) < std::tie(b.second, b.third, b.face);
     });
+    for (std::size_t i = 1; i < doubles_.size(); ++i)
+      if (is_same(doubles_[i - 1], doubles_[i]))
+        complex_.kill(doubles_[i].face);
+  }
+
+  void drop_if_bare(Index v) {
+    if (!complex_.has_faces(v))
+      return;
+    complex_.for_each_corner(v, [](Index, Index) {});
+    if (!complex_.has_faces(v))
+      --status_.vertices;
   }
 
   // The reach of a vertex grows with its neighbours' moves and does not shrink when one is gone.
   void update_reach(Index v) {
-    double longest = 0;
+    float longest = 0;
     const auto lengthen = [&](Index w) {
-      const double squared = squared_distance(space(positions_[v]), space(positions_[w]));
+      const auto squared =
+          static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w])));
       longest = std::max(longest, squared);
-      squared_reach_[w] = std::max(squared_reach_[w], static_cast<float>(squared));
+      squared_reach_[w] = std::max(squared_reach_[w], squared);
     };
     complex_.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex_, face, i);
       lengthen(f.second);
       lengthen(f.third);
     });
-    squared_reach_[v] = static_cast<float>(longest);
+    squared_reach_[v] = longest;
   }
 
   const Policies& policies_;
-  std::vector<Position> positions_;
-  LengthUnit unit_;
+  Scale<dimension> scale_;
   TriangleComplex complex_;
   Marks marks_;
+  PairLists pairs_; // those of the policy that are not edges
+  bool is_topology_kept_;
   LinkCondition link_condition_;
+  std::vector<Position> positions_;
+  std::vector<bool> is_fixed_; // empty if none is
   std::vector<Memory> memories_;
   std::vector<float> squared_reach_;
   std::vector<bool> is_moved_;
   PairStar star_;
+  std::vector<StarFace> doubles_;
   Status status_;
+  std::size_t non_edge_contractions_ = 0;
+  std::size_t initial_components_ = 0;
 };
 
 } // namespace quadrille::internal

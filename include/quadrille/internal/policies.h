@@ -6,6 +6,7 @@
 #include <quadrille/vector.h>
 
 #include <cstddef>
+#include <optional>
 #include <tuple>
 
 namespace quadrille::internal {
@@ -36,7 +37,7 @@ struct Policies {
   Pairs pairs;
   Stop stop;
   Visitor visitor;
-  Topology topology;
+  std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;
 };
 
@@ -65,6 +66,12 @@ bool is_passed(const Stop& stop, const Status& status) {
   else
     return false;
 }
+
+/// Is every edge a pair at any time, for this pair policy?
+template <class Pairs>
+inline constexpr bool includes_edges = requires {
+  requires Pairs::includes_edges;
+};
 
 template <class Policy>
 void validate(const Policy& policy) {

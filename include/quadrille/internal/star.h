@@ -4,6 +4,7 @@
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -79,6 +80,11 @@ public:
   /// The faces that stay, as ChangedFace, in the engine's unit of length.
   Faces faces() const { return Faces(*this); }
   const Vector<N>& target() const { return target_; }
+
+  /// How many faces the end with more of them has before.
+  std::size_t highest_degree() const {
+    return std::max(star_.first.size(), star_.second.size()) + star_.shared.size();
+  }
 
 private:
   ChangedFace face(std::size_t i) const {

@@ -2,9 +2,11 @@
 #define QUADRILLE_INTERNAL_SURFACE_H
 
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -14,59 +16,90 @@
 
 namespace quadrille::internal {
 
-/// What an adapter reads: positions (and attributes), triangles, constraints.
+/// What an adapter reads.
 template <std::size_t N>
 struct SurfaceInput {
-  std::vector<Vector<N>> positions;
+  std::vector<Vector<N>> positions; ///< with attributes, all in the mesh's units
   std::vector<TriangleComplex::Triangle> triangles;
+  std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
+  std::vector<std::array<Index, 2>> creases; ///< edges that the user named
+  Topology default_topology = Topology::kept;
+  bool has_doubled_faces = false; ///< may it have them? They are dropped then.
+
+  void fix(Index v) {
+    is_fixed.resize(positions.size(), false);
+    is_fixed[v] = true;
+  }
 };
 
 template <std::size_t N>
-void require_finite(const std::vector<Vector<N>>& positions) {
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    if (!is_finite(positions[v]))
-      throw std::invalid_argument("quadrille::simplify: vertex " + std::to_string(v) +
-                                  " is not finite");
+void require_finite(const Vector<N>& position, std::size_t vertex) {
+  if (is_finite(position))
+    return;
+  throw std::invalid_argument(
+      "quadrille::simplify: vertex " + std::to_string(vertex) +
+      (is_finite(space(position)) ? " has an attribute that is not finite" : " is not finite"));
 }
 
-/// A change of the unit of length by a power of two, which is exact both ways: the engine works on
-/// a surface of a fixed size, so that no product of lengths over- or underflows, whatever the
-/// mesh's unit.
-class LengthUnit {
-public:
-  LengthUnit() = default;
+/// The least and the greatest of each coordinate.
+template <std::size_t N>
+struct Box {
+  Vector<N> low, high;
 
-  template <std::size_t N>
-  explicit LengthUnit(const std::vector<Vector<N>>& positions) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Vector<3> low{{infinity, infinity, infinity}}, high = -1.0 * low;
+  explicit Box(const std::vector<Vector<N>>& positions) {
+    if (positions.empty())
+      return;
+    low = high = positions.front();
     for (const Vector<N>& p : positions)
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < N; ++i) {
         low[i] = std::min(low[i], p[i]);
         high[i] = std::max(high[i], p[i]);
       }
-    if (positions.empty())
-      return;
-    const Vector<3> half = 0.5 * high - 0.5 * low; // halves first: their difference can't overflow
-    const double extent = *std::max_element(half.coordinates.begin(), half.coordinates.end());
-    if (!(extent > 0))
-      return;
-    exponent_ = size_exponent - std::ilogb(extent);
-    diagonal_ = 2 * std::hypot(half[0], half[1], half[2]);
   }
 
-  template <std::size_t N>
-  void scale(std::vector<Vector<N>>& positions) const {
+  /// Half of the extent: the difference of the halves can't overflow.
+  double half_extent(std::size_t i) const { return 0.5 * high[i] - 0.5 * low[i]; }
+  double diagonal() const { return 2 * std::hypot(half_extent(0), half_extent(1), half_extent(2)); }
+};
+
+/// Between the mesh's units and the engine's. Lengths change by a power of two, which is exact both
+/// ways: the engine works on a surface of a fixed size, so that no product of lengths over- or
+/// underflows, whatever the mesh's unit. Attributes also change by their weights.
+template <std::size_t N>
+class Scale {
+public:
+  explicit Scale(const Box<N>& box) : diagonal_(box.diagonal()) {
+    double extent = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      extent = std::max(extent, box.half_extent(i));
+    if (extent > 0)
+      exponent_ = size_exponent - std::ilogb(extent);
+    weights_.coordinates.fill(1);
+  }
+
+  void set_attribute_weights(const Vector<N - 3>& weights) { weights_ = weights; }
+
+  void apply(std::vector<Vector<N>>& positions) const {
     // In two steps: 2^exponent itself can be out of range.
     const double first = std::ldexp(1.0, exponent_ / 2);
     const double second = std::ldexp(1.0, exponent_ - exponent_ / 2);
-    for (Vector<N>& p : positions)
+    for (Vector<N>& p : positions) {
       for (std::size_t i = 0; i < 3; ++i)
         p[i] = p[i] * first * second;
+      for (std::size_t i = 3; i < N; ++i)
+        p[i] = p[i] * weights_[i - 3] * first * second;
+    }
   }
 
-  /// A length or coordinate of the engine, in the mesh's unit.
-  double in_mesh_units(double length) const { return std::ldexp(length, -exponent_); }
+  double length_of_mesh(double length) const { return std::ldexp(length, -exponent_); }
+
+  Vector<N> position_of_mesh(Vector<N> p) const {
+    for (std::size_t i = 0; i < N; ++i)
+      p[i] = length_of_mesh(p[i]);
+    for (std::size_t i = 3; i < N; ++i)
+      p[i] /= weights_[i - 3];
+    return p;
+  }
 
   double diagonal() const { return diagonal_; } ///< of the bounding box, in the mesh's unit
 
@@ -76,7 +109,8 @@ private:
   static constexpr int size_exponent = 20;
 
   int exponent_ = 0;
-  double diagonal_ = 0;
+  double diagonal_;
+  Vector<N - 3> weights_;
 };
 
 } // namespace quadrille::internal

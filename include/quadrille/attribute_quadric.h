@@ -1,0 +1,144 @@
+#ifndef QUADRILLE_ATTRIBUTE_QUADRIC_H
+#define QUADRILLE_ATTRIBUTE_QUADRIC_H
+
+#include <quadrille/quadric.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace quadrille {
+
+/// Which property of the vertices the attributes are, and so which named parameter they come from.
+enum class Attribute {
+  any,     ///< quadrille::parameters::vertex_attribute_map
+  color,   ///< vertex_color_map; clamped to the range of colours
+  texture, ///< vertex_texture_map
+  normal   ///< vertex_normal_map; made unit vectors again
+};
+
+/// The quadric of Garland and Heckbert in 3 + N dimensions: position and N attributes of a vertex
+/// are one point, a face is a triangle of such points, and a vertex remembers the squared distances
+/// to the planes of its triangles in that space. The contracted vertex gets the position and the
+/// attributes of least cost together.
+///
+/// An attribute counts as a length: its difference times its weight. By default all N have the
+/// weight
+///
+///     importance · (diagonal of the bounding box) / (largest range of the N attributes)
+///
+/// (1 if the attributes are constant), so a step across the whole range of colours counts as much
+/// as a step of `importance` times the size of the model. Memory: the (N + 4)(N + 5) / 2 doubles of
+/// a QuadricForm<3 + N> a vertex: 28 for colours.
+///
+/// Source: Garland and Heckbert, Simplifying Surfaces with Color and Texture using Quadric Error
+/// Metrics, 1998, sections 3 and 4.
+template <std::size_t N, Attribute A = Attribute::any>
+struct AttributeQuadric {
+  static constexpr std::size_t dimension = 3 + N;
+  static constexpr Attribute attribute = A;
+  using Position = Vector<dimension>;
+  using Memory = QuadricForm<dimension>;
+
+  double importance = 0.1;          ///< above 0
+  std::optional<Vector<N>> weights; ///< of each attribute, in mesh units a unit of the attribute
+  double boundary_weight = 100;     ///< as in Quadric
+  Weighting weighting = Weighting::by_area;
+
+  /// The weights for attributes between `low` and `high`, see above.
+  Vector<N> attribute_weights(const Vector<N>& low, const Vector<N>& high, double diagonal) const {
+    if (weights)
+      return *weights;
+    const Vector<N> ranges = high - low;
+    const double range = *std::max_element(ranges.coordinates.begin(), ranges.coordinates.end());
+    const double weight = range > 0 && diagonal > 0 ? importance * diagonal / range : 1;
+    Vector<N> result;
+    result.coordinates.fill(weight);
+    return result;
+  }
+
+  /// The plane of the triangle pqr in all dimensions, about p: A = I − e₁e₁ᵀ − e₂e₂ᵀ, where e₁ and
+  /// e₂ are an orthonormal basis of the triangle. Nothing for a face without area in space.
+  Memory face(const Position& p, const Position& q, const Position& r) const {
+    const double doubled_area =
+        std::sqrt(squared_length(double_area_vector(space(p), space(q), space(r))));
+    if (!(doubled_area > 0))
+      return {};
+    const double weight = weighting == Weighting::by_area ? doubled_area / 2 : 1;
+    const Position e1 = unit(q - p);
+    const Position side = unit(r - p); // a unit vector first: it keeps e₂ perpendicular to e₁
+    const Position e2 = unit(side - dot(side, e1) * e1);
+    Memory memory = Memory::point((1 + Quadric::shape_weight) * weight);
+    memory += Memory::plane(e1, -weight);
+    memory += Memory::plane(e2, -weight);
+    return memory;
+  }
+  static constexpr bool face_is_alike_at_corners = true;
+
+  /// The plane through the boundary edge pq, perpendicular to the face pqr, in space: see Quadric.
+  Memory boundary(const Position& p, const Position& q, const Position& r) const {
+    return in_all_dimensions(
+        Quadric::constraint_plane(space(p), space(q), space(r), boundary_weight));
+  }
+
+  double operator()(const auto& pair, const Position& x) const {
+    return pair.memory(x - pair.first);
+  }
+
+  std::optional<Position> minimizer(const auto& pair) const {
+    std::optional<Position> x = pair.memory.minimizer();
+    if (x)
+      *x += pair.first;
+    return x;
+  }
+
+  /// The square of the root mean square distance to the planes, attributes times their weights
+  /// included.
+  double squared_error(const auto& pair, double cost) const {
+    const double weight = pair.memory.trace() / (dimension - 2); // a plane leaves N + 1 directions
+    return weight > 0 ? cost / weight : 0;
+  }
+
+  /// Throws std::invalid_argument for a weight that makes no sense.
+  void validate() const {
+    internal::require_weight("quadrille::AttributeQuadric", "boundary_weight", boundary_weight);
+    if (!(importance > 0) || !std::isfinite(importance))
+      throw std::invalid_argument("quadrille::AttributeQuadric: importance " +
+                                  std::to_string(importance) + " is not above 0 and finite");
+    if (weights)
+      for (double weight : weights->coordinates)
+        if (!(weight > 0))
+          throw std::invalid_argument("quadrille::AttributeQuadric: an attribute's weight is " +
+                                      std::to_string(weight) + ", not above 0");
+  }
+
+private:
+  static Memory in_all_dimensions(const QuadricForm<3>& form) {
+    Memory memory;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        memory.add_to_matrix(i, j, form.matrix(i, j));
+    return memory;
+  }
+
+  static Position unit(const Position& v) { return (1 / std::sqrt(squared_length(v))) * v; }
+};
+
+/// Position and red, green, blue: the 6D quadric. The colours come from the named parameter
+/// `vertex_color_map`.
+using ColorQuadric = AttributeQuadric<3, Attribute::color>;
+
+/// Position and texture coordinates u, v: the 5D quadric. They come from `vertex_texture_map`.
+using TextureQuadric = AttributeQuadric<2, Attribute::texture>;
+
+/// Position and normal; the results are unit vectors. The normals come from `vertex_normal_map`.
+using NormalQuadric = AttributeQuadric<3, Attribute::normal>;
+
+} // namespace quadrille
+
+#endif // QUADRILLE_ATTRIBUTE_QUADRIC_H

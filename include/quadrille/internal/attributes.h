@@ -1,0 +1,150 @@
+#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_H
+#define QUADRILLE_INTERNAL_ATTRIBUTES_H
+
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/vector.h>
+
+#include <CGAL/number_utils.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// Attributes of the vertices, for a cost that looks at positions only.
+struct NoAttributes {
+  static constexpr std::size_t size = 0;
+};
+
+/// N attributes of the vertices, in a property map of the user's: its values are indexed with []
+/// (colours, arrays, points and vectors) or, for N = 1, numbers.
+template <class Map, std::size_t N, Attribute A>
+class AttributeMap {
+public:
+  static constexpr std::size_t size = N;
+  using Value = typename boost::property_traits<Map>::value_type;
+
+  explicit AttributeMap(Map map) : map_(map) {
+    low_.coordinates.fill(0);
+    high_.coordinates.fill(1);
+  }
+
+  template <class Key>
+  Vector<N> read(const Key& key) {
+    Vector<N> attributes;
+    const Value value = get(map_, key);
+    for (std::size_t i = 0; i < N; ++i) {
+      attributes[i] = to_double(component(value, i));
+      low_[i] = std::min(low_[i], attributes[i]);
+      high_[i] = std::max(high_[i], attributes[i]);
+    }
+    return attributes;
+  }
+
+  /// Puts the attributes in the range of their type: a colour of numbers stays between the least
+  /// and the greatest that were read, or in [0, 1] where they all lay there; a normal gets
+  /// length 1.
+  template <class Key>
+  void write(const Key& key, Vector<N> attributes) {
+    if constexpr (A == Attribute::color)
+      for (std::size_t i = 0; i < N; ++i)
+        attributes[i] = std::clamp(attributes[i], low_[i], high_[i]);
+    if constexpr (A == Attribute::normal) {
+      const double squared = squared_length(attributes);
+      if (!(squared > 0))
+        return; // opposite normals have met: the old one is left
+      attributes *= 1 / std::sqrt(squared);
+    }
+    put(map_, key, value(get(map_, key), attributes));
+  }
+
+  Value raw(const auto& key) const { return get(map_, key); }
+  void put_raw(const auto& key, const Value& value) { put(map_, key, value); }
+
+private:
+  template <class V>
+  static decltype(auto) component(V& value, std::size_t i) {
+    if constexpr (requires { value[i]; })
+      return value[i];
+    else if constexpr (requires(int k) { value[k]; })
+      return value[static_cast<int>(i)];
+    else
+      return value;
+  }
+
+  template <class T>
+  static double to_double(const T& x) {
+    if constexpr (std::is_arithmetic_v<T>)
+      return static_cast<double>(x);
+    else
+      return CGAL::to_double(x);
+  }
+
+  template <class T>
+  static T in_range(double x) {
+    if constexpr (std::integral<T>)
+      return static_cast<T>(
+          std::llround(std::clamp(x, static_cast<double>(std::numeric_limits<T>::min()),
+                                  static_cast<double>(std::numeric_limits<T>::max()))));
+    else
+      return static_cast<T>(x);
+  }
+
+  static Value value(Value old, const Vector<N>& attributes) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+      return in_range<Value>(attributes[0]);
+    } else if constexpr (std::is_assignable_v<decltype(component(old, 0)), double>) {
+      using T = std::remove_cvref_t<decltype(component(old, 0))>;
+      for (std::size_t i = 0; i < N; ++i)
+        component(old, i) = in_range<T>(attributes[i]);
+      return old;
+    } else {
+      return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return Value(attributes[I]...);
+      }
+      (std::make_index_sequence<N>{});
+    }
+  }
+
+  Map map_;
+  Vector<N> low_, high_;
+};
+
+template <class Attributes>
+struct AttributeValueOf {
+  using type = typename Attributes::Value;
+};
+template <>
+struct AttributeValueOf<NoAttributes> {
+  using type = NoAttributes;
+};
+template <class Attributes>
+using AttributeValue = typename AttributeValueOf<Attributes>::type;
+
+/// A position and its attributes as one point, and the attributes of such a point.
+template <std::size_t N>
+Vector<3 + N> join(const Vector<3>& position, const Vector<N>& attributes) {
+  Vector<3 + N> joined;
+  std::copy(position.coordinates.begin(), position.coordinates.end(), joined.coordinates.begin());
+  std::copy(attributes.coordinates.begin(), attributes.coordinates.end(),
+            joined.coordinates.begin() + 3);
+  return joined;
+}
+
+template <std::size_t D>
+Vector<D - 3> attributes_of(const Vector<D>& joined) {
+  Vector<D - 3> attributes;
+  std::copy(joined.coordinates.begin() + 3, joined.coordinates.end(),
+            attributes.coordinates.begin());
+  return attributes;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ATTRIBUTES_H

@@ -1,0 +1,116 @@
+#ifndef QUADRILLE_INTERNAL_MEMORIES_H
+#define QUADRILLE_INTERNAL_MEMORIES_H
+
+#include <quadrille/internal/edge_star.h>
+#include <quadrille/internal/marks.h>
+#include <quadrille/internal/star.h>
+#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/vector.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What each vertex remembers at the beginning: its faces, its boundary edges, its creases.
+template <class Cost>
+class InitialMemories {
+public:
+  using Memory = typename Cost::Memory;
+  using Position = Vector<Cost::dimension>;
+  using VertexPair = std::array<Index, 2>;
+
+  static std::vector<Memory> compute(const Cost& cost, const std::vector<Position>& positions,
+                                     TriangleComplex& complex, Marks& marks,
+                                     const std::vector<VertexPair>& creases) {
+    InitialMemories memories(cost, positions, complex);
+    memories.add_faces();
+    if constexpr (has_boundaries || has_creases)
+      memories.add_edges(marks);
+    if constexpr (has_creases)
+      for (const auto& [v, w] : creases)
+        memories.add_crease(v, w);
+    return std::move(memories.memories_);
+  }
+
+private:
+  static constexpr bool has_boundaries = requires(const Cost c, Position p) {
+    c.boundary(p, p, p);
+  };
+  static constexpr bool has_creases = requires(const Cost c, Position p) {
+    c.crease(p, p, p);
+    c.crease_degrees;
+  };
+
+  InitialMemories(const Cost& cost, const std::vector<Position>& positions,
+                  TriangleComplex& complex)
+      : cost_(cost), positions_(positions), complex_(complex), memories_(positions.size()) {}
+
+  void add_faces() {
+    for (Index face = 0; face < complex_.face_capacity(); ++face)
+      if (!complex_.is_dead(face))
+        add_face(complex_.vertices(face));
+  }
+
+  void add_face(const TriangleComplex::Triangle& face) {
+    const auto [p, q, r] = face;
+    const Memory memory = cost_.face(positions_[p], positions_[q], positions_[r]);
+    memories_[p] += memory;
+    if constexpr (requires { requires Cost::face_is_alike_at_corners; }) {
+      memories_[q] += memory;
+      memories_[r] += memory;
+    } else {
+      memories_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
+      memories_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
+    }
+  }
+
+  // Each end of a boundary edge meets it once; of a crease, the lower end takes care.
+  void add_edges(Marks& marks) {
+    EdgeStar star;
+    for (Index v = 0; v < positions_.size(); ++v)
+      for (const EdgeAt& edge : star.gather(complex_, v, marks)) {
+        if constexpr (has_boundaries)
+          if (edge.faces == 1)
+            memories_[v] +=
+                cost_.boundary(positions_[v], positions_[edge.other], positions_[edge.opposite[0]]);
+        if constexpr (has_creases)
+          if (edge.faces == 2 && v < edge.other && is_crease(v, edge))
+            add_crease(v, edge.other);
+      }
+  }
+
+  bool is_crease(Index v, const EdgeAt& edge) const {
+    if (!(cost_.crease_degrees < 180))
+      return false;
+    const Vector<3> p = space(positions_[v]), q = space(positions_[edge.other]);
+    const Vector<3> m = double_area_vector(p, q, space(positions_[edge.opposite[0]]));
+    const Vector<3> n = double_area_vector(q, p, space(positions_[edge.opposite[1]]));
+    const double lengths = std::sqrt(squared_length(m) * squared_length(n));
+    return dot(m, n) < std::cos(cost_.crease_degrees * std::numbers::pi / 180) * lengths;
+  }
+
+  // Each face of a crease leaves a plane, at both of its ends.
+  void add_crease(Index v, Index w) {
+    complex_.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex_, face, i);
+      if (f.second != w && f.third != w)
+        return;
+      const Index opposite = f.second == w ? f.third : f.second;
+      memories_[v] += cost_.crease(positions_[v], positions_[w], positions_[opposite]);
+      memories_[w] += cost_.crease(positions_[w], positions_[v], positions_[opposite]);
+    });
+  }
+
+  const Cost& cost_;
+  const std::vector<Position>& positions_;
+  TriangleComplex& complex_;
+  std::vector<Memory> memories_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_MEMORIES_H

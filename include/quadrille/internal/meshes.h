@@ -1,0 +1,107 @@
+#ifndef QUADRILLE_INTERNAL_MESHES_H
+#define QUADRILLE_INTERNAL_MESHES_H
+
+#include <quadrille/internal/arguments.h>
+#include <quadrille/internal/face_graph_adapter.h>
+#include <quadrille/internal/run.h>
+#include <quadrille/internal/soup_adapter.h>
+#include <quadrille/report.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <concepts>
+#include <cstddef>
+#include <ranges>
+#include <type_traits>
+
+/// The two kinds of surface that `simplify` takes, from their named parameters to a run.
+
+namespace quadrille::internal {
+
+/// CGAL's MutableFaceGraph and FaceListGraph. vertices, halfedges and faces are asked for first:
+/// the graph traits of a type that is no graph are a hard error.
+template <class G>
+concept FaceGraph = requires(G& g) {
+  vertices(g);
+  halfedges(g);
+  faces(g);
+}
+&&requires(G& g, typename boost::graph_traits<G>::halfedge_descriptor h,
+           typename boost::graph_traits<G>::face_descriptor f) {
+  set_next(h, h, g);
+  set_face(h, f, g);
+  set_halfedge(f, h, g);
+  remove_face(f, g);
+  get(CGAL::vertex_point, g);
+};
+
+template <class P>
+concept PointContainer =
+    std::ranges::random_access_range<P> && !FaceGraph<P> && requires(P & points) {
+  points.push_back(points[0]);
+};
+
+template <class T>
+concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& triangles) {
+  triangles.push_back(triangles[0]);
+  requires std::ranges::random_access_range<std::ranges::range_value_t<T>>;
+  requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
+};
+
+template <class Parameter>
+inline constexpr bool is_given =
+    !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
+
+template <class Mesh, class Policies, class NamedParameters>
+Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedParameters& named) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Cost = typename Policies::Cost;
+  auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
+                                 CGAL::get_property_map(CGAL::vertex_point, mesh));
+  auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
+  auto attributes = pick_attributes<Cost>(named);
+  FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes)> adapter(
+      mesh, points, indices, attributes);
+  return run(adapter, policies, [&](auto& reader) {
+    auto input = reader.read();
+    const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
+    const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
+    const auto creases = get_parameter(named, parameters::edge_is_crease);
+    if constexpr (is_given<decltype(fixed_vertices)>)
+      reader.fix_vertices(fixed_vertices, input);
+    if constexpr (is_given<decltype(fixed_edges)>)
+      reader.fix_edges(fixed_edges, input);
+    if constexpr (is_given<decltype(creases)>)
+      reader.name_creases(creases, input);
+    return input;
+  });
+}
+
+template <class Points, class Triangles, class Policies, class NamedParameters>
+Report simplify_soup(Points& points, Triangles& triangles, const Policies& policies,
+                     const NamedParameters& named) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Cost = typename Policies::Cost;
+  using Point = std::ranges::range_value_t<Points>;
+  auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
+                              CGAL::Identity_property_map<Point>());
+  auto attributes = pick_attributes<Cost>(named);
+  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes)> adapter(points, triangles,
+                                                                              map, attributes);
+  return run(adapter, policies, [&](auto& reader) {
+    auto input = reader.read();
+    const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
+    if constexpr (is_given<decltype(fixed_vertices)>)
+      reader.fix_vertices(fixed_vertices, input);
+    return input;
+  });
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_MESHES_H

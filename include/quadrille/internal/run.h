@@ -1,0 +1,52 @@
+#ifndef QUADRILLE_INTERNAL_RUN_H
+#define QUADRILLE_INTERNAL_RUN_H
+
+#include <quadrille/internal/greedy_order.h>
+#include <quadrille/internal/pair_contraction.h>
+#include <quadrille/report.h>
+
+#include <chrono>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// Seconds since it was last asked.
+class StopWatch {
+public:
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter.
+template <class Adapter, class Policies, class Read>
+Report run(Adapter& adapter, const Policies& policies, Read read) {
+  StopWatch watch;
+  Report report;
+  auto input = read(adapter);
+  report.faces_before = input.triangles.size();
+  report.vertices_before = input.positions.size();
+  report.seconds.read = watch.lap();
+
+  PairContraction<Policies> surface(std::move(input), policies);
+  GreedyOrder<Policies> order(surface, report);
+  report.seconds.prepare = watch.lap();
+
+  order.run();
+  surface.complete(report);
+  report.seconds.contract = watch.lap();
+
+  report.duplicated_vertices = adapter.write(surface);
+  report.vertices_after += report.duplicated_vertices;
+  report.seconds.write = watch.lap();
+  return report;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_RUN_H

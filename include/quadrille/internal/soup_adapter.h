@@ -1,0 +1,144 @@
+#ifndef QUADRILLE_INTERNAL_SOUP_ADAPTER_H
+#define QUADRILLE_INTERNAL_SOUP_ADAPTER_H
+
+#include <quadrille/internal/attributes.h>
+#include <quadrille/internal/points.h>
+#include <quadrille/internal/surface.h>
+#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/vector.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Reads a polygon soup of triangles into flat arrays and rewrites it from the result, in linear
+/// time. Points and triangles that are left keep their order.
+template <class Points, class Triangles, class PointMap, class Attributes = NoAttributes>
+class SoupAdapter {
+public:
+  static constexpr std::size_t dimension = 3 + Attributes::size;
+  using Point = typename boost::property_traits<PointMap>::value_type;
+
+  SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes = {})
+      : points_(points), triangles_(triangles), map_(map), attributes_(attributes) {}
+
+  /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
+  /// there, and for a point that is not finite.
+  SurfaceInput<dimension> read() {
+    TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
+    SurfaceInput<dimension> surface;
+    surface.default_topology = Topology::free;
+    surface.has_doubled_faces = true;
+    surface.positions.reserve(std::ranges::size(points_));
+    for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
+      surface.positions.push_back(read_position(v));
+      require_finite(surface.positions.back(), v);
+    }
+    surface.triangles.reserve(std::ranges::size(triangles_));
+    for (const auto& triangle : triangles_)
+      surface.triangles.push_back(read_triangle(triangle, surface));
+    return surface;
+  }
+
+  /// Fixes the points of which get(map, index) is true.
+  template <class Map>
+  void fix_vertices(Map map, SurfaceInput<dimension>& surface) const {
+    for (Index v = 0; v < surface.positions.size(); ++v)
+      if (get(map, static_cast<std::size_t>(v)))
+        surface.fix(v);
+  }
+
+  /// Rewrites points, triangles and attributes. The new points and triangles are built apart, so
+  /// the soup stays as it was if that throws.
+  template <class Surface>
+  std::size_t write(const Surface& surface) {
+    const TriangleComplex& complex = surface.complex();
+    Points points;
+    std::vector<Index> new_index(surface.vertex_capacity(), none);
+    for (Index v = 0; v < surface.vertex_capacity(); ++v) {
+      if (!complex.has_faces(v))
+        continue;
+      new_index[v] = static_cast<Index>(std::ranges::size(points));
+      points.push_back(points_[v]);
+      if (surface.is_moved(v))
+        put(map_, points.back(), to_cgal<Point>(space(surface.position(v))));
+    }
+    Triangles triangles;
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_dead(face))
+        triangles.push_back(renumbered(triangles_[face], complex.vertices(face), new_index));
+    write_attributes(surface, new_index);
+    std::swap(points_, points);
+    std::swap(triangles_, triangles);
+    return 0;
+  }
+
+private:
+  Vector<dimension> read_position(std::size_t v) {
+    const Vector<3> position = from_cgal(get(map_, points_[v]));
+    if constexpr (Attributes::size > 0)
+      return join(position, attributes_.read(v));
+    else
+      return position;
+  }
+
+  template <class Triangle>
+  TriangleComplex::Triangle read_triangle(const Triangle& triangle,
+                                          const SurfaceInput<dimension>& surface) const {
+    const auto refuse = [&](const std::string& what) {
+      throw std::invalid_argument("quadrille::simplify: face " +
+                                  std::to_string(surface.triangles.size()) + what);
+    };
+    if (std::ranges::size(triangle) != 3)
+      refuse(" is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so");
+    TriangleComplex::Triangle result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!std::in_range<Index>(triangle[i]) ||
+          std::cmp_greater_equal(triangle[i], surface.positions.size()))
+        refuse(" names point " + std::to_string(triangle[i]) + " of " +
+               std::to_string(surface.positions.size()));
+      result[i] = static_cast<Index>(triangle[i]);
+    }
+    return result;
+  }
+
+  template <class Triangle>
+  static Triangle renumbered(Triangle triangle, const TriangleComplex::Triangle& corners,
+                             const std::vector<Index>& new_index) {
+    using Integer = std::ranges::range_value_t<Triangle>;
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle[i] = static_cast<Integer>(new_index[corners[i]]);
+    return triangle;
+  }
+
+  // A new index is never above the old one, so going up nothing is overwritten that is still
+  // needed.
+  template <class Surface>
+  void write_attributes(const Surface& surface, const std::vector<Index>& new_index) {
+    if constexpr (Attributes::size > 0)
+      for (Index v = 0; v < surface.vertex_capacity(); ++v) {
+        if (new_index[v] == none)
+          continue;
+        attributes_.put_raw(std::size_t{new_index[v]}, attributes_.raw(std::size_t{v}));
+        if (surface.is_moved(v))
+          attributes_.write(std::size_t{new_index[v]}, attributes_of(surface.position(v)));
+      }
+  }
+
+  Points& points_;
+  Triangles& triangles_;
+  PointMap map_;
+  [[no_unique_address]] Attributes attributes_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_SOUP_ADAPTER_H

@@ -1,0 +1,57 @@
+#ifndef QUADRILLE_INTERNAL_TOPOLOGY_COUNT_H
+#define QUADRILLE_INTERNAL_TOPOLOGY_COUNT_H
+
+#include <quadrille/internal/edge_star.h>
+#include <quadrille/internal/link_condition.h>
+#include <quadrille/internal/marks.h>
+#include <quadrille/internal/triangle_complex.h>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How many parts there are that no vertex connects.
+inline std::size_t count_components(const TriangleComplex& complex) {
+  std::vector<Index> parent(complex.vertex_capacity());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (Index face = 0; face < complex.face_capacity(); ++face) {
+    if (complex.is_dead(face))
+      continue;
+    const auto [a, b, c] = complex.vertices(face);
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  std::size_t components = 0;
+  for (Index v = 0; v < parent.size(); ++v)
+    components += parent[v] == v && complex.has_faces(v);
+  return components;
+}
+
+struct TopologyCount {
+  std::size_t components = 0, non_manifold_edges = 0, non_manifold_vertices = 0;
+};
+
+inline TopologyCount count_topology(TriangleComplex& complex, Marks& marks) {
+  TopologyCount count{count_components(complex)};
+  VertexClassifier classify;
+  EdgeStar star;
+  for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+    if (!complex.has_faces(v) || classify(complex, v, marks) != VertexKind::singular)
+      continue;
+    ++count.non_manifold_vertices;
+    for (const EdgeAt& edge : star.gather(complex, v, marks))
+      count.non_manifold_edges += edge.faces > 2 && v < edge.other;
+  }
+  return count;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_TOPOLOGY_COUNT_H
