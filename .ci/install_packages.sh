@@ -29,5 +29,5 @@ echo "Installing:$missing"
 $as_root apt-get update -qq || echo "apt-get update failed; going on with the lists at hand" >&2
 # Slim images leave out documentation files, and with them CGAL's models.
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends \
-  -o Dpkg::Options::='--path-include=/usr/share/doc/libcgal-dev/data.tar.gz' $missing ||
+  -o Dpkg::Use-Pty=0 -o Dpkg::Options::='--path-include=/usr/share/doc/libcgal-dev/data.tar.gz' $missing ||
   fail "apt-get could not install them."

@@ -3,7 +3,6 @@
 // takes and the distance of its result to the input. Our results are written as OFF files.
 //
 //   papers_models MODEL_FOLDER OUTPUT_FOLDER
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <quadrille/distance.h>
@@ -79,11 +77,6 @@ Result run(const Mesh& input, std::size_t faces, auto simplify) {
   return result;
 }
 
-double diagonal(const Mesh& mesh) {
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
-
 void print_header() {
   std::printf("%-8s %17s %17s %7s   %19s   %19s\n", "", "faces", "time, ms", "",
               "RMS, % of diagonal", "Hausdorff, % of d.");
@@ -92,7 +85,7 @@ void print_header() {
 }
 
 void print_row(const std::string& name, const Mesh& input, const Result& ours, const Result& cgal) {
-  const double percent = 100 / diagonal(input);
+  const double percent = 100 / quadrille::bounding_box_diagonal(input);
   const quadrille::SurfaceDistance d_ours = quadrille::surface_distance(input, ours.mesh);
   const quadrille::SurfaceDistance d_cgal = quadrille::surface_distance(input, cgal.mesh);
   std::printf("%-8s %8u %8u %8.1f %8.1f %7.1f   %9.4f %9.4f   %9.3f %9.3f\n", name.c_str(),
