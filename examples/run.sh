@@ -1,0 +1,30 @@
+#!/bin/sh
+# Builds the examples and runs one of them. Debian packages that are missing are installed first.
+#   sh examples/run.sh               simplifies the models of the papers and prints a table
+#   sh examples/run.sh ARGUMENT...   runs the program simplify (--help lists its arguments)
+# Exit status: that of the program, or 3 if it cannot be built.
+set -u
+
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+build=$root/build/examples
+log=$build/build.log
+if [ $# -eq 0 ]; then program=papers_models; else program=simplify; fi
+
+prepare() {
+  sh "$root/.ci/install_packages.sh" \
+    cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev &&
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF &&
+  cmake --build "$build" --target "$program" --parallel "$(nproc)"
+}
+
+mkdir -p "$build" || exit 3
+[ -x "$build/examples/$program" ] ||
+  echo "The first run installs what is missing and builds; this takes a minute or more." >&2
+if ! prepare >"$log" 2>&1; then
+  cat "$log" >&2
+  echo "The program $program could not be built; what is above is in $log" >&2
+  exit 3
+fi
+
+if [ $# -eq 0 ]; then set -- "$build/data/meshes" "$build/results"; fi
+exec "$build/examples/$program" "$@"

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Builds and runs all tests. Debian packages that are missing are installed first.
+#   sh test/run.sh [CMAKE_ARGUMENT...]   for instance -DQUADRILLE_WERROR=ON
+set -eu
+export LC_ALL=C
+
+cd -- "$(dirname -- "$0")/.."
+sh .ci/install_packages.sh cmake g++ clang ninja-build libcgal-dev libcgal-demo libboost-dev catch2 \
+  libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev
+
+jobs=$(nproc)
+cmake --preset test "$@"
+# A test that does not compile must not keep the others from running.
+built=0
+cmake --build --preset test --parallel "$jobs" -- -k 0 || built=$?
+ctest --preset test --parallel "$jobs"
+exit "$built"
