@@ -153,6 +153,8 @@ public:
   /// Is every vertex inside the surface?
   bool is_closed() const { return is_closed_; }
 
+  bool is_interior(Index v) const { return kind_[v] == Kind::interior; }
+
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 
 private:
