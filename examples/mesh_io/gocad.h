@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: MIT
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_GOCAD_H
 #define QUADRILLE_EXAMPLES_MESH_IO_GOCAD_H
 
@@ -44,8 +43,10 @@ private:
       read_alias();
     else if (keyword == "TRGL")
       read_triangle();
+    else if (keyword == "TFACE")
+      has_surface_ = true;
     else if (keyword == "END")
-      is_in_object_ = false;
+      end_object();
     else if (keyword == "GOCAD")
       begin_object();
   }
@@ -53,6 +54,12 @@ private:
   void begin_object() {
     is_in_object_ = true;
     vertices_.clear();
+  }
+
+  void end_object() {
+    if (!has_surface_)
+      lines_.fail("'END' before 'TFACE'");
+    is_in_object_ = has_surface_ = false;
   }
 
   void read_vertex() {
@@ -89,6 +96,7 @@ private:
 
   LineReader lines_;
   bool is_in_object_ = true;
+  bool has_surface_ = false;                                 // this object
   std::unordered_map<std::int64_t, std::uint32_t> vertices_; // of this object, by their numbers
   PolygonSoup soup_;
 };

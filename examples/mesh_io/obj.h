@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: MIT
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_OBJ_H
 #define QUADRILLE_EXAMPLES_MESH_IO_OBJ_H
 
