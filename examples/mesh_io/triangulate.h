@@ -41,6 +41,8 @@ public:
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }
+    if (triangulation.dimension() < 2)
+      return false;
     mark_outside(triangulation);
     return append_inside(triangulation, triangles);
   }
@@ -131,7 +133,7 @@ private:
       reached.pop_back();
       if (std::exchange(face->info(), true))
         continue;
-      for (int i = 0; triangulation.dimension() == 2 && i < 3; ++i)
+      for (int i = 0; i < 3; ++i)
         if (!face->is_constrained(i))
           reached.push_back(face->neighbor(i));
     }
