@@ -319,6 +319,16 @@ TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
   CHECK(complaint("a.ply", content) == message);
 }
 
+TEST_CASE("A PLY header of endless names is refused", "[mesh_io]") {
+  std::string elements = "ply\nformat ascii 1.0\n", properties = elements + "element vertex 0\n";
+  for (int i = 0; i < 1001; ++i) {
+    elements += "element e" + std::to_string(i) + " 0\n";
+    properties += "property float p" + std::to_string(i) + "\n";
+  }
+  CHECK(complaint("a.ply", elements) == "a.ply:1003: more than 1000 elements");
+  CHECK(complaint("a.ply", properties) == "a.ply:1004: more than 1000 properties");
+}
+
 TEST_CASE("Broken text PLY files are refused with their place", "[mesh_io]") {
   const auto [body, message] = GENERATE(table<std::string, std::string>({
       {"0 0 0\n1 0 0\n0 1\n3 0 1 2\n", "a.ply:12: the line ends before the next value"},

@@ -67,6 +67,9 @@ public:
   }
 
 private:
+  /// Beyond what any program writes, lest a file of nothing but names take forever.
+  static constexpr std::size_t most_names = 1000;
+
   explicit PlyHeaderReader(LineReader& lines) : lines_(lines) {}
 
   void read_magic() {
@@ -105,6 +108,8 @@ private:
     for (const PlyElement& earlier : header_.elements)
       if (earlier.name == element.name)
         lines_.fail("element " + in_quotes(element.name) + " is declared twice");
+    if (header_.elements.size() == most_names)
+      lines_.fail("more than " + std::to_string(most_names) + " elements");
     element.count = static_cast<std::uint64_t>(count);
     header_.elements.push_back(std::move(element));
   }
@@ -126,6 +131,8 @@ private:
       lines_.fail("a property without a name");
     if (element.find({property.name}))
       lines_.fail("property " + in_quotes(property.name) + " is declared twice");
+    if (element.properties.size() == most_names)
+      lines_.fail("more than " + std::to_string(most_names) + " properties");
     element.properties.push_back(std::move(property));
   }
 

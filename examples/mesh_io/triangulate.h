@@ -37,12 +37,11 @@ public:
       return append_quadrilateral(triangles);
     Triangulation triangulation;
     try {
-      insert(project(outline_), triangulation);
+      if (!insert(project(outline_), triangulation))
+        return false;
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }
-    if (triangulation.dimension() < 2)
-      return false;
     mark_outside(triangulation);
     return append_inside(triangulation, triangles);
   }
@@ -107,20 +106,20 @@ private:
     return result;
   }
 
-  void insert(const std::vector<Kernel::Point_2>& outline, Triangulation& triangulation) const {
-    Triangulation::Vertex_handle first, previous;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const auto near = i == 0 ? Triangulation::Face_handle() : previous->face();
-      const Triangulation::Vertex_handle vertex = triangulation.insert(outline[i], near);
-      vertex->info() = polygon_[i];
-      if (i == 0)
-        first = vertex;
-      else if (previous != vertex)
-        triangulation.insert_constraint(previous, vertex);
-      previous = vertex;
-    }
-    if (previous != first)
-      triangulation.insert_constraint(previous, first);
+  /// All points before the outline, so that they go in by a spatial sort. False if two coincide.
+  static bool insert(const std::vector<Kernel::Point_2>& outline, Triangulation& triangulation) {
+    std::vector<std::pair<Kernel::Point_2, std::uint32_t>> numbered;
+    for (const Kernel::Point_2& point : outline)
+      numbered.emplace_back(point, static_cast<std::uint32_t>(numbered.size()));
+    triangulation.insert(numbered.begin(), numbered.end());
+    if (triangulation.number_of_vertices() < outline.size())
+      return false;
+    std::vector<Triangulation::Vertex_handle> vertices(outline.size());
+    for (const auto vertex : triangulation.finite_vertex_handles())
+      vertices[vertex->info()] = vertex;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      triangulation.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
+    return triangulation.dimension() == 2;
   }
 
   /// Everything that can be reached from infinity without crossing the outline.
