@@ -140,12 +140,11 @@ private:
 
   bool append_inside(const Triangulation& triangulation, std::vector<Triangle>& triangles) const {
     const std::size_t before = triangles.size();
+    const auto corner = [&](const auto face, int i) { return polygon_[face->vertex(i)->info()]; };
     for (const auto face : triangulation.finite_face_handles())
       if (!face->info())
-        triangles.push_back(
-            {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-    if (triangulation.number_of_vertices() == polygon_.size() &&
-        triangles.size() - before == polygon_.size() - 2)
+        triangles.push_back({corner(face, 0), corner(face, 1), corner(face, 2)});
+    if (triangles.size() - before == polygon_.size() - 2)
       return true;
     triangles.resize(before);
     return false;
