@@ -22,8 +22,12 @@ namespace {
 namespace SMS = CGAL::Surface_mesh_simplification;
 using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 
-std::size_t face_count(const Mesh& mesh) { return mesh.number_of_faces(); }
-std::size_t face_count(const Polyhedron& mesh) { return mesh.size_of_facets(); }
+std::size_t face_count(const Mesh& mesh) {
+  return mesh.number_of_faces();
+}
+std::size_t face_count(const Polyhedron& mesh) {
+  return mesh.size_of_facets();
+}
 
 /// CGAL 5.5 can only stop at a number of edges; this stops at a number of faces.
 struct FaceCountStop {

@@ -5,11 +5,11 @@
 #include <malloc.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
-#include <span>
 #include <stdexcept>
 
 namespace bench {
@@ -39,13 +39,24 @@ private:
   double before_;
 };
 
+double cpu_seconds() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
 Run run_here(const Contender& contender, Mesh mesh, std::size_t faces) {
   const PeakMemory memory;
+  const double cpu_before = cpu_seconds();
   const Stopwatch stopwatch;
   Answer answer = contender.simplify(mesh, faces);
   Run run;
   run.seconds = stopwatch.seconds();
   run.own_seconds = answer.own_seconds.value_or(run.seconds);
+  run.cpu_seconds = cpu_seconds() - cpu_before;
   run.peak_megabytes = memory.megabytes();
   run.answer = answer.soup ? std::move(*answer.soup) : to_soup(mesh);
   return run;
@@ -64,7 +75,7 @@ void send(int pipe, const void* data, std::size_t size) {
 }
 
 void send(int pipe, const Run& run) {
-  const double figures[] = {run.seconds, run.own_seconds, run.peak_megabytes};
+  const double figures[] = {run.seconds, run.own_seconds, run.cpu_seconds, run.peak_megabytes};
   const std::size_t sizes[] = {run.answer.points.size(), run.answer.triangles.size()};
   send(pipe, figures, sizeof figures);
   send(pipe, sizes, sizeof sizes);
@@ -101,11 +112,11 @@ private:
 };
 
 Run receive(Receiver receiver) {
-  double figures[3];
+  double figures[4];
   std::size_t sizes[2];
   receiver(figures, sizeof figures);
   receiver(sizes, sizeof sizes);
-  Run run{figures[0], figures[1], figures[2], {}};
+  Run run{figures[0], figures[1], figures[2], figures[3], {}};
   run.answer.points.reserve(sizes[0]);
   for (std::size_t i = 0; i < sizes[0]; ++i) {
     double p[3];

@@ -10,8 +10,9 @@
 namespace bench {
 
 struct Run {
-  double seconds = 0;       ///< wall clock, conversions included
-  double own_seconds = 0;   ///< without conversions
+  double seconds = 0;        ///< wall clock, conversions included
+  double own_seconds = 0;    ///< wall clock without conversions
+  double cpu_seconds = 0;    ///< of all threads, conversions included
   double peak_megabytes = 0; ///< the most memory held at a time, beyond the input mesh
   Soup answer;
 };

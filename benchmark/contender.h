@@ -56,8 +56,8 @@ std::vector<Contender> vtk_contenders();
 /// The faces and vertices of a mesh, renumbered without gaps.
 Soup to_soup(const Mesh& mesh);
 
-/// Makes `mesh` anew from triangles. A triangle that a Surface_mesh cannot take gets vertices of its
-/// own.
+/// Makes `mesh` anew from triangles. A triangle that a Surface_mesh cannot take gets vertices of
+/// its own.
 void to_mesh(const Soup& soup, Mesh& mesh);
 
 class Stopwatch {

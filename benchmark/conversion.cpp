@@ -15,8 +15,8 @@ Soup to_soup(const Mesh& mesh) {
   }
   for (const auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    soup.triangles.push_back({number[mesh.source(h)], number[mesh.target(h)],
-                              number[mesh.target(mesh.next(h))]});
+    soup.triangles.push_back(
+        {number[mesh.source(h)], number[mesh.target(h)], number[mesh.target(mesh.next(h))]});
   }
   return soup;
 }

@@ -7,6 +7,7 @@
 #include <CGAL/AABB_triangle_primitive.h>
 
 #include <algorithm>
+#include <span>
 
 namespace bench {
 namespace {
@@ -53,7 +54,9 @@ std::vector<Triangle> geometric_triangles(const Soup& soup) {
   return triangles;
 }
 
-Vector normal(const Triangle& t) { return CGAL::cross_product(t[1] - t[0], t[2] - t[0]); }
+Vector normal(const Triangle& t) {
+  return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+}
 
 /// Answers which way a surface looks at its point nearest to another point.
 class Orientation {
@@ -84,8 +87,7 @@ std::size_t flipped_faces(const Soup& input, const Soup& answer, const std::vect
   const std::vector<Triangle> triangles = geometric_triangles(answer);
   std::vector<bool> folded(triangles.size(), false);
   for_each_edge(sides, [&](auto edge) {
-    if (edge.size() == 2 &&
-        normal(triangles[edge[0].face]) * normal(triangles[edge[1].face]) < 0)
+    if (edge.size() == 2 && normal(triangles[edge[0].face]) * normal(triangles[edge[1].face]) < 0)
       folded[edge[0].face] = folded[edge[1].face] = true;
   });
   const Orientation orientation(input);

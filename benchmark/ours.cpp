@@ -4,4 +4,21 @@
 
 #include "contender.h"
 
-std::vector<bench::Contender> bench::our_contenders() { return {}; }
+#include <quadrille/simplify.h>
+
+namespace bench {
+namespace {
+
+Answer greedy(Mesh& mesh, std::size_t faces) {
+  quadrille::simplify<quadrille::Quadric, quadrille::OptimalPlacement>(mesh,
+                                                                       quadrille::FaceCount{faces});
+  return {};
+}
+
+} // namespace
+
+std::vector<Contender> our_contenders() {
+  return {{"Quadrille", "Quadric, OptimalPlacement, greedy order, Surface_mesh", greedy}};
+}
+
+} // namespace bench

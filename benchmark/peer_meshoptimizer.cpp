@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// meshoptimizer works on float positions and keeps input positions: its answer names input vertices.
+// meshoptimizer works on float positions and keeps input positions: its answer names input
+// vertices.
 
 #include "contender.h"
 
 #ifndef BENCH_WITH_MESHOPTIMIZER
-std::vector<bench::Contender> bench::meshoptimizer_contenders() { return {}; }
+std::vector<bench::Contender> bench::meshoptimizer_contenders() {
+  return {};
+}
 #else
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -14,8 +17,8 @@ std::vector<bench::Contender> bench::meshoptimizer_contenders() { return {}; }
 namespace bench {
 namespace {
 
-/// Indexed triangles over float positions, as meshoptimizer wants them. Positions are relative to the
-/// centre of the box, so that no digit goes into where the model lies.
+/// Indexed triangles over float positions, as meshoptimizer wants them. Positions are relative to
+/// the centre of the box, so that no digit goes into where the model lies.
 struct Arrays {
   std::vector<float> positions;
   std::vector<unsigned int> indices;

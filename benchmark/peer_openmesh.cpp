@@ -5,7 +5,9 @@
 #include "contender.h"
 
 #ifndef BENCH_WITH_OPENMESH
-std::vector<bench::Contender> bench::openmesh_contenders() { return {}; }
+std::vector<bench::Contender> bench::openmesh_contenders() {
+  return {};
+}
 #else
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -3,7 +3,9 @@
 #include "contender.h"
 
 #ifndef BENCH_WITH_VTK
-std::vector<bench::Contender> bench::vtk_contenders() { return {}; }
+std::vector<bench::Contender> bench::vtk_contenders() {
+  return {};
+}
 #else
 
 #include <vtkCellArray.h>
@@ -56,8 +58,8 @@ Answer simplify(Mesh& mesh, std::size_t faces) {
   const Soup input = to_soup(mesh);
   vtkNew<vtkQuadricDecimation> decimation;
   decimation->SetInputData(to_polydata(input));
-  decimation->SetTargetReduction(
-      1 - static_cast<double>(faces) / static_cast<double>(input.triangles.size()));
+  decimation->SetTargetReduction(1 - static_cast<double>(faces) /
+                                         static_cast<double>(input.triangles.size()));
   const Stopwatch stopwatch;
   decimation->Update();
   const double seconds = stopwatch.seconds();
