@@ -61,7 +61,8 @@ public:
       initial_components_ = count_components(complex_);
     start_status();
     memories_ =
-        InitialMemories<Cost>::compute(policies_.cost, positions_, complex_, marks_, input.creases);
+        InitialMemories<Cost>::compute(policies_.cost, positions_, complex_, marks_, input.creases,
+                                       [this](Index v) { return is_interior(v); });
     if constexpr (asks_for_current<Cost>)
       current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex_, marks_);
     start_reach();
@@ -249,7 +250,7 @@ private:
   void update_current(Index kept) requires asks_for_current<Cost> {
     current_.learn(kept, policies_.cost, positions_, complex_);
     const auto renew = [&](Index v) {
-      if (!is_topology_kept_ || !link_condition_.is_interior(v))
+      if (!is_interior(v))
         current_.recompute(v, policies_.cost, positions_, complex_, marks_);
     };
     if (is_topology_kept_ && link_condition_.is_closed())
@@ -261,6 +262,9 @@ private:
           if (complex_.has_faces(v))
             renew(v);
   }
+
+  // Known to be inside the surface: without the link condition nothing is.
+  bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
 
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
 
