@@ -5,15 +5,18 @@
 #include <malloc.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
 namespace bench {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// A figure of /proc/self/status, in kilobytes.
 double status_kilobytes(const std::string& key) {
@@ -39,24 +42,15 @@ private:
   double before_;
 };
 
-double cpu_seconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 Run run_here(const Contender& contender, Mesh mesh, std::size_t faces) {
   const PeakMemory memory;
-  const double cpu_before = cpu_seconds();
+  const auto start = Clock::now();
   const Stopwatch stopwatch;
   Answer answer = contender.simplify(mesh, faces);
   Run run;
   run.seconds = stopwatch.seconds();
   run.own_seconds = answer.own_seconds.value_or(run.seconds);
-  run.cpu_seconds = cpu_seconds() - cpu_before;
+  run.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   run.peak_megabytes = memory.megabytes();
   run.answer = answer.soup ? std::move(*answer.soup) : to_soup(mesh);
   return run;
@@ -75,7 +69,7 @@ void send(int pipe, const void* data, std::size_t size) {
 }
 
 void send(int pipe, const Run& run) {
-  const double figures[] = {run.seconds, run.own_seconds, run.cpu_seconds, run.peak_megabytes};
+  const double figures[] = {run.seconds, run.own_seconds, run.wall_seconds, run.peak_megabytes};
   const std::size_t sizes[] = {run.answer.points.size(), run.answer.triangles.size()};
   send(pipe, figures, sizeof figures);
   send(pipe, sizes, sizeof sizes);
@@ -89,13 +83,14 @@ void send(int pipe, const Run& run) {
 /// Reads from a pipe until a moment in time; then, and at an early end, throws.
 class Receiver {
 public:
-  Receiver(int pipe, double limit) : pipe_(pipe), limit_(limit) {}
+  Receiver(int pipe, double seconds)
+      : pipe_(pipe), end_(Clock::now() + std::chrono::milliseconds(std::llround(seconds * 1e3))) {}
 
   void operator()(void* data, std::size_t size) {
     for (char* next = static_cast<char*>(data); size > 0;) {
-      const double left = limit_ - stopwatch_.seconds();
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
       pollfd ready{.fd = pipe_, .events = POLLIN, .revents = 0};
-      if (left <= 0 || poll(&ready, 1, static_cast<int>(left * 1000) + 1) <= 0)
+      if (left <= 0 || poll(&ready, 1, static_cast<int>(left)) <= 0)
         throw std::runtime_error("the time is up");
       const ssize_t received = read(pipe_, next, size);
       if (received <= 0)
@@ -107,8 +102,7 @@ public:
 
 private:
   int pipe_;
-  double limit_;
-  Stopwatch stopwatch_;
+  Clock::time_point end_;
 };
 
 Run receive(Receiver receiver) {

@@ -10,9 +10,9 @@
 namespace bench {
 
 struct Run {
-  double seconds = 0;        ///< wall clock, conversions included
-  double own_seconds = 0;    ///< wall clock without conversions
-  double cpu_seconds = 0;    ///< of all threads, conversions included
+  double seconds = 0;        ///< processor time, conversions included
+  double own_seconds = 0;    ///< the same without conversions
+  double wall_seconds = 0;   ///< on the wall clock, conversions included
   double peak_megabytes = 0; ///< the most memory held at a time, beyond the input mesh
   Soup answer;
 };

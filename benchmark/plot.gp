@@ -16,7 +16,7 @@ do for [i=1:contenders] {
 }
 
 set title sprintf("%s: %d to %d faces; low and left is good", model, input, target) noenhanced
-set xlabel "time in ms, the median and the whole spread"
+set xlabel "processor time in ms, the median and the whole spread"
 set ylabel "RMS distance in 10^{-4} of the bounding-box diagonal"
 set logscale xy
 set xrange [fastest_min / 1.4 : slowest_max * 1.4]
