@@ -280,14 +280,13 @@ private:
       --status_.vertices;
   }
 
-  // The reach of a vertex grows with its neighbours' moves and does not shrink when one is gone.
+  // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
+  // that can change while the pair waits in the queue.
   void update_reach(Index v) {
     float longest = 0;
     const auto lengthen = [&](Index w) {
-      const auto squared =
-          static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w])));
-      longest = std::max(longest, squared);
-      squared_reach_[w] = std::max(squared_reach_[w], squared);
+      longest = std::max(longest, static_cast<float>(squared_distance(space(positions_[v]),
+                                                                      space(positions_[w]))));
     };
     complex_.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex_, face, i);

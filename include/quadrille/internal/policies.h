@@ -16,7 +16,8 @@ template <std::size_t N, class Memory>
 struct PairView {
   Vector<N> first, second;
   Memory memory;        ///< of both ends, about `first`
-  double squared_reach; ///< of the distance from an end to its farthest neighbour
+  double squared_reach; ///< of the distance from an end to its farthest neighbour, as each end
+                        ///< had it when it took its place
 };
 
 template <class Cost>
