@@ -53,7 +53,7 @@ template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, interna
 requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&&...) Report
     simplify(Mesh& mesh, const Arguments&... arguments) {
   const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
-  const auto& named =
+  const auto named =
       internal::pick<internal::IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
   return internal::simplify_face_graph(mesh, policies, named);
 }
@@ -71,7 +71,7 @@ template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement,
 requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&&...) Report
     simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
-  const auto& named =
+  const auto named =
       internal::pick<internal::IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
   return internal::simplify_soup(points, triangles, policies, named);
 }

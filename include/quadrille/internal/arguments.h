@@ -120,7 +120,7 @@ auto pick_policies(const Arguments&... arguments) {
                 "This placement does not fit this cost. OptimalPlacement needs a cost with a "
                 "minimizer: with EdgeLength, use MidpointPlacement or EndpointPlacement.");
 
-  const auto& named = pick<IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
+  const auto named = pick<IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
   const Visitor no_visitor;
   const auto& visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter_reference(named, CGAL::internal_np::visitor), no_visitor);

@@ -338,20 +338,15 @@ private:
       if (complex_.is_dead(face))
         continue;
       const auto [p, q, r] = complex_.vertices(face);
-      lengthen_reach(p, q);
-      lengthen_reach(q, r);
-      lengthen_reach(r, p);
+      for (const auto& [v, w] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)}) {
+        lengthen_reach(v, w);
+        lengthen_reach(w, v);
+      }
     }
   }
 
-  void lengthen_reach(Index v, Index w) {
-    const auto squared =
-        static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w])));
-    squared_reach_[v] = std::max(squared_reach_[v], squared);
-    squared_reach_[w] = std::max(squared_reach_[w], squared);
-  }
-
-  // The reach of a vertex grows with its neighbours' moves and does not shrink when one is gone.
+  // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
+  // that can change while the pair waits in the queue.
   void update_reach(Index v) {
     squared_reach_[v] = 0;
     complex_.for_each_corner(v, [&](Index face, Index i) {
@@ -359,6 +354,11 @@ private:
       lengthen_reach(v, f.second);
       lengthen_reach(v, f.third);
     });
+  }
+
+  void lengthen_reach(Index v, Index w) {
+    squared_reach_[v] = std::max(squared_reach_[v], static_cast<float>(squared_distance(
+                                                        space(positions_[v]), space(positions_[w]))));
   }
 
   const Policies& policies_;

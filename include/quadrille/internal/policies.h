@@ -34,7 +34,8 @@ template <class Cost>
 struct PairOf {
   Vector<Cost::dimension> first, second;
   typename Cost::Memory memory; ///< of both ends, about `first`
-  double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour
+  double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour, as each
+                                ///< end had it when it took its place
   [[no_unique_address]] typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
 };
 
