@@ -22,6 +22,12 @@ struct EndpointPlacement {
   }
 };
 
+/// A cost with `cost.minimizer(pair)`, an optional position.
+template <class Cost, class Pair>
+concept HasMinimizer = requires(const Cost cost, const Pair pair) {
+  *cost.minimizer(pair);
+};
+
 /// The position of least cost. Where the cost has none, or it lies further from both ends than
 /// `pair.reach`, the distance to the farthest neighbour, the cheapest of the two ends and the
 /// midpoint.
@@ -29,7 +35,9 @@ struct EndpointPlacement {
 /// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: with the
 /// point quadrics of `Quadric` a system that is singular along a line does not come up).
 struct OptimalPlacement {
-  auto operator()(const auto& cost, const auto& pair) const {
+  template <class Cost, class Pair>
+  requires HasMinimizer<Cost, Pair>
+  auto operator()(const Cost& cost, const Pair& pair) const {
     if (const auto x = cost.minimizer(pair); x && is_within_reach(pair, *x))
       return *x;
     const auto end = EndpointPlacement{}(cost, pair);

@@ -44,10 +44,10 @@ public:
         continue;
       }
       surface_.announce(candidate);
-      if (is_enough())
-        return finish(StopReason::target_met);
       if (const auto cause = surface_.rejection(next->first, next->second, candidate))
         park(*next, *cause);
+      else if (is_enough())
+        return finish(StopReason::target_met);
       else if (surface_.overshoots() && !is_last_resort_)
         keep_as_last_resort(*next);
       else
