@@ -4,12 +4,14 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace quadrille {
 
 /// The position halfway between the two ends of a pair.
 struct MidpointPlacement {
-  auto operator()(const auto& /*cost*/, const auto& pair) const {
+  auto operator()(const auto& /*cost*/, const auto& pair) const
+      -> decltype(0.5 * (pair.first + pair.second)) {
     return 0.5 * (pair.first + pair.second);
   }
 };
@@ -17,7 +19,8 @@ struct MidpointPlacement {
 /// The cheaper end of a pair, the first if both cost the same. The output's vertices are a subset
 /// of the input's: exact positions, exact attributes.
 struct EndpointPlacement {
-  auto operator()(const auto& cost, const auto& pair) const {
+  auto operator()(const auto& cost, const auto& pair) const
+      -> std::remove_cvref_t<decltype(pair.first)> {
     return cost(pair, pair.second) < cost(pair, pair.first) ? pair.second : pair.first;
   }
 };
@@ -29,7 +32,8 @@ struct EndpointPlacement {
 /// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: with the
 /// point quadrics of `Quadric` a system that is singular along a line does not come up).
 struct OptimalPlacement {
-  auto operator()(const auto& cost, const auto& pair) const {
+  auto operator()(const auto& cost, const auto& pair) const
+      -> std::remove_cvref_t<decltype(*cost.minimizer(pair))> {
     if (const auto x = cost.minimizer(pair); x && is_within_reach(pair, *x))
       return *x;
     const auto end = EndpointPlacement{}(cost, pair);

@@ -36,8 +36,6 @@ struct IsCost : std::bool_constant<CostPolicy<T>> {};
 template <class T>
 struct IsStop : std::bool_constant<StopPolicy<T>> {};
 template <class T>
-struct IsPairs : std::bool_constant<PairPolicy<T>> {};
-template <class T>
 struct IsTopology : std::is_same<T, Topology> {};
 
 // A placement that needs a minimizer is recognised with every cost, so that the reason can be told.
@@ -46,6 +44,11 @@ struct Recognise {
   template <class T>
   struct IsPlacement
       : std::bool_constant<PlacementPolicy<T, Cost> || std::same_as<T, OptimalPlacement>> {};
+  // Not asked of a placement: its body, if it takes anything, would not compile with a surface.
+  template <class T>
+  struct IsPairsItself : std::bool_constant<PairPolicy<T>> {};
+  template <class T>
+  struct IsPairs : std::conjunction<std::negation<IsPlacement<T>>, IsPairsItself<T>> {};
   template <class T>
   struct IsFilter : std::bool_constant<FilterPolicy<T, Cost>> {};
 };
@@ -77,8 +80,9 @@ using CostOf = Picked<IsCost, Cost, Arguments...>;
 /// Is this an argument of `simplify` beside such a cost?
 template <class T, class Cost>
 inline constexpr bool is_argument =
-    IsCost<T>::value || Recognise<Cost>::template IsPlacement<T>::value || IsPairs<T>::value ||
-    IsStop<T>::value || Recognise<Cost>::template IsFilter<T>::value || IsTopology<T>::value ||
+    IsCost<T>::value || Recognise<Cost>::template IsPlacement<T>::value ||
+    Recognise<Cost>::template IsPairs<T>::value || IsStop<T>::value ||
+    Recognise<Cost>::template IsFilter<T>::value || IsTopology<T>::value ||
     IsNamedParameters<T>::value;
 
 /// The filters among the arguments, as a tuple; with NormalFlip before them unless it is one of
@@ -110,7 +114,7 @@ auto pick_policies(const Arguments&... arguments) {
   static_assert(count_of<IsCost, Arguments...> <= 1, "simplify takes one cost: pass only one.");
   static_assert(count_of<Recognised::template IsPlacement, Arguments...> <= 1,
                 "simplify takes one placement: pass only one.");
-  static_assert(count_of<IsPairs, Arguments...> <= 1,
+  static_assert(count_of<Recognised::template IsPairs, Arguments...> <= 1,
                 "simplify takes one pair policy: pass only one.");
   static_assert(count_of<IsStop, Arguments...> <= 1,
                 "simplify takes one stop policy: combine several with AnyOf or AllOf.");
@@ -129,7 +133,7 @@ auto pick_policies(const Arguments&... arguments) {
     topology = pick<IsTopology>(Topology::kept, arguments...);
   Policies policies{pick<IsCost>(Cost_{}, arguments...),
                     pick<Recognised::template IsPlacement>(Placement_{}, arguments...),
-                    pick<IsPairs>(EdgePairs{}, arguments...),
+                    pick<Recognised::template IsPairs>(EdgePairs{}, arguments...),
                     pick<IsStop>(FaceRatio{}, arguments...),
                     visitor,
                     topology,
