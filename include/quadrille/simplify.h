@@ -58,6 +58,13 @@ requires internal::Fitting<Cost, Placement, Arguments...> && internal::FaceGraph
   return internal::simplify_face_graph(mesh, policies, named);
 }
 
+/// The same with nothing but defaults. It is here because CGAL::simplify(x), which is found beside
+/// the function above for a mesh of CGAL's, would be preferred to it.
+template <class Mesh>
+requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
+  return simplify<Quadric, OptimalPlacement>(mesh);
+}
+
 /// Simplifies a polygon soup of triangles in place; it may be non-manifold and of any orientation.
 ///
 /// `points` and `triangles` are random-access containers, of points of a CGAL kernel (or of

@@ -32,6 +32,13 @@ template <class Cost = Quadric, class Placement = OptimalPlacement, class Surfac
 requires FilterPolicy<Argument, internal::CostOf<Cost, Arguments...>>
 void simplify(Surface&, const Arguments&...) = delete;
 
+/// A constant mesh would otherwise be taken by CGAL::simplify(x), which is found beside ours.
+template <class Mesh>
+requires requires(const Mesh& mesh) {
+  halfedges(mesh);
+}
+void simplify(const Mesh&) = delete; // a constant mesh cannot be simplified
+
 } // namespace quadrille
 
 #endif // QUADRILLE_INTERNAL_DIAGNOSTICS_H
