@@ -141,6 +141,8 @@ TEST_CASE("Lines may end in CR LF, in CR, or with the file", "[mesh_io]") {
     for (const char c : off_triangle)
       content += c == '\n' ? newline : std::string(1, c);
     CHECK(read("a.off", content).triangles == one_triangle);
+    CHECK(complaint("a.off", content + "x") ==
+          "a.off:7: the file goes on after the last of 1 faces");
     content.resize(content.size() - newline.size());
     CHECK(read("a.off", content).triangles == one_triangle);
   }
@@ -212,7 +214,7 @@ TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
 
 TEST_CASE("What a message quotes is short and printable", "[mesh_io]") {
   CHECK(
-      complaint("a.off", "\1\2\xFF" + std::string(1000, 'x')) ==
+      complaint("a.off", "\1\x7F\xFF" + std::string(1000, 'x')) ==
       "a.off:1: not an OFF file of three dimensions: it starts with '???xxxxxxxxxxxxxxxxxxxxx...'");
 }
 
@@ -459,6 +461,14 @@ TEST_CASE("Colours and texture coordinates that are no numbers are taken as 0", 
   CHECK(mesh.remarks ==
         std::vector<std::string>{"colour values that are not numbers, taken as 0: 1",
                                  "texture coordinates that are not finite, taken as 0: 2"});
+}
+
+TEST_CASE("OFF colours before texture coordinates may do without opacity", "[mesh_io]") {
+  const IndexedMesh mesh = read(
+      "a.off", "STCOFF 3 1 0\n0 0 0 1 2 3 .1 .2\n1 0 0 1 2 3 4 .1 .2\n0 1 0 1 2 3 .1 .2\n3 0 1 2");
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3}});
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>{{.1, .2}, {.1, .2}, {.1, .2}});
 }
 
 TEST_CASE("Broken STL files are refused with their place", "[mesh_io]") {
