@@ -6,7 +6,9 @@
 // file, OUT is as it was.
 
 #include "mesh_io.h"
+#include "transfer_attributes.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -110,10 +112,12 @@ void add_target(CLI::App& app, Target& target) {
 
 void add_policies(CLI::App& app, Options& options) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  app.add_option("--cost", options.cost,
-                 "which pair is contracted first: by distance to the planes of the faces, with "
-                 "colours or texture coordinates as further dimensions, or the shortest")
-      ->check(CLI::IsMember({"quadric", "color", "texture", "length"}))
+  app.add_option(
+         "--cost", options.cost,
+         "which pair is contracted first: by distance to the planes of all faces so far, of the "
+         "current faces, with colours or texture coordinates as further dimensions, or the "
+         "shortest")
+      ->check(CLI::IsMember({"quadric", "memoryless", "color", "texture", "length"}))
       ->capture_default_str();
   app.add_option("--placement", options.placement,
                  "where the vertex goes (default: optimal, or midpoint with --cost length)")
@@ -168,81 +172,55 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
 
 // --- The work ------------------------------------------------------------------------------------
 
-/// A point of the soup that remembers where in the mesh it comes from. Of a contracted pair, one
-/// end stays and is moved; attributes that the cost does not look at stay with it.
-struct Vertex {
-  Point point;
-  std::uint32_t origin;
-};
-
-struct PointOfVertex {
-  using key_type = Vertex;
-  using value_type = Point;
-  using reference = const Point&;
-  using category = boost::lvalue_property_map_tag;
-  friend const Point& get(PointOfVertex, const Vertex& vertex) { return vertex.point; }
-  friend void put(PointOfVertex, Vertex& vertex, const Point& point) { vertex.point = point; }
-};
-
-template <class Attribute>
-void take_from_origins(const std::vector<Vertex>& vertices, std::vector<Attribute>& attributes) {
-  for (std::size_t i = 0; !attributes.empty() && i < vertices.size(); ++i)
-    attributes[i] = attributes[vertices[i].origin]; // which is never below i
+template <class Cost>
+Cost with_boundary_weight(Cost cost, const Options& options) {
+  cost.boundary_weight = options.boundary_weight;
+  return cost;
 }
 
-class Simplification {
-public:
-  Simplification(IndexedMesh& mesh, const Options& options) : mesh_(mesh), options_(options) {
-    for (const Point& point : mesh.points)
-      vertices_.push_back({point, static_cast<std::uint32_t>(vertices_.size())});
-  }
+quadrille::Report simplify(IndexedMesh& mesh, const Options& options, const auto& cost,
+                           const auto&... named) {
+  return quadrille::simplify(mesh.points, mesh.triangles, cost, placement(options),
+                             quadrille::ThresholdPairs(options.pairs_closer_than), options.target,
+                             topology(options), named...);
+}
 
-  quadrille::Report run() {
-    const quadrille::Report report = simplify();
-    if (options_.cost != "color")
-      take_from_origins(vertices_, mesh_.colors);
-    if (options_.cost != "texture")
-      take_from_origins(vertices_, mesh_.texture_coordinates);
-    mesh_.points.clear();
-    for (const Vertex& vertex : vertices_)
-      mesh_.points.push_back(vertex.point);
-    if (!mesh_.colors.empty())
-      mesh_.colors.resize(vertices_.size());
-    if (!mesh_.texture_coordinates.empty())
-      mesh_.texture_coordinates.resize(vertices_.size());
+quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
+  namespace parameters = CGAL::parameters;
+  if (options.cost == "length")
+    return simplify(mesh, options, quadrille::EdgeLength{});
+  if (options.cost == "memoryless")
+    return simplify(mesh, options, with_boundary_weight(quadrille::MemorylessQuadric{}, options));
+  if (options.cost == "color")
+    return simplify(mesh, options, with_boundary_weight(quadrille::ColorQuadric{}, options),
+                    parameters::vertex_color_map(CGAL::make_property_map(mesh.colors)));
+  if (options.cost == "texture")
+    return simplify(
+        mesh, options, with_boundary_weight(quadrille::TextureQuadric{}, options),
+        parameters::vertex_texture_map(CGAL::make_property_map(mesh.texture_coordinates)));
+  return simplify(mesh, options, with_boundary_weight(quadrille::Quadric{}, options));
+}
+
+/// Colours and texture coordinates that the cost looks at are its own results. The others are
+/// taken from the closest places of the input.
+quadrille::Report simplify_with_attributes(IndexedMesh& mesh, const Options& options) {
+  const bool keeps_colors = options.cost != "color" && !mesh.colors.empty();
+  const bool keeps_textures = options.cost != "texture" && !mesh.texture_coordinates.empty();
+  const IndexedMesh input = keeps_colors || keeps_textures ? mesh : IndexedMesh{};
+  const quadrille::Report report = simplify_by_cost(mesh, options);
+  if (!mesh.colors.empty())
+    mesh.colors.resize(mesh.points.size());
+  if (!mesh.texture_coordinates.empty())
+    mesh.texture_coordinates.resize(mesh.points.size());
+  if (mesh.points.empty() || !(keeps_colors || keeps_textures))
     return report;
-  }
-
-private:
-  quadrille::Report simplify() {
-    const auto named = CGAL::parameters::point_map(PointOfVertex{});
-    if (options_.cost == "length")
-      return simplify(quadrille::EdgeLength{}, named);
-    if (options_.cost == "color")
-      return simplify(with_boundary_weight(quadrille::ColorQuadric{}),
-                      named.vertex_color_map(CGAL::make_property_map(mesh_.colors)));
-    if (options_.cost == "texture")
-      return simplify(with_boundary_weight(quadrille::TextureQuadric{}),
-                      named.vertex_texture_map(CGAL::make_property_map(mesh_.texture_coordinates)));
-    return simplify(with_boundary_weight(quadrille::Quadric{}), named);
-  }
-
-  template <class Cost>
-  Cost with_boundary_weight(Cost cost) const {
-    cost.boundary_weight = options_.boundary_weight;
-    return cost;
-  }
-
-  quadrille::Report simplify(const auto& cost, const auto& named) {
-    return quadrille::simplify(vertices_, mesh_.triangles, cost, placement(options_),
-                               quadrille::ThresholdPairs(options_.pairs_closer_than),
-                               options_.target, topology(options_), named);
-  }
-
-  IndexedMesh& mesh_;
-  const Options& options_;
-  std::vector<Vertex> vertices_;
-};
+  const std::vector<SurfacePlace> places = closest_places(input, mesh.points);
+  if (keeps_colors)
+    mesh.colors = sampled(input.colors, places);
+  if (keeps_textures)
+    mesh.texture_coordinates = sampled(input.texture_coordinates, places);
+  return report;
+}
 
 /// False if the target was not reached.
 bool run(const Options& options) {
@@ -252,7 +230,7 @@ bool run(const Options& options) {
   for (const std::string& remark : mesh.remarks)
     if (!options.is_quiet)
       std::cerr << options.input << ": " << remark << '\n';
-  const quadrille::Report report = Simplification(mesh, options).run();
+  const quadrille::Report report = simplify_with_attributes(mesh, options);
   write_mesh(options.output, mesh);
   if (!options.is_quiet)
     std::cout << report << std::endl;

@@ -141,6 +141,8 @@ TEST_CASE("Lines may end in CR LF, in CR, or with the file", "[mesh_io]") {
     for (const char c : off_triangle)
       content += c == '\n' ? newline : std::string(1, c);
     CHECK(read("a.off", content).triangles == one_triangle);
+    CHECK(complaint("a.off", content + "x") ==
+          "a.off:7: the file goes on after the last of 1 faces");
     content.resize(content.size() - newline.size());
     CHECK(read("a.off", content).triangles == one_triangle);
   }
@@ -212,7 +214,7 @@ TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
 
 TEST_CASE("What a message quotes is short and printable", "[mesh_io]") {
   CHECK(
-      complaint("a.off", "\1\2\xFF" + std::string(1000, 'x')) ==
+      complaint("a.off", "\1\x7F\xFF" + std::string(1000, 'x')) ==
       "a.off:1: not an OFF file of three dimensions: it starts with '???xxxxxxxxxxxxxxxxxxxxx...'");
 }
 
@@ -281,6 +283,22 @@ TEST_CASE("A vertex on a texture seam stays one vertex and keeps its first coord
   CHECK(mesh.remarks ==
         std::vector<std::string>{
             "vertices on texture seams, which keep one of their texture coordinates: 2"});
+}
+
+TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 3\nproperty list uchar float texcoord\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const IndexedMesh mesh = read("a.ply", header + "0 3 2 1 3\n6 0 0 .5 0 0 .5 3 0 1 2\n"
+                                                  "6 .5 0 1 1 0 .9 3 1 3 2\n");
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {0, .5}, {1, 1}});
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{
+            "vertices on texture seams, which keep one of their texture coordinates: 1"});
+  CHECK(
+      read("a.ply", header + "0 3 2 1 3\n0 3 0 1 2\n2 1 1 3 1 3 2\n").texture_coordinates.empty());
 }
 
 TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
@@ -461,6 +479,14 @@ TEST_CASE("Colours and texture coordinates that are no numbers are taken as 0", 
                                  "texture coordinates that are not finite, taken as 0: 2"});
 }
 
+TEST_CASE("OFF colours before texture coordinates may do without opacity", "[mesh_io]") {
+  const IndexedMesh mesh = read(
+      "a.off", "STCOFF 3 1 0\n0 0 0 1 2 3 .1 .2\n1 0 0 1 2 3 4 .1 .2\n0 1 0 1 2 3 .1 .2\n3 0 1 2");
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3}});
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>{{.1, .2}, {.1, .2}, {.1, .2}});
+}
+
 TEST_CASE("Broken STL files are refused with their place", "[mesh_io]") {
   CHECK(complaint("a.stl", "triangle") ==
         "a.stl: neither a text STL file, nor long enough for a binary one");
@@ -479,7 +505,7 @@ TEST_CASE("Broken STL files are refused with their place", "[mesh_io]") {
   CHECK(complaint("a.stl", text) == message);
 }
 
-TEST_CASE("Binary STL files are known by their size and refused if it does not fit", "[mesh_io]") {
+TEST_CASE("Binary STL files are refused if their size does not fit", "[mesh_io]") {
   std::string facet = std::string(12, '\0') + float_points() + "  ";
   const auto file = [&](std::uint32_t count, const std::string& facets) {
     std::string header = "solid, for all that it is binary";
@@ -563,6 +589,17 @@ TEST_CASE("Welded vertices keep the colour of the first", "[mesh_io]") {
       read("a.off", "COFF 6 2 0\n0 0 0 1 0 0\n1 0 0 2 0 0\n0 1 0 3 0 0\n1 0 0 4 0 0\n"
                     "1 1 0 5 0 0\n0 1 0 6 0 0\n3 0 1 2\n3 3 4 5");
   CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}});
+}
+
+TEST_CASE("The first of many vertices at one place is kept", "[mesh_io]") {
+  std::string points, faces;
+  for (int i = 0; i < 150; ++i) // more than a sort leaves in order by chance
+    points += std::to_string(i % 3) + " 0 0 " + std::to_string(i) + " 0 0\n";
+  for (int i = 0; i < 150; i += 3)
+    faces +=
+        "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  const IndexedMesh mesh = read("a.off", "COFF 150 50 0\n" + points + faces);
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
 }
 
 TEST_CASE("Polygons that are not convex are cut without folds", "[mesh_io]") {

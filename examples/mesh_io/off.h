@@ -130,7 +130,7 @@ private:
 
   std::uint32_t read_index() {
     const std::int64_t index = lines_.next_integer("vertex index");
-    if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_)
+    if (static_cast<std::uint64_t>(index) >= vertex_count_) // or negative
       lines_.fail(out_of_range("vertex", index, vertex_count_));
     return static_cast<std::uint32_t>(index);
   }

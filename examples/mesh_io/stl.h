@@ -132,17 +132,11 @@ private:
   PolygonSoup soup_;
 };
 
-/// By its size: some binary files start with `solid` too.
+/// Some binary files start with `solid` too, but there is a zero byte in the facet count.
 inline bool is_binary_stl(const Source& source) {
-  const std::string_view bytes = source.content;
-  if (bytes.size() >= stl_header_size) {
-    const std::uint64_t facets = little_endian_at<std::uint32_t>(bytes, stl_header_size - 4);
-    if (bytes.size() == stl_header_size + facets * stl_facet_size)
-      return true;
-  }
   LineReader lines(source);
   lines.next_line();
-  return bytes.find('\0') != std::string_view::npos ||
+  return source.content.find('\0') != std::string::npos ||
          !equal_ignoring_case(lines.peek_word(), "solid");
 }
 
