@@ -31,7 +31,7 @@ public:
     const auto box = CGAL::bounding_box(mesh.points.begin(), mesh.points.end());
     origin_ = box.min();
     const Vector size = box.max() - box.min();
-    scale_ = 1 / std::max({size.x(), size.y(), size.z()});
+    extent_ = std::max({size.x(), size.y(), size.z()});
     for (const auto& [a, b, c] : mesh.triangles) {
       const Triangle triangle(local(mesh.points[a]), local(mesh.points[b]), local(mesh.points[c]));
       if (!(triangle.squared_area() > 0))
@@ -59,7 +59,7 @@ private:
       CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Iterator>>>;
 
   /// In the unit cube, so that no area over- or underflows.
-  Point local(const Point& point) const { return CGAL::ORIGIN + scale_ * (point - origin_); }
+  Point local(const Point& point) const { return CGAL::ORIGIN + (point - origin_) / extent_; }
 
   static std::array<double, 3> barycentric(const Triangle& triangle, const Point& place) {
     const Vector normal = CGAL::cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
@@ -77,7 +77,7 @@ private:
   }
 
   Point origin_;
-  double scale_;
+  double extent_; // divided by: the reciprocal of a subnormal number would overflow
   std::vector<Triangle> triangles_;
   std::vector<std::array<std::uint32_t, 3>> corners_;
   Tree tree_;

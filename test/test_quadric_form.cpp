@@ -187,13 +187,12 @@ TEST_CASE("A quadric is a value") {
   CHECK(a(x) == a_at_x);
   CHECK(b(x) == b_at_x);
 
-  QuadricForm<3> d;
-  d.add_to_matrix(0, 2, 1.5);
-  d.add_to_matrix(2, 0, 1);
-  d.add_to_matrix(1, 1, 4);
-  CHECK(d.matrix(0, 2) == 2.5);
-  CHECK(d.matrix(2, 0) == 2.5);
-  CHECK(d.matrix(1, 1) == 4);
+  quadrille::SymmetricMatrix<3> m;
+  m.set(2, 0, 2.5);
+  m.set(1, 1, 4);
+  CHECK(m(0, 2) == 2.5);
+  CHECK(m(2, 0) == 2.5);
+  const QuadricForm<3> d(m);
   CHECK(d({{1, 0, 1}}) == 5);
   CHECK(b.gradient() == Vector<3>{{0, -15, 0}});
   CHECK(b.constant() == 75);

@@ -1,0 +1,359 @@
+// What is left of a mesh keeps its descriptors, its maps and its validity; odd meshes are fine.
+
+#include "meshes.h"
+#include "reference.h"
+
+#include <quadrille/simplify.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/vector_property_map.hpp>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Mesh;
+using test::Point;
+using test::Position;
+using test::Soup;
+using test::Triangle;
+
+// Stops after so many contractions.
+auto after(std::size_t contractions) {
+  return [contractions](const Status& status) { return status.contractions == contractions; };
+}
+
+void require_consistent(const Mesh& mesh, const Report& report) {
+  INFO(report);
+  REQUIRE(test::is_valid_triangle_mesh(mesh));
+  REQUIRE(report.faces_after == mesh.number_of_faces());
+  REQUIRE(report.vertices_after == mesh.number_of_vertices());
+  REQUIRE(test::is_finite(test::to_soup(mesh)));
+  const test::SoupTopology topology = test::topology_of(test::to_soup(mesh));
+  REQUIRE_FALSE(topology.has_doubled_faces);
+  REQUIRE_FALSE(topology.has_collapsed_faces);
+}
+
+// A mesh of which each element has a map that tells what it was in the beginning.
+struct LabelledMesh {
+  using Vertex = std::uint32_t;
+
+  explicit LabelledMesh(const Soup& soup)
+      : mesh(test::make_mesh(soup)),
+        vertex(mesh.add_property_map<Mesh::Vertex_index, Vertex>("v").first),
+        ends(mesh.add_property_map<Mesh::Halfedge_index, std::array<Vertex, 2>>("h").first),
+        edge(mesh.add_property_map<Mesh::Edge_index, std::set<Vertex>>("e").first),
+        face(mesh.add_property_map<Mesh::Face_index, Triangle>("f").first) {
+    for (const auto v : mesh.vertices())
+      vertex[v] = v;
+    for (const auto h : mesh.halfedges())
+      ends[h] = {mesh.source(h), mesh.target(h)};
+    for (const auto e : mesh.edges())
+      edge[e] = {mesh.vertex(e, 0), mesh.vertex(e, 1)};
+    for (const auto f : mesh.faces())
+      face[f] = corners(f);
+  }
+
+  Triangle corners(Mesh::Face_index f) const {
+    Triangle t{};
+    std::size_t i = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      t.at(i++) = vertex[v];
+    return t;
+  }
+
+  // Every label, taken along by the contractions, is what it labels.
+  void require_labels_right(const test::Reference& reference) const {
+    const auto image = [&](Vertex v) { return reference.image(v); };
+    for (const auto v : mesh.vertices())
+      REQUIRE(image(vertex[v]) == vertex[v]);
+    for (const auto h : mesh.halfedges()) {
+      REQUIRE(image(ends[h][0]) == vertex[mesh.source(h)]);
+      REQUIRE(image(ends[h][1]) == vertex[mesh.target(h)]);
+    }
+    for (const auto e : mesh.edges()) {
+      std::set<Vertex> images;
+      for (const Vertex v : edge[e])
+        images.insert(image(v));
+      REQUIRE(images == std::set{vertex[mesh.vertex(e, 0)], vertex[mesh.vertex(e, 1)]});
+    }
+    for (const auto f : mesh.faces()) {
+      const auto& [a, b, c] = face[f];
+      REQUIRE(test::canonical({image(a), image(b), image(c)}) == test::canonical(corners(f)));
+    }
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Vertex_index, Vertex> vertex;
+  Mesh::Property_map<Mesh::Halfedge_index, std::array<Vertex, 2>> ends;
+  Mesh::Property_map<Mesh::Edge_index, std::set<Vertex>> edge;
+  Mesh::Property_map<Mesh::Face_index, Triangle> face;
+};
+
+} // namespace
+
+// --- Descriptors and property maps ---------------------------------------------------------------
+
+TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
+  const std::uint64_t seed = GENERATE(range(0, 8));
+  const bool has_borders = GENERATE(true, false);
+  CAPTURE(seed, has_borders);
+  const Soup soup = has_borders ? test::random_with_borders(seed) : test::random_closed(seed);
+  test::Reference reference(soup);
+  std::size_t done = 0;
+  for (std::size_t contractions : {0, 1, 2, 10, 30, 50}) {
+    CAPTURE(contractions);
+    for (; done < contractions && reference.contract_next(); ++done) {
+    }
+    LabelledMesh labelled(soup);
+    const Report report = simplify(labelled.mesh, after(contractions));
+    require_consistent(labelled.mesh, report);
+    labelled.require_labels_right(reference);
+    for (const auto v : labelled.mesh.vertices())
+      REQUIRE(labelled.vertex[v] == static_cast<Vertex>(v.idx())); // the descriptor itself
+
+    labelled.mesh.collect_garbage();
+    require_consistent(labelled.mesh, report);
+    labelled.require_labels_right(reference);
+  }
+}
+
+TEST_CASE("A border stays a border, with edges that were on it") {
+  const std::uint64_t seed = GENERATE(range(0, 8));
+  Mesh mesh = test::make_mesh(test::random_with_borders(seed));
+  std::set<Mesh::Halfedge_index> was_border;
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h))
+      was_border.insert(h);
+  simplify(mesh, FaceRatio{0.4});
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h))
+      CHECK(was_border.contains(h));
+}
+
+TEST_CASE("Nothing to do changes nothing") {
+  const Soup soup = test::random_with_borders(3);
+  Mesh mesh = test::make_mesh(soup);
+  const Report report = simplify(mesh, FaceCount{soup.triangles.size()});
+  CHECK(report.contractions == 0);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(report.error == 0);
+  CHECK_FALSE(mesh.has_garbage());
+  CHECK(test::to_soup(mesh).points == soup.points);
+  CHECK(test::is_same_surface(test::to_soup(mesh), soup, 0));
+}
+
+// --- Odd meshes ----------------------------------------------------------------------------------
+
+TEST_CASE("An empty mesh stays empty") {
+  Mesh mesh;
+  const Report report = simplify(mesh);
+  require_consistent(mesh, report);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(report.faces_after == 0);
+}
+
+TEST_CASE("One triangle cannot be simplified") {
+  Mesh mesh = test::make_mesh(test::triangle());
+  const Report report = simplify(mesh, FaceCount{0});
+  require_consistent(mesh, report);
+  CHECK(report.stop == StopReason::all_pairs_rejected);
+  CHECK(mesh.number_of_faces() == 1);
+}
+
+TEST_CASE("Two triangles become one") {
+  Mesh mesh = test::make_mesh(test::two_triangles());
+  const Report report = simplify(mesh, FaceCount{0});
+  require_consistent(mesh, report);
+  CHECK(mesh.number_of_faces() == 1);
+  CHECK(mesh.number_of_edges() == 3);
+}
+
+TEST_CASE("A tetrahedron stays, and closed surfaces end as one") {
+  Mesh mesh = test::make_mesh(test::tetrahedron());
+  Report report = simplify(mesh, FaceCount{0});
+  require_consistent(mesh, report);
+  CHECK(mesh.number_of_faces() == 4);
+  CHECK(report.stop == StopReason::all_pairs_rejected);
+
+  mesh = test::make_mesh(test::sphere(3));
+  report = simplify(mesh, FaceCount{0});
+  require_consistent(mesh, report);
+  CHECK(mesh.number_of_faces() == 4);
+}
+
+TEST_CASE("Isolated vertices go") {
+  Soup soup = test::sphere(2);
+  const std::size_t vertices = soup.points.size();
+  for (int i = 0; i < 5; ++i)
+    soup.points.push_back({{double(i), 5, 5}});
+  Mesh mesh = test::make_mesh(soup);
+  Report report = simplify(mesh, FaceRatio{1});
+  require_consistent(mesh, report);
+  CHECK(mesh.number_of_vertices() == vertices);
+  CHECK(report.vertices_before == vertices + 5);
+
+  Mesh points;
+  points.add_vertex(Point(1, 2, 3));
+  report = simplify(points);
+  require_consistent(points, report);
+  CHECK(points.number_of_vertices() == 0);
+}
+
+TEST_CASE("Faces without area are simplified as any others") {
+  const auto flatten = GENERATE(0, 1, 2);
+  CAPTURE(flatten);
+  const auto f = [&](const Position& p) {
+    return flatten == 0   ? Position{{1, 2, 3}}               // all in one point
+           : flatten == 1 ? Position{{p[0], 2 * p[0], 0}}     // all in one line
+                          : Position{{p[0], p[0], p[0] / 3}}; // with rounding
+  };
+  for (const Soup& soup : {test::sphere(2), test::grid(6, 6), test::torus(8, 8)}) {
+    const Soup flat = test::mapped(soup, f);
+    Mesh mesh = test::make_mesh(flat);
+    const Report report = simplify(mesh, FaceRatio{0.25});
+    require_consistent(mesh, report);
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(report.error < 1e-12);
+    CHECK(is_same_topology(test::topology_of(flat), test::topology_of(test::to_soup(mesh))));
+  }
+}
+
+TEST_CASE("Some points in one place are no obstacle") {
+  Soup soup = test::random_closed(1);
+  for (std::size_t i = 0; i < soup.points.size(); i += 3)
+    soup.points[i] = soup.points[i / 2];
+  Mesh mesh = test::make_mesh(soup);
+  const Report report = simplify(mesh, FaceRatio{0.5});
+  require_consistent(mesh, report);
+}
+
+TEST_CASE("A vertex between two sheets stays one vertex") {
+  // Two grids that only meet in the corner 0 of both.
+  Soup second = test::with_noise(test::grid(5, 5), 1, 0.02);
+  for (Position& p : second.points)
+    p *= -1;
+  const Soup first = test::with_noise(test::grid(5, 5), 2, 0.02);
+  Soup soup = test::joined(first, second);
+  const auto corner = static_cast<std::uint32_t>(first.points.size());
+  for (Triangle& t : soup.triangles)
+    for (std::uint32_t& v : t)
+      v = v == corner ? 0 : v > corner ? v - 1 : v;
+  soup.points.erase(soup.points.begin() + corner);
+
+  const Mesh input = test::make_mesh(soup);
+  REQUIRE(CGAL::is_valid_polygon_mesh(input));
+  for (double ratio : {0.9, 0.5, 0.2, 0.0}) {
+    Mesh mesh = input;
+    const Report report = simplify(mesh, FaceRatio{ratio});
+    require_consistent(mesh, report);
+    CHECK(report.components_after == 1);
+    CHECK(report.non_manifold_vertices == 1);
+    CHECK(report.duplicated_vertices == 0);
+    const test::SoupTopology topology = test::topology_of(test::to_soup(mesh));
+    CHECK(topology.components == 1);
+    CHECK_FALSE(topology.is_manifold);
+    CHECK(topology.euler() == 1);
+  }
+}
+
+TEST_CASE("Garbage from before the call does no harm") {
+  const std::uint64_t seed = GENERATE(range(0, 6));
+  const Soup soup = test::random_closed(seed);
+  Mesh with_garbage = test::make_mesh(soup);
+  test::Random random(seed);
+  for (int i = 0; i < 15; ++i) {
+    const Mesh::Face_index f(random.below(soup.triangles.size()));
+    if (!with_garbage.is_removed(f))
+      CGAL::Euler::remove_face(with_garbage.halfedge(f), with_garbage);
+  }
+  REQUIRE(with_garbage.has_garbage());
+  REQUIRE(CGAL::is_valid_polygon_mesh(with_garbage));
+  Mesh without = with_garbage;
+  without.collect_garbage();
+
+  const Report report = simplify(with_garbage, FaceCount{40});
+  simplify(without, FaceCount{40});
+  require_consistent(with_garbage, report);
+  CHECK(test::is_same_surface(test::to_soup(with_garbage), test::to_soup(without), 1e-12));
+  with_garbage.collect_garbage();
+  require_consistent(with_garbage, report);
+}
+
+TEST_CASE("A mesh can be simplified again and again, and refined in between") {
+  Mesh mesh = test::make_mesh(test::random_with_borders(2));
+  while (mesh.number_of_faces() > 20) {
+    const std::size_t faces = mesh.number_of_faces();
+    require_consistent(mesh, simplify(mesh, FaceCount{faces - 7}));
+    REQUIRE(mesh.number_of_faces() < faces);
+    // A face is split, on top of the garbage that is there.
+    CGAL::Euler::add_center_vertex(halfedge(*mesh.faces().begin(), mesh), mesh);
+    REQUIRE(test::is_valid_triangle_mesh(mesh));
+  }
+}
+
+// --- The user's own maps -------------------------------------------------------------------------
+
+TEST_CASE("Positions of the user's own are read and written, and the mesh's are left alone") {
+  const Soup soup = test::random_with_borders(4);
+  Mesh expected = test::make_mesh(soup);
+  simplify(expected, FaceCount{40});
+
+  Mesh mesh = test::make_mesh(soup);
+  const Point nowhere(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  std::map<Mesh::Vertex_index, Point> positions;
+  for (const auto v : mesh.vertices()) {
+    positions[v] = mesh.point(v);
+    mesh.point(v) = nowhere;
+  }
+  simplify(mesh, FaceCount{40},
+           CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(positions)));
+  for (const auto v : mesh.vertices()) {
+    CHECK(mesh.point(v).x() != mesh.point(v).x());
+    mesh.point(v) = positions.at(v);
+  }
+  CHECK(test::is_same_surface(test::to_soup(mesh), test::to_soup(expected), 0));
+  for (const auto v : expected.vertices())
+    CHECK(positions.at(v) == expected.point(v));
+}
+
+TEST_CASE("Vertex indices of the user's own may have gaps and any order") {
+  const Soup soup = test::random_with_borders(5);
+  Mesh expected = test::make_mesh(soup);
+  simplify(expected, FaceCount{40});
+
+  Mesh mesh = test::make_mesh(soup);
+  boost::vector_property_map<std::size_t, boost::property_map<Mesh, boost::vertex_index_t>::type>
+      indices(get(boost::vertex_index, mesh));
+  std::size_t index = 1000;
+  for (const auto v : mesh.vertices())
+    put(indices, v, index -= 3);
+  simplify(mesh, FaceCount{40}, CGAL::parameters::vertex_index_map(indices));
+  CHECK(test::is_same_surface(test::to_soup(mesh), test::to_soup(expected), 0));
+}
+
+TEST_CASE("Points of a constant mesh far from the origin, tiny or huge, are no special case") {
+  const Soup soup = test::random_closed(0);
+  Mesh expected = test::make_mesh(soup);
+  simplify(expected, FaceCount{40});
+  for (double unit : {0x1p-1000, 0x1p-300, 0x1p-20, 0x1p40, 0x1p900}) {
+    CAPTURE(unit);
+    Mesh mesh = test::make_mesh(test::mapped(soup, [&](const Position& p) { return unit * p; }));
+    const Report report = simplify(mesh, FaceCount{40});
+    require_consistent(mesh, report);
+    for (const auto v : expected.vertices()) { // exactly: a unit that is a power of two
+      REQUIRE_FALSE(mesh.is_removed(v));
+      CHECK(test::to_position(mesh.point(v)) == unit * test::to_position(expected.point(v)));
+    }
+  }
+}
