@@ -120,7 +120,7 @@ TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
     require_consistent(labelled.mesh, report);
     labelled.require_labels_right(reference);
     for (const auto v : labelled.mesh.vertices())
-      REQUIRE(labelled.vertex[v] == static_cast<Vertex>(v.idx())); // the descriptor itself
+      REQUIRE(labelled.vertex[v] == std::uint32_t{v}); // the descriptor itself
 
     labelled.mesh.collect_garbage();
     require_consistent(labelled.mesh, report);
