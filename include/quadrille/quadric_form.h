@@ -65,6 +65,17 @@ public:
     g_ += ad;
   }
 
+  /// The sum of a form and of one about the point d, about the origin of the first.
+  static constexpr QuadricForm sum_about_first(const QuadricForm& first, const QuadricForm& second,
+                                               const Position& d) {
+    const Position ad = second.a_ * d;
+    QuadricForm sum(first.a_ + second.a_);
+    for (std::size_t i = 0; i < N; ++i)
+      sum.g_[i] = first.g_[i] + second.g_[i] - ad[i];
+    sum.c_ = first.c_ + second.c_ + dot(d, ad) - 2 * dot(second.g_, d);
+    return sum;
+  }
+
   /// Q(x).
   constexpr double operator()(const Position& x) const {
     return dot(x, a_ * x) + 2 * dot(g_, x) + c_;

@@ -40,6 +40,12 @@ public:
       entries_[k] -= other.entries_[k];
     return *this;
   }
+  friend constexpr SymmetricMatrix operator+(const SymmetricMatrix& a, const SymmetricMatrix& b) {
+    SymmetricMatrix sum;
+    for (std::size_t k = 0; k < sum.entries_.size(); ++k)
+      sum.entries_[k] = a.entries_[k] + b.entries_[k];
+    return sum;
+  }
   constexpr SymmetricMatrix& operator*=(double factor) {
     for (double& entry : entries_)
       entry *= factor;

@@ -77,20 +77,20 @@ public:
     for_each_edge_in(map, [&](Edge, Index v, Index w) { surface.creases.push_back({v, w}); });
   }
 
-  /// Rewrites the mesh. `surface` tells which faces are left, of which vertices, and where they
+  /// Rewrites the mesh. `result` tells which faces are left, of which vertices, and where they
   /// lie.
   ///
   /// Everything that can throw (memory, the user's maps) comes before the first change of the
   /// connectivity, and is taken back if it does. Returns how many vertices it had to duplicate.
-  template <class Surface>
-  std::size_t write(const Surface& surface) {
-    collect_faces(surface.complex());
-    umbrellas_.build(sides_, surface.complex().vertex_capacity(), [this](Index i, Index j) {
+  template <class Result>
+  std::size_t write(const Result& result) {
+    collect_faces(result);
+    umbrellas_.build(sides_, result.vertex_count(), [this](Index i, Index j) {
       return opposite(halfedges_[i], mesh_) == halfedges_[j];
     });
     choose_halfedges();
-    collect_doomed(surface.complex());
-    write_points(surface);
+    collect_doomed(result);
+    write_points(result);
     write_connectivity();
     return umbrellas_.duplicates().size();
   }
@@ -173,16 +173,17 @@ private:
 
   Index index(Vertex v) const { return dense_[get(indices_, v)]; }
 
-  void collect_faces(const TriangleComplex& complex) {
+  template <class Result>
+  void collect_faces(const Result& result) {
     Index i = 0;
     for (Face f : faces(mesh_)) {
       const Index face = i++;
-      if (complex.is_dead(face)) {
+      if (!result.has_face(face)) {
         doomed_faces_.push_back(f);
         continue;
       }
       faces_.push_back(f);
-      const auto& corners = complex.vertices(face);
+      const auto corners = result.corners(face);
       const auto h = halfedges_of(f);
       for (std::size_t k = 0; k < 3; ++k) {
         sides_.push_back({corners[k == 0 ? 2 : k - 1], corners[k]});
@@ -216,24 +217,25 @@ private:
     return index(target(h, mesh_)) == side.to ? h : opposite(h, mesh_);
   }
 
-  void collect_doomed(const TriangleComplex& complex) {
+  template <class Result>
+  void collect_doomed(const Result& result) {
     for (Index v = 0; v < vertices_.size(); ++v)
-      if (!complex.has_faces(v))
+      if (!result.has_vertex(v))
         doomed_vertices_.push_back(vertices_[v]);
     doomed_edges_.reserve(num_edges(mesh_));
   }
 
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
-  template <class Surface>
-  void write_points(const Surface& surface) {
+  template <class Result>
+  void write_points(const Result& result) {
     std::vector<Vertex> added;
     added.reserve(umbrellas_.duplicates().size());
     vertices_.reserve(vertices_.size() + umbrellas_.duplicates().size());
     Undo undo;
     try {
-      for (Index v = 0; v < surface.vertex_capacity(); ++v)
-        if (surface.complex().has_faces(v) && surface.is_moved(v))
-          write_position(vertices_[v], surface.position(v), undo);
+      for (Index v = 0; v < result.vertex_count(); ++v)
+        if (result.has_vertex(v) && result.is_moved(v))
+          write_position(vertices_[v], result.position(v), undo);
       for (Index original : umbrellas_.duplicates()) {
         added.push_back(add_vertex(mesh_));
         vertices_.push_back(added.back());

@@ -83,11 +83,22 @@ private:
 
   // When the queue is empty, the cheapest of the pairs that would go beyond the target.
   std::optional<QueuedPair> next_pair() {
+    prefetch();
     std::optional<QueuedPair> next = queue_.pop(outdated());
     while (next && is_bare(*next))
       next = queue_.pop(outdated());
     is_last_resort_ = !next && last_resort_;
     return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
+  }
+
+  // The pairs of the open bucket lie anywhere on the surface.
+  void prefetch() const {
+    if (const QueuedPair* later = queue_.peek(8))
+      for (Index v : {later->first, later->second})
+        surface_.prefetch(v);
+    if (const QueuedPair* soon = queue_.peek(4))
+      for (Index v : {soon->first, soon->second})
+        surface_.prefetch_faces(v);
   }
 
   void keep_as_last_resort(const QueuedPair& pair) {

@@ -68,6 +68,16 @@ public:
     start_reach();
   }
 
+  /// Asks for what evaluating a pair of this vertex will read, and then for its faces.
+  void prefetch(Index v) const {
+    complex_.prefetch(v);
+    __builtin_prefetch(&positions_[v]);
+    const char* memory = reinterpret_cast<const char*>(&memories_[v]);
+    for (std::size_t line = 0; line < sizeof(Memory); line += 64)
+      __builtin_prefetch(memory + line);
+  }
+  void prefetch_faces(Index v) const { complex_.prefetch_faces(v); }
+
   /// Where the pair goes and what that costs.
   Candidate evaluate(Index a, Index b) {
     Candidate candidate{view(a, b), {}, 0};
@@ -215,10 +225,9 @@ private:
   }
 
   Pair view(Index a, Index b) {
-    Pair pair{positions_[a], positions_[b], memories_[b],
+    Pair pair{positions_[a], positions_[b],
+              sum_about_first(memories_[a], memories_[b], positions_[b] - positions_[a]),
               std::max(squared_reach_[a], squared_reach_[b])};
-    move_origin(pair.memory, pair.first - pair.second);
-    pair.memory += memories_[a];
     if constexpr (asks_for_current<Cost>)
       pair.current =
           policies_.cost.join(current_[a], current_[b], shared(a, b), pair.second - pair.first);
@@ -357,8 +366,9 @@ private:
   }
 
   void lengthen_reach(Index v, Index w) {
-    squared_reach_[v] = std::max(squared_reach_[v], static_cast<float>(squared_distance(
-                                                        space(positions_[v]), space(positions_[w]))));
+    squared_reach_[v] =
+        std::max(squared_reach_[v],
+                 static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w]))));
   }
 
   const Policies& policies_;

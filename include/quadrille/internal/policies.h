@@ -66,6 +66,19 @@ void move_origin(Memory& memory, const Vector<N>& d) {
     memory.move_origin(d);
 }
 
+/// What two vertices remember, about the first: the second is at d from it.
+template <class Memory, std::size_t N>
+Memory sum_about_first(const Memory& first, const Memory& second, const Vector<N>& d) {
+  if constexpr (requires { Memory::sum_about_first(first, second, d); }) {
+    return Memory::sum_about_first(first, second, d);
+  } else {
+    Memory sum = second;
+    move_origin(sum, -1.0 * d);
+    sum += first;
+    return sum;
+  }
+}
+
 /// The square of the error of a contraction as a distance, in the engine's unit.
 template <class Cost>
 double squared_error(const Cost& cost, const PairOf<Cost>& pair, double value) {

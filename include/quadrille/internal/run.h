@@ -3,9 +3,13 @@
 
 #include <quadrille/internal/greedy_order.h>
 #include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/result.h>
+#include <quadrille/internal/spatial_order.h>
+#include <quadrille/pairs.h>
 #include <quadrille/report.h>
 
 #include <chrono>
+#include <concepts>
 #include <utility>
 
 namespace quadrille::internal {
@@ -33,6 +37,8 @@ Report run(Adapter& adapter, const Policies& policies, Read read) {
   report.vertices_before = input.positions.size();
   report.seconds.read = watch.lap();
 
+  const SpatialOrder spatial_order =
+      std::same_as<typename Policies::Pairs, EdgePairs> ? SpatialOrder(input) : SpatialOrder();
   PairContraction<Policies> surface(std::move(input), policies);
   GreedyOrder<Policies> order(surface, report);
   report.seconds.prepare = watch.lap();
@@ -41,7 +47,7 @@ Report run(Adapter& adapter, const Policies& policies, Read read) {
   surface.complete(report);
   report.seconds.contract = watch.lap();
 
-  report.duplicated_vertices = adapter.write(surface);
+  report.duplicated_vertices = adapter.write(Result<Policies>(surface, spatial_order));
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;

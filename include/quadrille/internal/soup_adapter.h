@@ -58,24 +58,23 @@ public:
 
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart, so
   /// the soup stays as it was if that throws.
-  template <class Surface>
-  std::size_t write(const Surface& surface) {
-    const TriangleComplex& complex = surface.complex();
+  template <class Result>
+  std::size_t write(const Result& result) {
     Points points;
-    std::vector<Index> new_index(surface.vertex_capacity(), none);
-    for (Index v = 0; v < surface.vertex_capacity(); ++v) {
-      if (!complex.has_faces(v))
+    std::vector<Index> new_index(result.vertex_count(), none);
+    for (Index v = 0; v < result.vertex_count(); ++v) {
+      if (!result.has_vertex(v))
         continue;
       new_index[v] = static_cast<Index>(std::ranges::size(points));
       points.push_back(points_[v]);
-      if (surface.is_moved(v))
-        put(map_, points.back(), to_cgal<Point>(space(surface.position(v))));
+      if (result.is_moved(v))
+        put(map_, points.back(), to_cgal<Point>(space(result.position(v))));
     }
     Triangles triangles;
-    for (Index face = 0; face < complex.face_capacity(); ++face)
-      if (!complex.is_dead(face))
-        triangles.push_back(renumbered(triangles_[face], complex.vertices(face), new_index));
-    write_attributes(surface, new_index);
+    for (Index face = 0; face < result.face_count(); ++face)
+      if (result.has_face(face))
+        triangles.push_back(renumbered(triangles_[face], result.corners(face), new_index));
+    write_attributes(result, new_index);
     std::swap(points_, points);
     std::swap(triangles_, triangles);
     return 0;
@@ -121,15 +120,15 @@ private:
 
   // A new index is never above the old one, so going up nothing is overwritten that is still
   // needed.
-  template <class Surface>
-  void write_attributes(const Surface& surface, const std::vector<Index>& new_index) {
+  template <class Result>
+  void write_attributes(const Result& result, const std::vector<Index>& new_index) {
     if constexpr (Attributes::size > 0)
-      for (Index v = 0; v < surface.vertex_capacity(); ++v) {
+      for (Index v = 0; v < result.vertex_count(); ++v) {
         if (new_index[v] == none)
           continue;
         attributes_.put_raw(std::size_t{new_index[v]}, attributes_.raw(std::size_t{v}));
-        if (surface.is_moved(v))
-          attributes_.write(std::size_t{new_index[v]}, attributes_of(surface.position(v)));
+        if (result.is_moved(v))
+          attributes_.write(std::size_t{new_index[v]}, attributes_of(result.position(v)));
       }
   }
 

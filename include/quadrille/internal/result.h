@@ -1,0 +1,42 @@
+#ifndef QUADRILLE_INTERNAL_RESULT_H
+#define QUADRILLE_INTERNAL_RESULT_H
+
+#include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/spatial_order.h>
+#include <quadrille/internal/triangle_complex.h>
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// What became of a surface, in the numbers in which an adapter has read it.
+template <class Policies>
+class Result {
+public:
+  Result(const PairContraction<Policies>& surface, const SpatialOrder& order)
+      : surface_(surface), order_(order) {}
+
+  std::size_t vertex_count() const { return surface_.vertex_capacity(); }
+  std::size_t face_count() const { return surface_.complex().face_capacity(); }
+
+  bool has_face(Index face) const { return !surface_.complex().is_dead(order_.face_rank(face)); }
+  TriangleComplex::Triangle corners(Index face) const {
+    TriangleComplex::Triangle corners = surface_.complex().vertices(order_.face_rank(face));
+    for (Index& v : corners)
+      v = order_.vertex_at(v);
+    return corners;
+  }
+
+  bool has_vertex(Index v) const { return surface_.complex().has_faces(order_.vertex_rank(v)); }
+  bool is_moved(Index v) const { return surface_.is_moved(order_.vertex_rank(v)); }
+  /// With attributes, in the units of the mesh.
+  auto position(Index v) const { return surface_.position(order_.vertex_rank(v)); }
+
+private:
+  const PairContraction<Policies>& surface_;
+  const SpatialOrder& order_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_RESULT_H

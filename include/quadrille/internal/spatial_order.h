@@ -1,0 +1,141 @@
+#ifndef QUADRILLE_INTERNAL_SPATIAL_ORDER_H
+#define QUADRILLE_INTERNAL_SPATIAL_ORDER_H
+
+#include <quadrille/internal/surface.h>
+#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Numbers the vertices and faces of a large surface along a Z-order curve, if neighbours lie far
+/// apart in memory: costs look at the two ends of a pair, and most of their time would be spent
+/// waiting. A small or well-ordered surface keeps its numbers.
+class SpatialOrder {
+public:
+  /// The order in which the surface is.
+  SpatialOrder() = default;
+
+  /// Renumbers the surface if that is worth it.
+  template <std::size_t N>
+  explicit SpatialOrder(SurfaceInput<N>& surface) {
+    if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
+      return;
+    vertex_ = sorted_by(curve_keys(surface.positions));
+    rank_.resize(vertex_.size());
+    for (Index i = 0; i < vertex_.size(); ++i)
+      rank_[vertex_[i]] = i;
+    permute(surface.positions, vertex_);
+    if (!surface.is_fixed.empty())
+      permute(surface.is_fixed, vertex_);
+    for (auto& [v, w] : surface.creases)
+      v = rank_[v], w = rank_[w];
+    order_faces(surface.triangles);
+  }
+
+  Index vertex_rank(Index vertex) const { return rank_.empty() ? vertex : rank_[vertex]; }
+  Index face_rank(Index face) const { return face_rank_.empty() ? face : face_rank_[face]; }
+  Index vertex_at(Index rank) const { return vertex_.empty() ? rank : vertex_[rank]; }
+
+private:
+  static constexpr std::size_t least_vertices = 1 << 14; // what fits into a cache needs no order
+
+  // Is the distance of the numbers along an edge that of a good order, a few √n, for most edges?
+  static bool is_coherent(const std::vector<TriangleComplex::Triangle>& triangles) {
+    constexpr std::size_t samples = 1024;
+    constexpr std::int64_t near = 4096;
+    const std::size_t step = std::max<std::size_t>(1, triangles.size() / samples);
+    std::size_t far = 0, seen = 0;
+    for (std::size_t f = 0; f < triangles.size(); f += step, ++seen)
+      far += std::abs(std::int64_t{triangles[f][0]} - std::int64_t{triangles[f][1]}) > near;
+    return 4 * far < seen;
+  }
+
+  template <std::size_t N>
+  static std::vector<std::uint32_t> curve_keys(const std::vector<Vector<N>>& positions) {
+    const Box<N> box(positions);
+    double extent = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      extent = std::max(extent, box.half_extent(i));
+    std::vector<std::uint32_t> keys;
+    keys.reserve(positions.size());
+    for (const Vector<N>& p : positions) {
+      std::uint32_t key = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double cell = extent > 0 ? (0.5 * p[i] - 0.5 * box.low[i]) / extent * 1023 : 0;
+        key |= spread(static_cast<std::uint32_t>(cell)) << i;
+      }
+      keys.push_back(key);
+    }
+    return keys;
+  }
+
+  // Ten bits, each followed by two zeros.
+  static std::uint32_t spread(std::uint32_t x) {
+    x = (x | x << 16) & 0x030000FF;
+    x = (x | x << 8) & 0x0300F00F;
+    x = (x | x << 4) & 0x030C30C3;
+    return (x | x << 2) & 0x09249249;
+  }
+
+  // The indices of keys of 30 bits in the order of the keys: a radix sort, which keeps ties in
+  // order.
+  static std::vector<Index> sorted_by(const std::vector<std::uint32_t>& keys) {
+    std::vector<Index> order(keys.size()), next(keys.size());
+    std::iota(order.begin(), order.end(), 0);
+    for (int shift = 0; shift < 30; shift += 10) {
+      std::array<Index, 1025> begin{};
+      for (std::uint32_t key : keys)
+        ++begin[((key >> shift) & 1023) + 1];
+      std::partial_sum(begin.begin(), begin.end(), begin.begin());
+      for (Index i : order)
+        next[begin[(keys[i] >> shift) & 1023]++] = i;
+      order.swap(next);
+    }
+    return order;
+  }
+
+  template <class T>
+  static void permute(std::vector<T>& values, const std::vector<Index>& order) {
+    std::vector<T> permuted;
+    permuted.reserve(values.size());
+    for (Index i : order)
+      permuted.push_back(values[i]);
+    values = std::move(permuted);
+  }
+
+  // Faces come in the order of their lowest vertices.
+  void order_faces(std::vector<TriangleComplex::Triangle>& triangles) {
+    std::vector<Index> begin(rank_.size() + 1, 0);
+    for (auto& triangle : triangles) {
+      for (Index& v : triangle)
+        v = rank_[v];
+      ++begin[*std::min_element(triangle.begin(), triangle.end()) + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    face_rank_.resize(triangles.size());
+    std::vector<TriangleComplex::Triangle> ordered(triangles.size());
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      const auto& triangle = triangles[f];
+      face_rank_[f] = begin[*std::min_element(triangle.begin(), triangle.end())]++;
+      ordered[face_rank_[f]] = triangle;
+    }
+    triangles = std::move(ordered);
+  }
+
+  std::vector<Index> vertex_;    // of each rank; empty if nothing changes
+  std::vector<Index> rank_;      // of each vertex
+  std::vector<Index> face_rank_; // of each face
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_SPATIAL_ORDER_H
