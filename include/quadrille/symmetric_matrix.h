@@ -63,17 +63,20 @@ public:
   }
 
   constexpr double trace() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < N; ++i)
+    double sum = entries_[0];
+    for (std::size_t i = 1; i < N; ++i)
       sum += entries_[at(i, i)];
     return sum;
   }
 
   friend constexpr Vector<N> operator*(const SymmetricMatrix& m, const Vector<N>& x) {
     Vector<N> product;
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j)
-        product[i] += m(i, j) * x[j];
+    for (std::size_t i = 0; i < N; ++i) {
+      double sum = m(i, 0) * x[0];
+      for (std::size_t j = 1; j < N; ++j)
+        sum += m(i, j) * x[j];
+      product[i] = sum;
+    }
     return product;
   }
 

@@ -39,8 +39,9 @@ struct Vector {
 
 template <std::size_t N>
 constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < N; ++i)
+  static_assert(N > 0);
+  double sum = a[0] * b[0]; // not from 0: x + 0 is an addition that no compiler may leave out
+  for (std::size_t i = 1; i < N; ++i)
     sum += a[i] * b[i];
   return sum;
 }
