@@ -82,22 +82,22 @@ public:
   }
 
   /// The displacement of least value, −A⁻¹g, or nothing where A is singular: see
-  /// SymmetricMatrix::factorize.
+  /// Factorization.
   constexpr std::optional<Position> minimizer() const {
-    const auto factorization = a_.factorize();
-    if (!factorization)
+    const Factorization<N> factorization(a_);
+    if (factorization.is_singular())
       return std::nullopt;
-    return factorization->solve(-1.0 * g_);
+    return factorization.solve(-1.0 * g_);
   }
 
   /// The displacement of least value on the plane n · x = h, or nothing where A is singular. Where
   /// n has no length there is no plane, and the least value is taken everywhere.
   constexpr std::optional<Position> minimizer_on_plane(const Position& n, double h) const {
-    const auto factorization = a_.factorize();
-    if (!factorization)
+    const Factorization<N> factorization(a_);
+    if (factorization.is_singular())
       return std::nullopt;
-    Position x = factorization->solve(-1.0 * g_);
-    const Position across = factorization->solve(n);
+    Position x = factorization.solve(-1.0 * g_);
+    const Position across = factorization.solve(n);
     if (const double slope = dot(n, across); slope > 0)
       x += ((h - dot(n, x)) / slope) * across;
     return x;

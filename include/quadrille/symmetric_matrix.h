@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 
 namespace quadrille {
 
@@ -80,59 +79,104 @@ public:
     return product;
   }
 
-  /// A factorisation LDLᵀ, with which systems are solved.
-  class Factorization {
-  public:
-    /// A⁻¹b.
-    constexpr Vector<N> solve(Vector<N> x) const {
-      for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t k = 0; k < i; ++k)
-          x[i] -= l_[at(i, k)] * x[k];
-      for (std::size_t i = N; i-- > 0;) {
-        x[i] *= l_[at(i, i)];
-        for (std::size_t k = i + 1; k < N; ++k)
-          x[i] -= l_[at(k, i)] * x[k];
-      }
-      return x;
-    }
-
-  private:
-    friend class SymmetricMatrix;
-    std::array<double, N*(N + 1) / 2> l_; // L below the diagonal, and 1/D on it
-  };
-
-  /// The factorisation of a positive definite matrix, or nothing where it is singular: where a
-  /// pivot is not above 10⁻¹² of the trace.
-  ///
-  /// The trace of a sum of quadrics is the sum of their weights, so the test is relative: neither
-  /// scale nor rotation nor the number of planes moves it. A pivot is at least the smallest
-  /// eigenvalue, and one of 10⁻¹² of the trace still leaves four digits of the solution.
-  constexpr std::optional<Factorization> factorize() const {
-    Factorization f;
-    Vector<N> pivots;
-    const double least_pivot = 1e-12 * trace();
-    for (std::size_t j = 0; j < N; ++j) {
-      double pivot = entries_[at(j, j)];
-      for (std::size_t k = 0; k < j; ++k)
-        pivot -= f.l_[at(j, k)] * f.l_[at(j, k)] * pivots[k];
-      if (!(pivot > least_pivot))
-        return std::nullopt; // singular, or not a number
-      pivots[j] = pivot;
-      f.l_[at(j, j)] = 1 / pivot;
-      for (std::size_t i = j + 1; i < N; ++i) {
-        double sum = entries_[at(i, j)];
-        for (std::size_t k = 0; k < j; ++k)
-          sum -= f.l_[at(i, k)] * f.l_[at(j, k)] * pivots[k];
-        f.l_[at(i, j)] = sum * f.l_[at(j, j)];
-      }
-    }
-    return f;
-  }
-
 private:
   static constexpr std::size_t at(std::size_t i, std::size_t j) { return i * (i + 1) / 2 + j; }
 
   std::array<double, N*(N + 1) / 2> entries_{}; // row by row
+};
+
+/// The factorisation A = LDLᵀ of a symmetric positive definite matrix, with which systems are solved.
+///
+/// A matrix is called singular where a pivot is not above 10⁻¹² of the trace. The trace of a sum of
+/// quadrics is the sum of their weights, so the test is relative: neither scale nor rotation nor the
+/// number of planes moves it. A pivot is at least the smallest eigenvalue, and one of 10⁻¹² of the
+/// trace still leaves four digits of the solution.
+template <std::size_t N>
+class Factorization {
+public:
+  explicit constexpr Factorization(const SymmetricMatrix<N>& a) {
+    const double least_pivot = least_relative_pivot * a.trace();
+    for (std::size_t j = 0; j < N; ++j) {
+      double pivot = a(j, j);
+      for (std::size_t k = 0; k < j; ++k)
+        pivot -= l_[j][k] * l_[j][k] * pivot_[k];
+      if (!(pivot > least_pivot))
+        return; // singular, or not a number
+      pivot_[j] = pivot;
+      for (std::size_t i = j + 1; i < N; ++i) {
+        double sum = a(i, j);
+        for (std::size_t k = 0; k < j; ++k)
+          sum -= l_[i][k] * l_[j][k] * pivot_[k];
+        l_[i][j] = sum / pivot;
+      }
+    }
+    is_singular_ = false;
+  }
+
+  constexpr bool is_singular() const { return is_singular_; }
+
+  /// A⁻¹b, for a matrix that is not singular.
+  constexpr Vector<N> solve(Vector<N> x) const {
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        x[i] -= l_[i][k] * x[k];
+    for (std::size_t i = N; i-- > 0;) {
+      x[i] /= pivot_[i];
+      for (std::size_t k = i + 1; k < N; ++k)
+        x[i] -= l_[k][i] * x[k];
+    }
+    return x;
+  }
+
+  static constexpr double least_relative_pivot = 1e-12;
+
+private:
+  std::array<std::array<double, N>, N> l_{}; // below the diagonal
+  std::array<double, N> pivot_{};
+  bool is_singular_ = true;
+};
+
+/// The same in space, in scalars: compilers keep them in registers, where arrays go through memory, and
+/// this is the innermost step of a simplification.
+template <>
+class Factorization<3> {
+public:
+  explicit constexpr Factorization(const SymmetricMatrix<3>& a) {
+    const double least_pivot = 1e-12 * a.trace();
+    const double d0 = a(0, 0);
+    if (!(d0 > least_pivot))
+      return; // singular, or not a number
+    inverse0_ = 1 / d0;
+    l10_ = a(1, 0) * inverse0_;
+    l20_ = a(2, 0) * inverse0_;
+    const double d1 = a(1, 1) - l10_ * a(1, 0);
+    if (!(d1 > least_pivot))
+      return;
+    inverse1_ = 1 / d1;
+    const double below = a(2, 1) - l20_ * a(1, 0);
+    l21_ = below * inverse1_;
+    const double d2 = a(2, 2) - l20_ * a(2, 0) - l21_ * below;
+    if (!(d2 > least_pivot))
+      return;
+    inverse2_ = 1 / d2;
+    is_singular_ = false;
+  }
+
+  constexpr bool is_singular() const { return is_singular_; }
+
+  constexpr Vector<3> solve(const Vector<3>& b) const {
+    const double y0 = b[0];
+    const double y1 = b[1] - l10_ * y0;
+    const double y2 = b[2] - l20_ * y0 - l21_ * y1;
+    const double x2 = y2 * inverse2_;
+    const double x1 = y1 * inverse1_ - l21_ * x2;
+    return {{y0 * inverse0_ - l10_ * x1 - l20_ * x2, x1, x2}};
+  }
+
+private:
+  double l10_ = 0, l20_ = 0, l21_ = 0;
+  double inverse0_ = 0, inverse1_ = 0, inverse2_ = 0; // of the pivots
+  bool is_singular_ = true;
 };
 
 } // namespace quadrille
