@@ -9,16 +9,20 @@
 namespace bench {
 namespace {
 
-Answer greedy(Mesh& mesh, std::size_t faces) {
-  quadrille::simplify<quadrille::Quadric, quadrille::OptimalPlacement>(mesh,
-                                                                       quadrille::FaceCount{faces});
+template <class Cost>
+Answer simplify(Mesh& mesh, std::size_t faces) {
+  quadrille::simplify<Cost, quadrille::OptimalPlacement>(mesh, quadrille::FaceCount{faces});
   return {};
 }
 
 } // namespace
 
 std::vector<Contender> our_contenders() {
-  return {{"Quadrille", "Quadric, OptimalPlacement, greedy order, Surface_mesh", greedy}};
+  return {{"Quadrille", "Quadric, OptimalPlacement, greedy order, Surface_mesh",
+           simplify<quadrille::Quadric>},
+          {"Quadrille memoryless",
+           "MemorylessQuadric, OptimalPlacement, greedy order, Surface_mesh",
+           simplify<quadrille::MemorylessQuadric>}};
 }
 
 } // namespace bench
