@@ -8,6 +8,7 @@
 #include <quadrille/internal/arguments.h>
 #include <quadrille/internal/diagnostics.h>
 #include <quadrille/internal/meshes.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>

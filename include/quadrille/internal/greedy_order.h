@@ -39,6 +39,10 @@ public:
   void run() {
     while (const std::optional<QueuedPair> next = next_pair()) {
       const Candidate candidate = surface_.evaluate(next->first, next->second);
+      if (static_cast<float>(candidate.cost) > next->cost && !is_last_resort_) {
+        push(next->first, next->second); // its neighbourhood has made it dearer
+        continue;
+      }
       surface_.announce(candidate);
       if (is_enough())
         return finish(StopReason::target_met);
