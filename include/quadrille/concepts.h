@@ -35,8 +35,11 @@ namespace quadrille {
 /// its vertex (`pair.memory` is then about `pair.first`); `cost.minimizer(pair)`, an optional
 /// position of least cost, which OptimalPlacement needs; `cost.boundary(p, q, r)`, what the
 /// boundary edge pq of the face pqr leaves at p; `cost.crease(p, q, r)` with `cost.crease_degrees`,
-/// the same for a crease; `cost.squared_error(pair, value)`, a cost as the square of a distance;
-/// `cost.validate()`, which throws if the policy makes no sense.
+/// the same for a crease; `cost.squared_error(pair, value)`, a cost as the square of a distance,
+/// for Status and Report (without it that is the cost itself); `cost.validate()`, which throws if
+/// the policy makes no sense; `C::face_is_alike_at_corners`, true if face(p, q, r) leaves the same
+/// at q and r; `C::Current` and what goes with it, for a look at the surface as it is now: see
+/// MemorylessQuadric.
 ///
 /// The least model:
 /// ```cpp

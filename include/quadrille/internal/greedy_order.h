@@ -78,7 +78,7 @@ private:
   void push(Index v, Index w) {
     const auto [first, second] = std::minmax(v, w);
     const auto cost = static_cast<float>(surface_.evaluate(first, second).cost);
-    queue_.push({std::max(cost, 0.0f), first, second, time_}, outdated());
+    queue_.push({std::max(0.0f, cost), first, second, time_}, outdated()); // no number counts as 0
   }
 
   // When the queue is empty, the cheapest of the pairs that would go beyond the target.

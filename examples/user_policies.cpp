@@ -1,0 +1,93 @@
+// One policy of each kind written by the user, and a filter. Simplifies a Surface_mesh with each.
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <quadrille/simplify.h>
+#include <vector>
+
+using namespace quadrille;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+// A cost: how far the ends move, times the area of all faces that have gone into them.
+struct MovedArea {
+  static constexpr std::size_t dimension = 3;
+  struct Memory {
+    double area = 0;
+    void operator+=(const Memory& other) { area += other.area; }
+  };
+  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    return {std::sqrt(squared_length(double_area_vector(p, q, r)))};
+  }
+  double operator()(const auto& pair, const Vector<3>& x) const {
+    return pair.memory.area * (squared_distance(pair.first, x) + squared_distance(pair.second, x));
+  }
+  double squared_error(const auto& pair, double cost) const { return cost / pair.memory.area; }
+};
+
+// A placement: the cheapest of nine points from one end to the other.
+struct OnSegment {
+  auto operator()(const auto& cost, const auto& pair) const {
+    auto best = pair.first;
+    for (int i = 1; i <= 8; ++i) {
+      const auto x = pair.first + i / 8.0 * (pair.second - pair.first);
+      if (cost(pair, x) < cost(pair, best))
+        best = x;
+    }
+    return best;
+  }
+};
+
+// Pairs: the edges, and vertices in one place, so that parts that only touch grow together.
+struct EdgesAndSeams {
+  static constexpr bool includes_edges = true;
+  void operator()(const SurfaceView& surface, const EmitPair& emit) const {
+    const auto place = [&](std::size_t v) { return surface.points[v].coordinates; };
+    std::vector<std::size_t> order(surface.points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, place);
+    for (std::size_t i = 1; i < order.size(); ++i)
+      if (place(order[i - 1]) == place(order[i]))
+        emit(order[i - 1], order[i]);
+  }
+};
+
+// A stop: when the time is up.
+struct Deadline {
+  std::chrono::steady_clock::time_point end;
+  bool operator()(const Status&) const { return std::chrono::steady_clock::now() >= end; }
+};
+
+// A filter: no face of which an edge at the new vertex gets longer than twice what it was.
+struct NoStretch {
+  bool allows(const auto& contraction) const {
+    for (const auto& face : contraction.faces())
+      for (const auto& end : {face.second, face.third})
+        if (squared_distance(face.after, end) > 4 * squared_distance(face.before, end))
+          return false;
+    return true;
+  }
+};
+
+int main(int argc, char* argv[]) {
+  Mesh mesh;
+  const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cow.off");
+  if (!CGAL::IO::read_polygon_mesh(input, mesh) || !CGAL::is_triangle_mesh(mesh)) {
+    std::cerr << "not a triangle mesh: " << input << '\n';
+    return EXIT_FAILURE;
+  }
+  const auto run = [mesh](const char* name, const auto&... policies) {
+    Mesh copy = mesh;
+    std::cout << name << ": " << simplify(copy, policies...) << '\n';
+  };
+  run("cost", MovedArea{}, MidpointPlacement{});
+  run("placement", OnSegment{}, FaceCount{1000});
+  run("pairs", EdgesAndSeams{}, FaceCount{1000});
+  run("stop", Deadline{std::chrono::steady_clock::now() + std::chrono::milliseconds(2)});
+  run("filter", NoStretch{}, FaceCount{1000});
+  run("all", MovedArea{}, OnSegment{}, EdgesAndSeams{}, FaceCount{1000}, NoStretch{});
+}
