@@ -119,11 +119,11 @@ struct AttributeQuadric {
 
 private:
   static Memory in_all_dimensions(const QuadricForm<3>& form) {
-    Memory memory;
+    SymmetricMatrix<dimension> matrix;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j <= i; ++j)
-        memory.add_to_matrix(i, j, form.matrix(i, j));
-    return memory;
+        matrix.set(i, j, form.matrix()(i, j));
+    return Memory(matrix);
   }
 
   static Position unit(const Position& v) { return (1 / std::sqrt(squared_length(v))) * v; }

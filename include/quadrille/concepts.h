@@ -15,12 +15,16 @@
 /// copied, and called as const. The engine works in a unit of length of its own, a power of two
 /// times the mesh's, and hands positions to costs, placements and filters in it; pairs and stops
 /// speak in the mesh's unit.
+///
+/// An argument of `simplify` is taken for a cost if it has a member `Memory` or `dimension`, else
+/// for what it models first of a filter, a stop, a placement and pairs.
 
 namespace quadrille {
 
 /// **Cost**: what does a vertex remember of the surface, and what does a target position cost?
 ///
-/// Checked: `C::dimension`, 3 plus the number of attributes; `C::Memory`, a semiregular type with
+/// Checked: `C::dimension`, 3 plus the number of attributes (which are of the kind
+/// `C::attribute`, Attribute::any without it); `C::Memory`, a semiregular type with
 /// +=; `cost.face(p, q, r)`, what a face leaves at its corner p; `cost(pair, x)`, the cost of
 /// contracting a pair to x, where `pair.first`, `pair.second` are the positions of its ends and
 /// `pair.memory` is the sum of what both remember.
@@ -48,7 +52,7 @@ namespace quadrille {
 /// Models: Quadric, AttributeQuadric<N>, EdgeLength.
 template <class C>
 concept CostPolicy = std::copy_constructible<C> && requires {
-  { C::dimension } -> std::convertible_to<std::size_t>;
+  requires C::dimension >= 3;
   typename C::Memory;
 } && std::semiregular<typename C::Memory> &&
     requires(const C cost, typename C::Memory memory, const Vector<C::dimension> p,
@@ -63,8 +67,12 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// Checked: `placement(cost, pair)` gives a position; `pair` is as in CostPolicy. Not checked: the
 /// position is finite (one that is not is refused and counted as Rejection::position).
 ///
-/// The least model: `struct First { auto operator()(auto&&, const auto& pair) const { return
-/// pair.first; } };`
+/// The least model:
+/// ```cpp
+/// struct First {
+///   auto operator()(const auto& /*cost*/, const auto& pair) const { return pair.first; }
+/// };
+/// ```
 ///
 /// Models: OptimalPlacement, EndpointPlacement, MidpointPlacement.
 template <class P, class Cost>
@@ -75,19 +83,19 @@ concept PlacementPolicy = std::copy_constructible<P> &&
 
 /// **Pairs**: which pairs of vertices may ever be contracted?
 ///
-/// Checked: `pairs(surface, emit)` is a call; `surface` is a SurfaceView, `emit(i, j)` selects a
-/// pair. With `static constexpr bool includes_edges = true` in the policy every edge is a pair as
-/// well, now and later; without it only the emitted pairs and what becomes of them are. Not
-/// checked: the indices are those of vertices (std::out_of_range otherwise).
+/// Checked: `pairs(surface, emit)` is a call that returns nothing; `surface` is a SurfaceView,
+/// `emit`, an EmitPair, selects a pair: `emit(i, j)`. With `static constexpr bool includes_edges =
+/// true` in the policy every edge is a pair as well, now and later; without it only the emitted
+/// pairs and what becomes of them are. Not checked: the indices are those of vertices
+/// (std::out_of_range otherwise).
 ///
 /// The least model: `struct None { void operator()(const SurfaceView&, auto&&) const {} };`
 ///
 /// Models: EdgePairs, ThresholdPairs.
 template <class P>
 concept PairPolicy = std::copy_constructible<P> &&
-    requires(const P pairs, const SurfaceView surface,
-             void (*const emit)(std::size_t, std::size_t)) {
-  pairs(surface, emit);
+    requires(const P pairs, const SurfaceView surface, const EmitPair emit) {
+  { pairs(surface, emit) } -> std::same_as<void>;
 };
 
 /// **Stop**: is this enough? Asked before each contraction.
@@ -111,6 +119,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 /// Checked: `filter.allows(contraction)` gives a bool. `contraction.faces()` are the faces that
 /// change, each with its moving corner `before` and `after` and its others, `second` and `third`;
 /// `contraction.target()` is the new position.
+///
+/// The least model: `struct All { bool allows(const auto&) const { return true; } };`
 ///
 /// Models: NormalFlip, TriangleShape, HighestDegree.
 template <class F, class Cost>

@@ -4,7 +4,9 @@
 #include <quadrille/vector.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace quadrille {
@@ -15,13 +17,17 @@ struct SurfaceView {
   std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
 };
 
+/// What a pair policy calls for each pair (i, j) of indices of points that it selects, in any
+/// order.
+using EmitPair = std::function<void(std::size_t, std::size_t)>;
+
 /// The edges of the surface: those that it has at the beginning and those that contractions make.
 /// Disjoint parts are never joined.
 struct EdgePairs {
   /// Every edge is a pair at any time, and there is nothing more to select.
   static constexpr bool includes_edges = true;
 
-  void operator()(const SurfaceView& /*surface*/, const auto& /*emit*/) const {}
+  void operator()(const SurfaceView& /*surface*/, const EmitPair& /*emit*/) const {}
 };
 
 } // namespace quadrille

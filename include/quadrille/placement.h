@@ -4,14 +4,12 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace quadrille {
 
 /// The position halfway between the two ends of a pair.
 struct MidpointPlacement {
-  auto operator()(const auto& /*cost*/, const auto& pair) const
-      -> decltype(0.5 * (pair.first + pair.second)) {
+  auto operator()(const auto& /*cost*/, const auto& pair) const {
     return 0.5 * (pair.first + pair.second);
   }
 };
@@ -19,10 +17,15 @@ struct MidpointPlacement {
 /// The cheaper end of a pair, the first if both cost the same. The output's vertices are a subset
 /// of the input's: exact positions, exact attributes.
 struct EndpointPlacement {
-  auto operator()(const auto& cost, const auto& pair) const
-      -> std::remove_cvref_t<decltype(pair.first)> {
+  auto operator()(const auto& cost, const auto& pair) const {
     return cost(pair, pair.second) < cost(pair, pair.first) ? pair.second : pair.first;
   }
+};
+
+/// A cost with `cost.minimizer(pair)`, an optional position.
+template <class Cost, class Pair>
+concept HasMinimizer = requires(const Cost cost, const Pair pair) {
+  *cost.minimizer(pair);
 };
 
 /// The position of least cost. Where the cost has none, or it lies further from both ends than
@@ -32,8 +35,9 @@ struct EndpointPlacement {
 /// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: with the
 /// point quadrics of `Quadric` a system that is singular along a line does not come up).
 struct OptimalPlacement {
-  auto operator()(const auto& cost, const auto& pair) const
-      -> std::remove_cvref_t<decltype(*cost.minimizer(pair))> {
+  template <class Cost, class Pair>
+  requires HasMinimizer<Cost, Pair>
+  auto operator()(const Cost& cost, const Pair& pair) const {
     if (const auto x = cost.minimizer(pair); x && is_within_reach(pair, *x))
       return *x;
     const auto end = EndpointPlacement{}(cost, pair);

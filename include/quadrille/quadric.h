@@ -69,8 +69,7 @@ struct Quadric {
       return {};
     const double weight = weighting == Weighting::by_area ? std::sqrt(squared) / 2 : 1;
     Memory memory = Memory::plane(normal, weight / squared);
-    for (std::size_t i = 0; i < 3; ++i)
-      memory.add_to_matrix(i, i, shape_weight * weight);
+    memory.matrix().add_to_diagonal(shape_weight * weight);
     return memory;
   }
   static constexpr bool face_is_alike_at_corners = true;

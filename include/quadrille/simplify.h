@@ -6,8 +6,8 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
 #include <quadrille/internal/arguments.h>
-#include <quadrille/internal/diagnostics.h>
 #include <quadrille/internal/meshes.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
@@ -25,19 +25,21 @@ namespace quadrille {
 /// Linear_cell_complex_for_combinatorial_map, OpenMesh. The arguments are policies, in any order
 /// and at most one of a kind, filters, a Topology, and CGAL named parameters:
 ///
-/// | argument                | what                                | default |
-/// |-------------------------|-------------------------------------|--------------------------------|
-/// | CostPolicy              | what a contraction costs            | Cost{} | | PlacementPolicy |
-/// where the vertex goes               | Placement{}                    | | PairPolicy | which
-/// pairs there are               | EdgePairs{}                    | | StopPolicy              |
-/// when to stop                        | FaceRatio{0.5}                 | | FilterPolicy, any
-/// number| what to refuse                      | NormalFlip{90}                 | | Topology | kept
-/// or free                        | kept; free with non-edge pairs | | vertex_point_map,
-/// vertex_index_map, visitor | as in CGAL      |                                | |
-/// edge_is_constrained_map | such an edge stays, with its ends   |                                |
-/// | vertex_is_constrained_map | such a vertex stays where it is   | | | edge_is_crease_map      |
-/// creases, see Quadric                |                                | | vertex_color_map,
-/// vertex_texture_map, vertex_normal_map, vertex_attribute_map | see AttributeQuadric | |
+/// - a CostPolicy: what a contraction costs; Cost{} by default
+/// - a PlacementPolicy: where the vertex goes; Placement{} by default
+/// - a PairPolicy: which pairs there are; EdgePairs{} by default
+/// - a StopPolicy: when to stop; FaceRatio{0.5} by default
+/// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
+/// - Topology: kept, or free; kept by default, free with pairs that are not edges
+///
+/// Named parameters:
+///
+/// - vertex_point_map, vertex_index_map, visitor: as in CGAL
+/// - edge_is_constrained_map: such an edge stays, with its ends
+/// - vertex_is_constrained_map: such a vertex stays where it is
+/// - edge_is_crease_map: creases, see Quadric
+/// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: see
+///   AttributeQuadric
 ///
 /// What is left keeps its descriptors, so property maps stay right. As in CGAL, meshes that only
 /// mark what is removed (Surface_mesh, OpenMesh) are left for the caller to tidy up:
@@ -47,14 +49,20 @@ namespace quadrille {
 /// the mesh. Throws std::invalid_argument for a face that is not a triangle, a vertex that is not
 /// finite or a policy that makes no sense, std::length_error above 2³⁰ faces, and what the user's
 /// own maps, policies and visitors throw. If it throws, the mesh is as it was.
-template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, internal::FaceGraph Mesh,
+template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Mesh,
           class... Arguments>
-requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&&...) Report
-    simplify(Mesh& mesh, const Arguments&... arguments) {
+requires internal::Fitting<Cost, Placement, Arguments...> && internal::FaceGraph<Mesh>
+    Report simplify(Mesh& mesh, const Arguments&... arguments) {
   const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
-  const auto& named =
-      internal::pick<internal::IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
+  const auto named = internal::pick_named(arguments...);
   return internal::simplify_face_graph(mesh, policies, named);
+}
+
+/// The same with nothing but defaults. It is here because CGAL::simplify(x), which is found beside
+/// the function above for a mesh of CGAL's, would be preferred to it.
+template <class Mesh>
+requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
+  return simplify<Quadric, OptimalPlacement>(mesh);
 }
 
 /// Simplifies a polygon soup of triangles in place; it may be non-manifold and of any orientation.
@@ -64,17 +72,18 @@ requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&
 /// their order; points of no triangle, degenerate and doubled triangles are dropped. Property maps
 /// of the named parameters are over the index of a point, and hold the results at the new indices.
 /// Topology is free by default. Otherwise as above.
-template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement,
-          internal::PointContainer Points, internal::TriangleContainer Triangles,
-          class... Arguments>
-requires(internal::is_argument<Arguments, internal::CostOf<Cost, Arguments...>>&&...) Report
-    simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
+template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Points,
+          class Triangles, class... Arguments>
+requires internal::Fitting<Cost, Placement, Arguments...> && internal::PointContainer<Points> &&
+    internal::TriangleContainer<Triangles>
+        Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
-  const auto& named =
-      internal::pick<internal::IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
+  const auto named = internal::pick_named(arguments...);
   return internal::simplify_soup(points, triangles, policies, named);
 }
 
 } // namespace quadrille
+
+#include <quadrille/internal/diagnostics.h>
 
 #endif // QUADRILLE_SIMPLIFY_H

@@ -53,6 +53,79 @@ struct VertexCount {
   bool is_passed(const Status& status) const { return status.vertices < vertices; }
 };
 
+/// Stops before the first contraction with an error above a limit. The error is that of
+/// Report::error: an estimate, and Report::error stays at or below the limit.
+class ErrorLimit {
+public:
+  /// `error` is in the mesh's units.
+  explicit ErrorLimit(double error) : error_(error) {}
+
+  /// The limit as a fraction of the diagonal of the bounding box.
+  static ErrorLimit relative(double fraction) {
+    ErrorLimit limit(fraction);
+    limit.is_relative_ = true;
+    return limit;
+  }
+
+  bool operator()(const Status& status) const {
+    return status.next_error > (is_relative_ ? error_ * status.diagonal : error_);
+  }
+
+  /// Throws std::invalid_argument for a limit that is negative or not a number.
+  void validate() const {
+    if (!(error_ >= 0))
+      throw std::invalid_argument("quadrille::ErrorLimit: the limit " + std::to_string(error_) +
+                                  " is not a distance");
+  }
+
+private:
+  double error_;
+  bool is_relative_ = false;
+};
+
+/// Stops as soon as any of several stop policies says so: `AnyOf{FaceCount{1000},
+/// ErrorLimit{0.1}}`.
+template <class... Stops>
+class AnyOf {
+public:
+  explicit AnyOf(Stops... stops) : stops_(std::move(stops)...) {}
+
+  bool operator()(const Status& status) const {
+    return std::apply([&](const auto&... stop) -> bool { return (stop(status) || ...); }, stops_);
+  }
+  bool is_passed(const Status& status) const {
+    return std::apply(
+        [&](const auto&... stop) { return (internal::is_passed(stop, status) || ...); }, stops_);
+  }
+  void validate() const {
+    std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);
+  }
+
+private:
+  std::tuple<Stops...> stops_;
+};
+
+/// Stops when all of several stop policies say so.
+template <class... Stops>
+class AllOf {
+public:
+  explicit AllOf(Stops... stops) : stops_(std::move(stops)...) {}
+
+  bool operator()(const Status& status) const {
+    return std::apply([&](const auto&... stop) -> bool { return (stop(status) && ...); }, stops_);
+  }
+  bool is_passed(const Status& status) const {
+    return std::apply(
+        [&](const auto&... stop) { return (internal::is_passed(stop, status) && ...); }, stops_);
+  }
+  void validate() const {
+    std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);
+  }
+
+private:
+  std::tuple<Stops...> stops_;
+};
+
 } // namespace quadrille
 
 #endif // QUADRILLE_STOP_H

@@ -58,8 +58,7 @@ public:
 
   /// Calls emit(i, j) for each pair of points i < j closer than t, ordered by i, then by j. Throws
   /// std::length_error, before the first call, if there are more of them than allowed.
-  template <class Emit>
-  void operator()(const SurfaceView& surface, Emit emit) const {
+  void operator()(const SurfaceView& surface, const EmitPair& emit) const {
     const double t = is_relative_ ? t_ * diagonal(surface.points) : t_;
     if (!(t > 0))
       return;

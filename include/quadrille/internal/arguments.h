@@ -18,6 +18,7 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <ranges>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -26,71 +27,93 @@
 
 namespace quadrille::internal {
 
+enum class Kind { cost, placement, pairs, stop, filter, topology, named_parameters, unknown };
+
 template <class T>
 struct IsNamedParameters : std::false_type {};
 template <class T, class Tag, class Base>
 struct IsNamedParameters<CGAL::Named_function_parameters<T, Tag, Base>> : std::true_type {};
 
+/// Is a type meant to be a cost? Nothing else has these members.
 template <class T>
-struct IsCost : std::bool_constant<CostPolicy<T>> {};
-template <class T>
-struct IsStop : std::bool_constant<StopPolicy<T>> {};
-template <class T>
-struct IsTopology : std::is_same<T, Topology> {};
-
-// A placement that needs a minimizer is recognised with every cost, so that the reason can be told.
-template <class Cost>
-struct Recognise {
-  template <class T>
-  struct IsPlacement
-      : std::bool_constant<PlacementPolicy<T, Cost> || std::same_as<T, OptimalPlacement>> {};
-  // Not asked of a placement: its body, if it takes anything, would not compile with a surface.
-  template <class T>
-  struct IsPairsItself : std::bool_constant<PairPolicy<T>> {};
-  template <class T>
-  struct IsPairs : std::conjunction<std::negation<IsPlacement<T>>, IsPairsItself<T>> {};
-  template <class T>
-  struct IsFilter : std::bool_constant<FilterPolicy<T, Cost>> {};
+concept LooksLikeCost = requires {
+  typename T::Memory;
+}
+|| requires {
+  T::dimension;
 };
 
-template <template <class> class Is, class... Arguments>
-inline constexpr std::size_t count_of = (std::size_t{Is<Arguments>::value} + ... + 0);
-
-/// The first argument that Is recognises, else the default.
-template <template <class> class Is, class Default>
-const Default& pick(const Default& by_default) {
-  return by_default;
-}
-template <template <class> class Is, class Default, class First, class... Rest>
-const auto& pick(const Default& by_default, const First& first, const Rest&... rest) {
-  if constexpr (Is<First>::value)
-    return first;
+/// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
+/// kind before it: to ask what a call results in instantiates the body of a user's function. An
+/// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
+template <class T, class Cost>
+constexpr Kind kind_of() {
+  if constexpr (IsNamedParameters<T>::value)
+    return Kind::named_parameters;
+  else if constexpr (std::same_as<T, Topology>)
+    return Kind::topology;
+  else if constexpr (LooksLikeCost<T>)
+    return CostPolicy<T> ? Kind::cost : Kind::unknown;
+  else if constexpr (FilterPolicy<T, Cost>)
+    return Kind::filter;
+  else if constexpr (StopPolicy<T>)
+    return Kind::stop;
+  else if constexpr (std::same_as<T, OptimalPlacement>)
+    return Kind::placement;
+  else if constexpr (PlacementPolicy<T, Cost>)
+    return Kind::placement;
+  else if constexpr (PairPolicy<T>)
+    return Kind::pairs;
   else
-    return pick<Is>(by_default, rest...);
+    return Kind::unknown;
 }
-
-template <template <class> class Is, class Default, class... Arguments>
-using Picked = std::remove_cvref_t<decltype(pick<Is>(std::declval<const Default&>(),
-                                                     std::declval<const Arguments&>()...))>;
 
 /// The cost that a call uses: that among the arguments, or the template argument.
 template <class Cost, class... Arguments>
-using CostOf = Picked<IsCost, Cost, Arguments...>;
+struct FirstCost : std::type_identity<Cost> {};
+template <class Cost, class First, class... Rest>
+struct FirstCost<Cost, First, Rest...>
+    : std::conditional_t<LooksLikeCost<First>, std::type_identity<First>,
+                         FirstCost<Cost, Rest...>> {};
+template <class Cost, class... Arguments>
+using CostOf = typename FirstCost<Cost, Arguments...>::type;
 
-/// Is this an argument of `simplify` beside such a cost?
-template <class T, class Cost>
-inline constexpr bool is_argument =
-    IsCost<T>::value || Recognise<Cost>::template IsPlacement<T>::value ||
-    Recognise<Cost>::template IsPairs<T>::value || IsStop<T>::value ||
-    Recognise<Cost>::template IsFilter<T>::value || IsTopology<T>::value ||
-    IsNamedParameters<T>::value;
+template <Kind kind, class Cost, class... Arguments>
+inline constexpr std::size_t count_of = (std::size_t{kind_of<Arguments, Cost>() == kind} + ... + 0);
+
+/// The first argument of a kind, else the default.
+template <Kind kind, class Cost, class Default>
+Default pick() {
+  static_assert(std::default_initializable<Default>,
+                "This policy has no default constructor: pass a value of it to simplify.");
+  return Default{};
+}
+template <Kind kind, class Cost, class Default, class First, class... Rest>
+auto pick(const First& first, const Rest&... rest) {
+  if constexpr (kind_of<First, Cost>() == kind)
+    return first;
+  else
+    return pick<kind, Cost, Default>(rest...);
+}
+
+/// The named parameters of a call.
+inline auto pick_named() {
+  return CGAL::parameters::default_values();
+}
+template <class First, class... Rest>
+auto pick_named(const First& first, const Rest&... rest) {
+  if constexpr (IsNamedParameters<First>::value)
+    return first;
+  else
+    return pick_named(rest...);
+}
 
 /// The filters among the arguments, as a tuple; with NormalFlip before them unless it is one of
 /// them.
-template <template <class> class IsFilter, class... Arguments>
+template <class Cost, class... Arguments>
 auto pick_filters(const Arguments&... arguments) {
   const auto given = std::tuple_cat([](const auto& argument) {
-    if constexpr (IsFilter<std::remove_cvref_t<decltype(argument)>>::value)
+    if constexpr (kind_of<std::remove_cvref_t<decltype(argument)>, Cost>() == Kind::filter)
       return std::tuple(argument);
     else
       return std::tuple();
@@ -101,47 +124,94 @@ auto pick_filters(const Arguments&... arguments) {
     return std::tuple_cat(std::tuple(NormalFlip{}), given);
 }
 
+/// The first argument of no kind, or NoArgument. The triangles of a soup are a range, and no
+/// policy.
+struct NoArgument {};
+template <class Cost, class... Arguments>
+struct FirstUnknown : std::type_identity<NoArgument> {};
+template <class Cost, class First, class... Rest>
+struct FirstUnknown<Cost, First, Rest...>
+    : std::conditional_t<!std::ranges::range<First> && kind_of<First, Cost>() == Kind::unknown,
+                         std::type_identity<First>, FirstUnknown<Cost, Rest...>> {};
+template <class Cost, class... Arguments>
+using Unknown = typename FirstUnknown<CostOf<Cost, Arguments...>, Arguments...>::type;
+
+/// The placement that a call uses; for OptimalPlacement, of which pick_policies tells more, one
+/// that fits every cost.
+template <class Cost, class Placement, class... Arguments>
+struct PlacementFor {
+  using Picked =
+      decltype(pick<Kind::placement, Cost, Placement>(std::declval<const Arguments&>()...));
+  using type =
+      std::conditional_t<std::is_same_v<Picked, OptimalPlacement>, MidpointPlacement, Picked>;
+};
+template <class Cost, class Placement, class... Arguments>
+using PlacementOf =
+    typename PlacementFor<CostOf<Cost, Arguments...>, Placement, Arguments...>::type;
+
+template <class Argument>
+concept ArgumentOfSimplify = std::is_same_v<Argument, NoArgument>;
+
+/// What `simplify` asks of its arguments: there is none that it does not know, and the placement
+/// fits the cost.
+template <class Cost, class Placement, class... Arguments>
+concept Fitting =
+    CostPolicy<CostOf<Cost, Arguments...>> && ArgumentOfSimplify<Unknown<Cost, Arguments...>> &&
+    PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
+
 template <class Cost, class Placement, class Pairs, class Stop, class Visitor, class... Filters>
 Policies(Cost, Placement, Pairs, Stop, Visitor, std::optional<Topology>, std::tuple<Filters...>)
     -> Policies<Cost, Placement, Pairs, Stop, Visitor, Filters...>;
 
 /// All policies of a call, checked for fitting together.
-template <class Cost_, class Placement_, class... Arguments>
+template <class DefaultCost, class DefaultPlacement, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
-  using Cost = CostOf<Cost_, Arguments...>;
-  using Recognised = Recognise<Cost>;
-  using Placement = Picked<Recognised::template IsPlacement, Placement_, Arguments...>;
-  static_assert(count_of<IsCost, Arguments...> <= 1, "simplify takes one cost: pass only one.");
-  static_assert(count_of<Recognised::template IsPlacement, Arguments...> <= 1,
+  using Cost = CostOf<DefaultCost, Arguments...>;
+  static_assert(count_of<Kind::cost, Cost, Arguments...> <= 1,
+                "simplify takes one cost: pass only one.");
+  static_assert(count_of<Kind::placement, Cost, Arguments...> <= 1,
                 "simplify takes one placement: pass only one.");
-  static_assert(count_of<Recognised::template IsPairs, Arguments...> <= 1,
+  static_assert(count_of<Kind::pairs, Cost, Arguments...> <= 1,
                 "simplify takes one pair policy: pass only one.");
-  static_assert(count_of<IsStop, Arguments...> <= 1,
+  static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
                 "simplify takes one stop policy: combine several with AnyOf or AllOf.");
-  static_assert(count_of<IsNamedParameters, Arguments...> <= 1,
+  static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
+                "simplify takes one Topology: pass only one.");
+  static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
                 "simplify takes one chain of named parameters: join them with a dot.");
-  static_assert(PlacementPolicy<Placement, Cost>,
-                "This placement does not fit this cost. OptimalPlacement needs a cost with a "
-                "minimizer: with EdgeLength, use MidpointPlacement or EndpointPlacement.");
 
-  const auto& named = pick<IsNamedParameters>(CGAL::parameters::default_values(), arguments...);
+  const auto placement = pick<Kind::placement, Cost, DefaultPlacement>(arguments...);
+  static_assert(PlacementPolicy<decltype(placement), Cost>,
+                "OptimalPlacement needs a cost with a minimizer, and this one has none: use "
+                "MidpointPlacement or EndpointPlacement, as in "
+                "simplify<EdgeLength, MidpointPlacement>(mesh).");
+  const auto named = pick_named(arguments...);
   const Visitor no_visitor;
   const auto& visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter_reference(named, CGAL::internal_np::visitor), no_visitor);
   std::optional<Topology> topology;
-  if constexpr (count_of < IsTopology, Arguments... >> 0)
-    topology = pick<IsTopology>(Topology::kept, arguments...);
-  Policies policies{pick<IsCost>(Cost_{}, arguments...),
-                    pick<Recognised::template IsPlacement>(Placement_{}, arguments...),
-                    pick<Recognised::template IsPairs>(EdgePairs{}, arguments...),
-                    pick<IsStop>(FaceRatio{}, arguments...),
+  if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
+    topology = pick<Kind::topology, Cost, Topology>(arguments...);
+  Policies policies{pick<Kind::cost, Cost, DefaultCost>(arguments...),
+                    placement,
+                    pick<Kind::pairs, Cost, EdgePairs>(arguments...),
+                    pick<Kind::stop, Cost, FaceRatio>(arguments...),
                     visitor,
                     topology,
-                    pick_filters<Recognised::template IsFilter>(arguments...)};
+                    pick_filters<Cost>(arguments...)};
   validate(policies.cost);
   validate(policies.pairs);
   validate(policies.stop);
   return policies;
+}
+
+/// Which property the attributes of a cost are.
+template <class Cost>
+constexpr Attribute attribute_of() {
+  if constexpr (requires { Cost::attribute; })
+    return Cost::attribute;
+  else
+    return Attribute::any;
 }
 
 /// The attributes that a cost looks at, in the property map that is their named parameter.
@@ -151,7 +221,7 @@ auto pick_attributes(const NamedParameters& named) {
   if constexpr (Cost::dimension == 3) {
     return NoAttributes{};
   } else {
-    constexpr Attribute attribute = Cost::attribute;
+    constexpr Attribute attribute = attribute_of<Cost>();
     const auto map = [&] {
       if constexpr (attribute == Attribute::color)
         return get_parameter(named, CGAL::internal_np::vertex_color_map);

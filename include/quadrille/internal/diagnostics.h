@@ -5,74 +5,39 @@
 #include <quadrille/internal/arguments.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
-#include <quadrille/report.h>
 
-#include <type_traits>
-
-/// Overloads of `simplify` that are never chosen. Where an argument is no policy, the compiler
-/// tells for each of them which concept the argument does not model, and which expression it lacks.
+/// Overloads of `simplify` that are never chosen. Where an argument is none that `simplify` knows,
+/// the compiler tells for each of them which concept the argument does not model, and what it
+/// lacks.
 
 namespace quadrille {
 
-namespace internal {
+template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
+requires PlacementPolicy<Argument, internal::CostOf<Cost, Arguments...>>
+void simplify(Surface&, const Arguments&...) = delete;
 
-struct NoArgument {};
+template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
+requires PairPolicy<Argument>
+void simplify(Surface&, const Arguments&...) = delete;
 
-/// The first argument that is none of `simplify`, or NoArgument.
-template <class Cost, class... Arguments>
-struct FirstUnknown {
-  using type = NoArgument;
-};
-template <class Cost, class First, class... Rest>
-struct FirstUnknown<Cost, First, Rest...>
-    : std::conditional_t<is_argument<First, Cost>, FirstUnknown<Cost, Rest...>,
-                         std::type_identity<First>> {};
+template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
+requires StopPolicy<Argument>
+void simplify(Surface&, const Arguments&...) = delete;
 
-template <class Cost, class... Arguments>
-using Unknown = typename FirstUnknown<CostOf<Cost, Arguments...>, Arguments...>::type;
+template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
+requires FilterPolicy<Argument, internal::CostOf<Cost, Arguments...>>
+void simplify(Surface&, const Arguments&...) = delete;
 
-/// Was a type meant to be a cost? Then the other concepts need not be named.
-template <class T>
-concept MeantAsCost = requires {
-  typename T::Memory;
+/// A constant mesh would otherwise be taken by CGAL::simplify(x), which is found beside ours.
+template <class Mesh>
+requires requires(const Mesh& mesh) {
+  halfedges(mesh);
 }
-|| requires {
-  T::dimension;
-};
-template <class T>
-concept MeantAsAnother = !MeantAsCost<T> && !std::same_as<T, NoArgument>;
-
-} // namespace internal
-
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Mesh, class... Arguments,
-          class Argument = internal::Unknown<Cost, Arguments...>>
-requires internal::MeantAsCost<Argument> && CostPolicy<Argument>
-    Report simplify(Mesh&, const Arguments&...)
-= delete;
-
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Mesh, class... Arguments,
-          class Argument = internal::Unknown<Cost, Arguments...>>
-requires internal::MeantAsAnother<Argument> && PlacementPolicy<Argument, Cost>
-    Report simplify(Mesh&, const Arguments&...)
-= delete;
-
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Mesh, class... Arguments,
-          class Argument = internal::Unknown<Cost, Arguments...>>
-requires internal::MeantAsAnother<Argument> && PairPolicy<Argument>
-    Report simplify(Mesh&, const Arguments&...)
-= delete;
-
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Mesh, class... Arguments,
-          class Argument = internal::Unknown<Cost, Arguments...>>
-requires internal::MeantAsAnother<Argument> && StopPolicy<Argument>
-    Report simplify(Mesh&, const Arguments&...)
-= delete;
-
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Mesh, class... Arguments,
-          class Argument = internal::Unknown<Cost, Arguments...>>
-requires internal::MeantAsAnother<Argument> && FilterPolicy<Argument, Cost>
-    Report simplify(Mesh&, const Arguments&...)
-= delete;
+void simplify(const Mesh&) = delete; // a constant mesh cannot be simplified
 
 } // namespace quadrille
 

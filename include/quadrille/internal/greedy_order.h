@@ -39,11 +39,15 @@ public:
   void run() {
     while (const std::optional<QueuedPair> next = next_pair()) {
       const Candidate candidate = surface_.evaluate(next->first, next->second);
+      if (static_cast<float>(candidate.cost) > next->cost && !is_last_resort_) {
+        push(next->first, next->second); // its neighbourhood has made it dearer
+        continue;
+      }
       surface_.announce(candidate);
-      if (is_enough())
-        return finish(StopReason::target_met);
       if (const auto cause = surface_.rejection(next->first, next->second, candidate))
         park(*next, *cause);
+      else if (is_enough())
+        return finish(StopReason::target_met);
       else if (surface_.overshoots() && !is_last_resort_)
         keep_as_last_resort(*next);
       else

@@ -24,10 +24,32 @@ public:
     star_.clear();
     complex.for_each_corner(
         v, [&](Index face, Index i) { star_.push_back(PairStar::star_face(complex, face, i)); });
-    return classify(marks);
+    return is_oriented_cycle() ? VertexKind::interior : classify(marks);
   }
 
 private:
+  // The usual case, told without marks: each face of the star follows just one other, all round.
+  bool is_oriented_cycle() const {
+    constexpr std::size_t usual = 16;
+    if (star_.size() < 3 || star_.size() > usual)
+      return false;
+    Index end = star_[0].third;
+    for (std::size_t step = 1; step < star_.size(); ++step) {
+      const StarFace* following = nullptr;
+      for (const StarFace& f : star_) {
+        if (f.second != end)
+          continue;
+        if (following)
+          return false;
+        following = &f;
+      }
+      if (!following || following == star_.data())
+        return false;
+      end = following->third;
+    }
+    return end == star_[0].second;
+  }
+
   struct LinkVertex {
     Index degree = 0;
     std::array<Index, 2> neighbours{}; // the first two
@@ -152,6 +174,8 @@ public:
 
   /// Is every vertex inside the surface?
   bool is_closed() const { return is_closed_; }
+
+  bool is_interior(Index v) const { return kind_[v] == Kind::interior; }
 
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 

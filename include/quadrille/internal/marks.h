@@ -34,7 +34,7 @@ public:
 
 private:
   std::vector<Index> mark_;
-  Index base_ = 0, end_ = 1;
+  Index base_ = 1, end_ = 1;
 };
 
 } // namespace quadrille::internal

@@ -23,13 +23,15 @@ public:
   using Position = Vector<Cost::dimension>;
   using VertexPair = std::array<Index, 2>;
 
-  static std::vector<Memory> compute(const Cost& cost, const std::vector<Position>& positions,
-                                     TriangleComplex& complex, Marks& marks,
-                                     const std::vector<VertexPair>& creases) {
+  /// is_interior(v) tells of vertices that have no boundary edge for certain.
+  template <class IsInterior>
+  static std::vector<Memory>
+  compute(const Cost& cost, const std::vector<Position>& positions, TriangleComplex& complex,
+          Marks& marks, const std::vector<VertexPair>& creases, IsInterior is_interior) {
     InitialMemories memories(cost, positions, complex);
     memories.add_faces();
     if constexpr (has_boundaries || has_creases)
-      memories.add_edges(marks);
+      memories.add_edges(marks, is_interior);
     if constexpr (has_creases)
       for (const auto& [v, w] : creases)
         memories.add_crease(v, w);
@@ -69,9 +71,12 @@ private:
   }
 
   // Each end of a boundary edge meets it once; of a crease, the lower end takes care.
-  void add_edges(Marks& marks) {
+  template <class IsInterior>
+  void add_edges(Marks& marks, IsInterior is_interior) {
     EdgeStar star;
-    for (Index v = 0; v < positions_.size(); ++v)
+    for (Index v = 0; v < positions_.size(); ++v) {
+      if (!finds_creases() && is_interior(v))
+        continue;
       for (const EdgeAt& edge : star.gather(complex_, v, marks)) {
         if constexpr (has_boundaries)
           if (edge.faces == 1)
@@ -81,10 +86,18 @@ private:
           if (edge.faces == 2 && v < edge.other && is_crease(v, edge))
             add_crease(v, edge.other);
       }
+    }
+  }
+
+  bool finds_creases() const {
+    if constexpr (has_creases)
+      return cost_.crease_degrees < 180;
+    else
+      return false;
   }
 
   bool is_crease(Index v, const EdgeAt& edge) const {
-    if (!(cost_.crease_degrees < 180))
+    if (!finds_creases())
       return false;
     const Vector<3> p = space(positions_[v]), q = space(positions_[edge.other]);
     const Vector<3> m = double_area_vector(p, q, space(positions_[edge.opposite[0]]));

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 
 #include <quadrille/internal/attributes.h>
+#include <quadrille/internal/current_memories.h>
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
@@ -60,18 +61,22 @@ public:
       initial_components_ = count_components(complex_);
     start_status();
     memories_ =
-        InitialMemories<Cost>::compute(policies_.cost, positions_, complex_, marks_, input.creases);
-    for (Index v = 0; v < positions_.size(); ++v)
-      update_reach(v);
+        InitialMemories<Cost>::compute(policies_.cost, positions_, complex_, marks_, input.creases,
+                                       [this](Index v) { return is_interior(v); });
+    if constexpr (asks_for_current<Cost>)
+      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex_, marks_);
+    start_reach();
   }
 
   /// Where the pair goes and what that costs.
-  Candidate evaluate(Index a, Index b) const {
-    const Pair pair = view(a, b);
-    const Position target = is_fixed(a)   ? pair.first
-                            : is_fixed(b) ? pair.second
-                                          : policies_.placement(policies_.cost, pair);
-    return {pair, target, policies_.cost(pair, target)};
+  Candidate evaluate(Index a, Index b) {
+    Candidate candidate{view(a, b), {}, 0};
+    const Pair& pair = candidate.pair;
+    candidate.target = is_fixed(a)   ? pair.first
+                       : is_fixed(b) ? pair.second
+                                     : policies_.placement(policies_.cost, pair);
+    candidate.cost = policies_.cost(pair, candidate.target);
+    return candidate;
   }
 
   /// Why this contraction must not be done, if so. The star of the pair is gathered by the way.
@@ -110,6 +115,8 @@ public:
                                          candidate.target != candidate.pair.first));
     const Index kept = b_stays ? b : a, gone = b_stays ? a : b;
     non_edge_contractions_ += star_.shared.empty();
+    if constexpr (asks_for_current<Cost>)
+      current_.forget(star_, a, b, policies_.cost, positions_);
     for (const StarFace& f : star_.shared)
       complex_.kill(f.face);
     complex_.merge(kept, gone);
@@ -120,6 +127,8 @@ public:
       link_condition_.merge(kept, gone);
     else
       drop_leftovers(kept);
+    if constexpr (asks_for_current<Cost>)
+      update_current(kept);
     update_reach(kept);
     status_.faces = complex_.live_faces();
     ++status_.contractions;
@@ -205,13 +214,57 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
-  Pair view(Index a, Index b) const {
+  Pair view(Index a, Index b) {
     Pair pair{positions_[a], positions_[b], memories_[b],
               std::max(squared_reach_[a], squared_reach_[b])};
     move_origin(pair.memory, pair.first - pair.second);
     pair.memory += memories_[a];
+    if constexpr (asks_for_current<Cost>)
+      pair.current =
+          policies_.cost.join(current_[a], current_[b], shared(a, b), pair.second - pair.first);
     return pair;
   }
+
+  // What both ends see now, about the first: the faces of the edge, and the edge itself if it is on
+  // the boundary.
+  auto shared(Index a, Index b) requires asks_for_current<Cost> {
+    const Cost& cost = policies_.cost;
+    typename Cost::Current sum{};
+    std::size_t faces = 0;
+    Index opposite = none;
+    complex_.for_each_corner(a, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex_, face, i);
+      if (f.second != b && f.third != b)
+        return;
+      sum += cost.current_face(positions_[a], positions_[f.second], positions_[f.third]);
+      opposite = f.second == b ? f.third : f.second;
+      ++faces;
+    });
+    if (faces == 1)
+      sum += cost.current_boundary(positions_[a], positions_[b], positions_[opposite]);
+    return sum;
+  }
+
+  // Inside the surface the faces of the star are exchanged one by one. Constraint planes of
+  // boundary edges lean on faces, so vertices that may have any are summed up anew.
+  void update_current(Index kept) requires asks_for_current<Cost> {
+    current_.learn(kept, policies_.cost, positions_, complex_);
+    const auto renew = [&](Index v) {
+      if (!is_interior(v))
+        current_.recompute(v, policies_.cost, positions_, complex_, marks_);
+    };
+    if (is_topology_kept_ && link_condition_.is_closed())
+      return;
+    renew(kept);
+    for (const auto* faces : {&star_.first, &star_.second, &star_.shared})
+      for (const StarFace& f : *faces)
+        for (Index v : {f.second, f.third})
+          if (complex_.has_faces(v))
+            renew(v);
+  }
+
+  // Known to be inside the surface: without the link condition nothing is.
+  bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
 
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
 
@@ -280,21 +333,32 @@ private:
       --status_.vertices;
   }
 
-  // The reach of a vertex grows with its neighbours' moves and does not shrink when one is gone.
+  void start_reach() {
+    for (Index face = 0; face < complex_.face_capacity(); ++face) {
+      if (complex_.is_dead(face))
+        continue;
+      const auto [p, q, r] = complex_.vertices(face);
+      for (const auto& [v, w] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)}) {
+        lengthen_reach(v, w);
+        lengthen_reach(w, v);
+      }
+    }
+  }
+
+  // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
+  // that can change while the pair waits in the queue.
   void update_reach(Index v) {
-    float longest = 0;
-    const auto lengthen = [&](Index w) {
-      const auto squared =
-          static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w])));
-      longest = std::max(longest, squared);
-      squared_reach_[w] = std::max(squared_reach_[w], squared);
-    };
+    squared_reach_[v] = 0;
     complex_.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex_, face, i);
-      lengthen(f.second);
-      lengthen(f.third);
+      lengthen_reach(v, f.second);
+      lengthen_reach(v, f.third);
     });
-    squared_reach_[v] = longest;
+  }
+
+  void lengthen_reach(Index v, Index w) {
+    squared_reach_[v] = std::max(squared_reach_[v], static_cast<float>(squared_distance(
+                                                        space(positions_[v]), space(positions_[w]))));
   }
 
   const Policies& policies_;
@@ -307,6 +371,7 @@ private:
   std::vector<Position> positions_;
   std::vector<bool> is_fixed_; // empty if none is
   std::vector<Memory> memories_;
+  [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
   std::vector<float> squared_reach_;
   std::vector<bool> is_moved_;
   PairStar star_;

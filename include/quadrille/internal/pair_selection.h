@@ -26,14 +26,16 @@ std::vector<std::array<Index, 2>> emitted_pairs(const Pairs& policy, const Surfa
   for (const Vector<N>& p : input.positions)
     points.push_back(space(p));
   std::vector<std::array<Index, 2>> pairs;
-  policy(SurfaceView{points, input.triangles}, [&](std::size_t i, std::size_t j) {
+  const SurfaceView surface{points, input.triangles};
+  const EmitPair emit = [&](std::size_t i, std::size_t j) {
     if (i >= points.size() || j >= points.size())
       throw std::out_of_range("quadrille::simplify: the pair policy selected vertices " +
                               std::to_string(i) + " and " + std::to_string(j) + " of " +
                               std::to_string(points.size()));
     if (i != j)
       pairs.push_back({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
-  });
+  };
+  policy(surface, emit);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

@@ -11,16 +11,33 @@
 
 namespace quadrille::internal {
 
-/// A pair as cost and placement see it.
-template <std::size_t N, class Memory>
-struct PairView {
-  Vector<N> first, second;
-  Memory memory;        ///< of both ends, about `first`
-  double squared_reach; ///< of the distance from an end to its farthest neighbour
+/// Does a cost look at the surface as it is now, beside what vertices remember?
+template <class Cost>
+concept asks_for_current = requires {
+  typename Cost::Current;
 };
 
+struct NoCurrent {};
+
 template <class Cost>
-using PairOf = PairView<Cost::dimension, typename Cost::Memory>;
+struct PairCurrentOf {
+  using type = NoCurrent;
+};
+template <class Cost>
+requires asks_for_current<Cost>
+struct PairCurrentOf<Cost> {
+  using type = typename Cost::PairCurrent;
+};
+
+/// A pair as cost and placement see it.
+template <class Cost>
+struct PairOf {
+  Vector<Cost::dimension> first, second;
+  typename Cost::Memory memory; ///< of both ends, about `first`
+  double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour, as each
+                                ///< end had it when it took its place
+  [[no_unique_address]] typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
+};
 
 /// Everything that `simplify` was asked for, each with its default where it was not named.
 template <class Cost_, class Placement_, class Pairs_, class Stop_, class Visitor_,

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+
+#include "child.h"
+
+#include <malloc.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+namespace bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A figure of /proc/self/status, in kilobytes.
+double status_kilobytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(key + ":"))
+      return std::stod(line.substr(key.size() + 1));
+  return 0;
+}
+
+/// The memory taken at most since this object was made, in megabytes. Linux only.
+class PeakMemory {
+public:
+  PeakMemory() {
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << 5; // sets the peak back to what is held now
+    before_ = status_kilobytes("VmRSS");
+  }
+
+  double megabytes() const { return (status_kilobytes("VmHWM") - before_) / 1024; }
+
+private:
+  double before_;
+};
+
+Run run_here(const Contender& contender, Mesh mesh, std::size_t faces) {
+  const PeakMemory memory;
+  const auto start = Clock::now();
+  const Stopwatch stopwatch;
+  Answer answer = contender.simplify(mesh, faces);
+  Run run;
+  run.seconds = stopwatch.seconds();
+  run.own_seconds = answer.own_seconds.value_or(run.seconds);
+  run.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  run.peak_megabytes = memory.megabytes();
+  run.answer = answer.soup ? std::move(*answer.soup) : to_soup(mesh);
+  return run;
+}
+
+// --- A run as bytes in a pipe --------------------------------------------------------------------
+
+void send(int pipe, const void* data, std::size_t size) {
+  for (const char* next = static_cast<const char*>(data); size > 0;) {
+    const ssize_t written = write(pipe, next, size);
+    if (written <= 0)
+      _exit(EXIT_FAILURE);
+    next += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+void send(int pipe, const Run& run) {
+  const double figures[] = {run.seconds, run.own_seconds, run.wall_seconds, run.peak_megabytes};
+  const std::size_t sizes[] = {run.answer.points.size(), run.answer.triangles.size()};
+  send(pipe, figures, sizeof figures);
+  send(pipe, sizes, sizeof sizes);
+  for (const Point& p : run.answer.points) {
+    const double coordinates[] = {p.x(), p.y(), p.z()};
+    send(pipe, coordinates, sizeof coordinates);
+  }
+  send(pipe, run.answer.triangles.data(), sizes[1] * sizeof run.answer.triangles[0]);
+}
+
+/// Reads from a pipe until a moment in time; then, and at an early end, throws.
+class Receiver {
+public:
+  Receiver(int pipe, double seconds)
+      : pipe_(pipe), end_(Clock::now() + std::chrono::milliseconds(std::llround(seconds * 1e3))) {}
+
+  void operator()(void* data, std::size_t size) {
+    for (char* next = static_cast<char*>(data); size > 0;) {
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now()).count();
+      pollfd ready{.fd = pipe_, .events = POLLIN, .revents = 0};
+      if (left <= 0 || poll(&ready, 1, static_cast<int>(left)) <= 0)
+        throw std::runtime_error("the time is up");
+      const ssize_t received = read(pipe_, next, size);
+      if (received <= 0)
+        throw std::runtime_error("the child ended early");
+      next += received;
+      size -= static_cast<std::size_t>(received);
+    }
+  }
+
+private:
+  int pipe_;
+  Clock::time_point end_;
+};
+
+Run receive(Receiver receiver) {
+  double figures[4];
+  std::size_t sizes[2];
+  receiver(figures, sizeof figures);
+  receiver(sizes, sizeof sizes);
+  Run run{figures[0], figures[1], figures[2], figures[3], {}};
+  run.answer.points.reserve(sizes[0]);
+  for (std::size_t i = 0; i < sizes[0]; ++i) {
+    double p[3];
+    receiver(p, sizeof p);
+    run.answer.points.emplace_back(p[0], p[1], p[2]);
+  }
+  run.answer.triangles.resize(sizes[1]);
+  receiver(run.answer.triangles.data(), sizes[1] * sizeof run.answer.triangles[0]);
+  return run;
+}
+
+} // namespace
+
+std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
+                                double limit) {
+  int ends[2];
+  if (pipe(ends) != 0)
+    throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child < 0)
+    throw std::runtime_error("no child process");
+  if (child == 0) {
+    try {
+      send(ends[1], run_here(contender, mesh, faces));
+      _exit(EXIT_SUCCESS);
+    } catch (...) {
+      _exit(EXIT_FAILURE);
+    }
+  }
+  close(ends[1]);
+  std::optional<Run> run;
+  try {
+    run = receive(Receiver(ends[0], limit));
+  } catch (const std::runtime_error&) {
+    kill(child, SIGKILL);
+  }
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return run;
+}
+
+} // namespace bench

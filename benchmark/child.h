@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// One run of one contender, in a process of its own.
+
+#ifndef QUADRILLE_BENCHMARK_CHILD_H
+#define QUADRILLE_BENCHMARK_CHILD_H
+
+#include "contender.h"
+
+namespace bench {
+
+struct Run {
+  double seconds = 0;        ///< processor time, conversions included
+  double own_seconds = 0;    ///< the same without conversions
+  double wall_seconds = 0;   ///< on the wall clock, conversions included
+  double peak_megabytes = 0; ///< the most memory held at a time, beyond the input mesh
+  Soup answer;
+};
+
+/// Runs the contender in a child process, so that its memory can be measured, none of it is left
+/// for the next one, and a crash costs one row. Empty when the child crashed, ran out of memory or
+/// took longer than `limit` seconds.
+std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
+                                double limit);
+
+} // namespace bench
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+
+#include "contender.h"
+
+namespace bench {
+
+Soup to_soup(const Mesh& mesh) {
+  Soup soup;
+  soup.points.reserve(mesh.number_of_vertices());
+  soup.triangles.reserve(mesh.number_of_faces());
+  std::vector<std::uint32_t> number(mesh.num_vertices());
+  for (const auto v : mesh.vertices()) {
+    number[v] = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.push_back(mesh.point(v));
+  }
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    soup.triangles.push_back(
+        {number[mesh.source(h)], number[mesh.target(h)], number[mesh.target(mesh.next(h))]});
+  }
+  return soup;
+}
+
+void to_mesh(const Soup& soup, Mesh& mesh) {
+  using Vertex = Mesh::Vertex_index;
+  mesh.clear();
+  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()),
+               static_cast<Mesh::size_type>(soup.triangles.size() * 3 / 2),
+               static_cast<Mesh::size_type>(soup.triangles.size()));
+  for (const Point& p : soup.points)
+    mesh.add_vertex(p);
+  for (const auto& [a, b, c] : soup.triangles) {
+    if (mesh.add_face(Vertex(a), Vertex(b), Vertex(c)) == Mesh::null_face())
+      mesh.add_face(mesh.add_vertex(soup.points[a]), mesh.add_vertex(soup.points[b]),
+                    mesh.add_vertex(soup.points[c]));
+  }
+}
+
+} // namespace bench

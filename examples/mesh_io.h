@@ -1,0 +1,76 @@
+#ifndef QUADRILLE_EXAMPLES_MESH_IO_H
+#define QUADRILLE_EXAMPLES_MESH_IO_H
+
+/// \file
+/// Reads and writes triangle soups: OFF, OBJ, PLY, STL and GOCAD (.ts), told apart by the
+/// extension.
+///
+/// CGAL triangulates the polygons, and writes STL and GOCAD. It does not read here: the readers of
+/// CGAL 5.5 take indices that are out of range, NaN and files that are cut off for good, allocate
+/// what a header claims, and pass over texture coordinates and most colours.
+
+#include "mesh_io/assemble.h"
+#include "mesh_io/gocad.h"
+#include "mesh_io/indexed_mesh.h"
+#include "mesh_io/obj.h"
+#include "mesh_io/off.h"
+#include "mesh_io/ply.h"
+#include "mesh_io/ply_writer.h"
+#include "mesh_io/replace_file.h"
+#include "mesh_io/stl.h"
+#include "mesh_io/text.h"
+#include "mesh_io/weld.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace quadrille_examples {
+
+struct MeshFormat {
+  const char* extension;
+  PolygonSoup (*read)(const Source&);
+  std::string (*encode)(const IndexedMesh&);
+};
+
+/// Throws if the extension, in any case of letters, names no format.
+inline const MeshFormat& mesh_format(const std::filesystem::path& path) {
+  static constexpr MeshFormat formats[] = {
+      {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off},
+      {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj},
+      {".ply", read_ply, encode_ply},
+      {".stl", read_stl, encode_stl},
+      {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad}};
+  const std::string extension = path.extension().string();
+  for (const MeshFormat& format : formats)
+    if (equal_ignoring_case(extension, format.extension))
+      return format;
+  fail(path, "the extension " + in_quotes(extension) + " is none of .off .obj .ply .stl .ts");
+}
+
+/// Reads a mesh; polygons are triangulated. Throws `std::runtime_error` with one line,
+/// "FILE: what" or "FILE:LINE: what", if the file is missing, cut off or broken: nothing is read in
+/// part. What can be left out without harm is left out, and told in `IndexedMesh::remarks`: faces
+/// of fewer than three corners, vertices that are not finite and that no face uses.
+inline IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld = Weld::loose_faces) {
+  const MeshFormat& format = mesh_format(path);
+  PolygonSoup soup = format.read(read_source(path));
+  return Assembly(std::move(soup), path).mesh(weld);
+}
+
+/// Writes a mesh: all of it, or, throwing `std::runtime_error`, nothing, in which case a file that
+/// was there stays. Coordinates read back as they are, but for STL, which is of single precision.
+/// Colours are written to OFF, OBJ and PLY, texture coordinates too.
+inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  const MeshFormat& format = mesh_format(path);
+  try {
+    replace_file(path, format.encode(mesh));
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
+}
+
+} // namespace quadrille_examples
+
+#endif

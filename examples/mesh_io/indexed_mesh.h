@@ -1,0 +1,27 @@
+#ifndef QUADRILLE_EXAMPLES_MESH_IO_INDEXED_MESH_H
+#define QUADRILLE_EXAMPLES_MESH_IO_INDEXED_MESH_H
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace quadrille_examples {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+
+/// A triangle soup as a file holds it: any triangles at all, manifold or not.
+struct IndexedMesh {
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<CGAL::IO::Color> colors;                    ///< empty, or one per point
+  std::vector<std::array<double, 2>> texture_coordinates; ///< empty, or one per point
+  std::vector<std::string> remarks;                       ///< what reading left out or changed
+};
+
+} // namespace quadrille_examples
+
+#endif

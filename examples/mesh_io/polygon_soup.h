@@ -1,0 +1,53 @@
+#ifndef QUADRILLE_EXAMPLES_MESH_IO_POLYGON_SOUP_H
+#define QUADRILLE_EXAMPLES_MESH_IO_POLYGON_SOUP_H
+
+/// \file
+/// What a reader collects from a file, before it is checked and triangulated.
+
+#include "indexed_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// More points than this do not fit the 32-bit indices of a triangle.
+inline constexpr std::uint64_t most_points = std::numeric_limits<std::uint32_t>::max() - 1;
+
+struct PolygonSoup {
+  static constexpr std::uint32_t no_texture = std::numeric_limits<std::uint32_t>::max();
+  static constexpr double opaque = std::numeric_limits<double>::infinity(); ///< an alpha
+
+  std::vector<Point> points;
+  /// Red, green, blue and alpha, empty or one per point. Full intensity is `color_unit`.
+  std::vector<std::array<double, 4>> colors;
+  double color_unit = 255;
+  /// One per point for the formats that keep them there.
+  std::vector<std::array<double, 2>> texture_coordinates;
+
+  /// The corners of all polygons, one polygon after the other; all smaller than `points.size()`.
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> polygon_ends; ///< where in `corners` each polygon ends
+  /// For the formats that keep them at the corners: a table, and an index into it (or `no_texture`)
+  /// for each of the corners, or for none of them.
+  std::vector<std::array<double, 2>> texture_table;
+  std::vector<std::uint32_t> corner_textures;
+
+  std::vector<std::string> remarks;
+
+  /// Ends the polygon of the corners that have been appended since the last one.
+  void end_polygon() { polygon_ends.push_back(corners.size()); }
+
+  std::span<const std::uint32_t> polygon(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : polygon_ends[i - 1];
+    return {corners.data() + begin, polygon_ends[i] - begin};
+  }
+};
+
+} // namespace quadrille_examples
+
+#endif

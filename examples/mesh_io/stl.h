@@ -1,0 +1,165 @@
+#ifndef QUADRILLE_EXAMPLES_MESH_IO_STL_H
+#define QUADRILLE_EXAMPLES_MESH_IO_STL_H
+
+/// \file
+/// Stereolithography files, binary or text. They give every facet points of its own.
+
+#include "indexed_mesh.h"
+#include "polygon_soup.h"
+#include "text.h"
+
+#include <CGAL/IO/STL.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+inline constexpr std::size_t stl_header_size = 84; // 80 bytes of anything and the facet count
+inline constexpr std::size_t stl_facet_size = 50;  // a normal, three points and two spare bytes
+
+template <class Value>
+Value little_endian_at(std::string_view bytes, std::size_t offset) {
+  std::array<char, sizeof(Value)> raw;
+  std::memcpy(raw.data(), bytes.data() + offset, raw.size());
+  if constexpr (std::endian::native == std::endian::big)
+    std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<Value>(raw);
+}
+
+inline PolygonSoup read_binary_stl(const Source& source) {
+  const std::string_view bytes = source.content;
+  if (bytes.size() < stl_header_size)
+    fail(source.path, "neither a text STL file, nor long enough for a binary one");
+  const std::uint64_t facets = little_endian_at<std::uint32_t>(bytes, stl_header_size - 4);
+  const std::uint64_t held = (bytes.size() - stl_header_size) / stl_facet_size;
+  if (held < facets)
+    fail(source.path, ends_before("facet", held, facets));
+  if (held > facets) // they would be lost in silence
+    fail(source.path, "the file goes on after the last of " + std::to_string(facets) + " facets");
+
+  PolygonSoup soup;
+  for (std::uint64_t i = 0; i < facets; ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto coordinate = [&](std::size_t axis) {
+        const std::size_t offset = stl_header_size + i * stl_facet_size;
+        return little_endian_at<float>(bytes, offset + 12 * (corner + 1) + 4 * axis);
+      };
+      soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
+      soup.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
+    }
+    soup.end_polygon();
+  }
+  if (bytes.size() != stl_header_size + facets * stl_facet_size)
+    soup.remarks.push_back("the bytes after the last facet are left out");
+  return soup;
+}
+
+/// Goes by the first words of the lines, in any case of letters.
+class StlTextReader {
+public:
+  explicit StlTextReader(const Source& source) : lines_(source) { require_text(source); }
+
+  PolygonSoup read() {
+    while (lines_.next_line())
+      read_line(lines_.next_word());
+    if (is_in_solid_)
+      lines_.fail("the file ends before 'endsolid'");
+    return std::move(soup_);
+  }
+
+private:
+  void read_line(std::string_view word) {
+    if (equal_ignoring_case(word, "vertex"))
+      read_vertex();
+    else if (equal_ignoring_case(word, "facet"))
+      enter(is_in_facet_, is_in_solid_, word);
+    else if (equal_ignoring_case(word, "endfacet"))
+      end_facet(word);
+    else if (equal_ignoring_case(word, "solid"))
+      enter(is_in_solid_, !is_in_solid_, word);
+    else if (equal_ignoring_case(word, "endsolid"))
+      leave(is_in_solid_, !is_in_facet_, word);
+    else if (!equal_ignoring_case(word, "outer") && !equal_ignoring_case(word, "endloop"))
+      lines_.fail("unknown keyword " + in_quotes(word));
+  }
+
+  void enter(bool& state, bool is_allowed, std::string_view word) {
+    if (state || !is_allowed)
+      lines_.fail(in_quotes(word) + " is out of place");
+    state = true;
+  }
+
+  void leave(bool& state, bool is_allowed, std::string_view word) {
+    if (!state || !is_allowed)
+      lines_.fail(in_quotes(word) + " is out of place");
+    state = false;
+  }
+
+  void end_facet(std::string_view word) {
+    leave(is_in_facet_, true, word);
+    if (corners_of_facet_ < 3)
+      lines_.fail("a facet of " + std::to_string(corners_of_facet_) + " vertices");
+    corners_of_facet_ = 0;
+    soup_.end_polygon();
+  }
+
+  void read_vertex() {
+    if (!is_in_facet_)
+      lines_.fail("a vertex outside of a facet");
+    const double x = lines_.next_number("coordinate");
+    const double y = lines_.next_number("coordinate");
+    soup_.corners.push_back(static_cast<std::uint32_t>(soup_.points.size()));
+    soup_.points.emplace_back(x, y, lines_.next_number("coordinate"));
+    ++corners_of_facet_;
+  }
+
+  LineReader lines_;
+  bool is_in_solid_ = false;
+  bool is_in_facet_ = false;
+  std::size_t corners_of_facet_ = 0;
+  PolygonSoup soup_;
+};
+
+/// Some binary files start with `solid` too, but there is a zero byte in the facet count.
+inline bool is_binary_stl(const Source& source) {
+  LineReader lines(source);
+  lines.next_line();
+  return source.content.find('\0') != std::string::npos ||
+         !equal_ignoring_case(lines.peek_word(), "solid");
+}
+
+inline PolygonSoup read_stl(const Source& source) {
+  return is_binary_stl(source) ? read_binary_stl(source) : StlTextReader(source).read();
+}
+
+/// Binary, hence with coordinates of type `float`.
+inline std::string encode_stl(const IndexedMesh& mesh) {
+  std::vector<Point> rounded; // beforehand, lest CGAL divide by lengths that underflow
+  const auto round = [](double coordinate) {
+    if (std::abs(coordinate) > std::numeric_limits<float>::max())
+      throw std::runtime_error("a coordinate is too large for STL, which is of single precision");
+    return double{static_cast<float>(coordinate)};
+  };
+  for (const Point& p : mesh.points)
+    rounded.emplace_back(round(p.x()), round(p.y()), round(p.z()));
+  std::ostringstream stream;
+  CGAL::IO::set_binary_mode(stream);
+  CGAL::IO::write_STL(stream, rounded, mesh.triangles);
+  return std::move(stream).str();
+}
+
+} // namespace quadrille_examples
+
+#endif

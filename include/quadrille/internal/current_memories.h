@@ -1,0 +1,101 @@
+#ifndef QUADRILLE_INTERNAL_CURRENT_MEMORIES_H
+#define QUADRILLE_INTERNAL_CURRENT_MEMORIES_H
+
+#include <quadrille/internal/edge_star.h>
+#include <quadrille/internal/link_condition.h>
+#include <quadrille/internal/marks.h>
+#include <quadrille/internal/policies.h>
+#include <quadrille/internal/star.h>
+#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What each vertex knows of the surface as it is now, for a cost that asks for that: the sum over
+/// its faces and boundary edges, kept up to date through contractions.
+template <class Cost>
+class CurrentMemories {
+public:
+  using Position = Vector<Cost::dimension>;
+  using Positions = std::vector<Position>;
+  using Current = typename Cost::Current;
+
+  CurrentMemories() = default;
+  CurrentMemories(const Cost& cost, const Positions& positions, TriangleComplex& complex,
+                  Marks& marks)
+      : current_(positions.size()) {
+    for (Index v = 0; v < positions.size(); ++v)
+      recompute(v, cost, positions, complex, marks);
+  }
+
+  const Current& operator[](Index v) const { return current_[v]; }
+
+  /// Takes the faces that a contraction changes or removes out of the vertices around it.
+  void forget(const PairStar& star, Index a, Index b, const Cost& cost,
+              const Positions& positions) {
+    for (const StarFace& f : star.first)
+      forget(f, a, cost, positions);
+    for (const StarFace& f : star.second)
+      forget(f, b, cost, positions);
+    for (const StarFace& f : star.shared)
+      forget(f, a, cost, positions);
+  }
+
+  /// Puts the faces that a contraction has left into its vertex and those around it.
+  void learn(Index kept, const Cost& cost, const Positions& positions, TriangleComplex& complex) {
+    Current sum{};
+    complex.for_each_corner(kept, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex, face, i);
+      const Current now =
+          cost.current_face(positions[kept], positions[f.second], positions[f.third]);
+      sum += now;
+      current_[f.second] += now;
+      current_[f.third] += now;
+    });
+    current_[kept] = sum;
+  }
+
+  void recompute(Index v, const Cost& cost, const Positions& positions, TriangleComplex& complex,
+                 Marks& marks) {
+    Current& sum = current_[v] = {};
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex, face, i);
+      sum += cost.current_face(positions[v], positions[f.second], positions[f.third]);
+    });
+    for (const EdgeAt& edge : edges_.gather(complex, v, marks))
+      if (edge.faces == 1)
+        sum +=
+            cost.current_boundary(positions[v], positions[edge.other], positions[edge.opposite[0]]);
+  }
+
+private:
+  void forget(const StarFace& f, Index corner, const Cost& cost, const Positions& positions) {
+    const Current old =
+        cost.current_face(positions[corner], positions[f.second], positions[f.third]);
+    current_[f.second] -= old;
+    current_[f.third] -= old;
+  }
+
+  std::vector<Current> current_;
+  EdgeStar edges_;
+};
+
+/// For a cost that does not ask.
+struct NoCurrentMemories {};
+
+template <class Cost>
+struct CurrentMemoriesOf {
+  using type = NoCurrentMemories;
+};
+template <class Cost>
+requires asks_for_current<Cost>
+struct CurrentMemoriesOf<Cost> {
+  using type = CurrentMemories<Cost>;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CURRENT_MEMORIES_H

@@ -1,0 +1,115 @@
+#ifndef QUADRILLE_MEMORYLESS_QUADRIC_H
+#define QUADRILLE_MEMORYLESS_QUADRIC_H
+
+#include <quadrille/quadric.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/symmetric_matrix.h>
+#include <quadrille/vector.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace quadrille {
+
+/// Quadrics of the surface as it is now: a position costs the area-weighted sum of its squared
+/// distances to the planes of the current faces around the pair, each counted once. The position of
+/// least cost is sought among those that keep the volume, with which the result is more accurate
+/// than with what `Quadric` remembers, by a quarter to a third in root mean square, and takes about
+/// twice the time. At very low counts the order turns: thin parts that no vertex remembers get
+/// lost.
+///
+/// Boundary edges add constraint planes as in Quadric. The error in Status and Report is that of
+/// single contractions, each from the surface just before it: it does not add up to a distance to
+/// the input.
+///
+/// Source: Lindstrom and Turk, Fast and Memory Efficient Polygonal Simplification, 1998 (memoryless
+/// costs, volume preservation); Hoppe, New Quadric Metric, 1999, section 5 (the same for quadrics).
+struct MemorylessQuadric {
+  static constexpr std::size_t dimension = 3;
+
+  double boundary_weight = 100; ///< as in Quadric
+
+  /// Nothing.
+  struct Memory {
+    Memory& operator+=(const Memory&) { return *this; }
+  };
+  Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
+  static constexpr bool face_is_alike_at_corners = true;
+
+  /// What the faces around a vertex say now, about the vertex, through which all their planes go.
+  struct Current {
+    SymmetricMatrix<3> matrix;
+    Vector<3> doubled_area; ///< the sum of their doubled area vectors
+
+    Current& operator+=(const Current& other) {
+      matrix += other.matrix;
+      doubled_area += other.doubled_area;
+      return *this;
+    }
+    Current& operator-=(const Current& other) {
+      matrix -= other.matrix;
+      doubled_area -= other.doubled_area;
+      return *this;
+    }
+  };
+
+  Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    const Vector<3> normal = double_area_vector(p, q, r);
+    const double length = std::sqrt(squared_length(normal));
+    if (!(length > 0))
+      return {};
+    Current current{SymmetricMatrix<3>::outer_product(normal, 0.5 / length), normal};
+    current.matrix.add_to_diagonal(Quadric::shape_weight * 0.5 * length);
+    return current;
+  }
+
+  Current current_boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    return {Quadric::constraint_plane(p, q, r, boundary_weight).matrix(), {}};
+  }
+
+  /// All of a pair, about its first end: the quadric, and the plane that keeps the volume.
+  struct PairCurrent {
+    QuadricForm<3> quadric;
+    Vector<3> normal;  ///< the sum of the doubled area vectors
+    double offset = 0; ///< normal · x = offset keeps the volume
+  };
+
+  /// Joins what the two ends say, `to_second` apart, and takes out what they share.
+  PairCurrent join(const Current& first, const Current& second, const Current& shared,
+                   const Vector<3>& to_second) const {
+    PairCurrent pair{QuadricForm<3>(second.matrix), first.doubled_area + second.doubled_area,
+                     dot(second.doubled_area, to_second)};
+    pair.quadric.move_origin(-1.0 * to_second);
+    pair.quadric.matrix() += first.matrix;
+    pair.quadric.matrix() -= shared.matrix;
+    pair.normal -= shared.doubled_area;
+    return pair;
+  }
+
+  double operator()(const auto& pair, const Vector<3>& x) const {
+    return pair.current.quadric(x - pair.first);
+  }
+
+  std::optional<Vector<3>> minimizer(const auto& pair) const {
+    const PairCurrent& current = pair.current;
+    auto x = current.quadric.minimizer_on_plane(current.normal, current.offset);
+    if (x)
+      *x += pair.first;
+    return x;
+  }
+
+  double squared_error(const auto& pair, double cost) const {
+    const double weight = pair.current.quadric.trace();
+    return weight > 0 ? cost / weight : 0;
+  }
+
+  /// Throws std::invalid_argument for a weight that makes no sense.
+  void validate() const {
+    internal::require_weight("quadrille::MemorylessQuadric", "boundary_weight", boundary_weight);
+  }
+};
+
+} // namespace quadrille
+
+#endif // QUADRILLE_MEMORYLESS_QUADRIC_H

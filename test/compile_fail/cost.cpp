@@ -1,0 +1,23 @@
+// A cost that does not say what a face leaves at its corner.
+#include "surfaces.h"
+
+struct Distance {
+  static constexpr std::size_t dimension = 3;
+  struct Memory {
+    Memory& operator+=(const Memory&) { return *this; }
+  };
+#ifdef REMEDY
+  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+#endif
+  double operator()(const auto& pair, const auto& x) const {
+    return squared_distance(pair.first, x) + squared_distance(pair.second, x);
+  }
+};
+
+int main() {
+  using namespace quadrille;
+  simplify<Distance, MidpointPlacement>(mesh); // mistake
+  simplify<Distance, MidpointPlacement>(points, triangles); // mistake
+  simplify(mesh, Distance(), MidpointPlacement()); // mistake
+  simplify(points, triangles, MidpointPlacement(), Distance()); // mistake
+}

@@ -1,0 +1,11 @@
+// Two stop policies.
+#include "surfaces.h"
+
+int main() {
+  using namespace quadrille;
+#ifdef REMEDY
+  simplify(points, triangles, AnyOf{FaceCount{10}, ErrorLimit{0.1}});
+#else
+  simplify(points, triangles, FaceCount{10}, ErrorLimit{0.1}); // mistake
+#endif
+}

@@ -1,0 +1,339 @@
+#ifndef QUADRILLE_TEST_REFERENCE_H
+#define QUADRILLE_TEST_REFERENCE_H
+
+#include "soups.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// What `simplify` with Quadric, OptimalPlacement and EdgePairs is compared with: the same rules,
+/// told with sets and maps and nothing else. It shares no code with the engine. A vertex remembers
+/// a list of planes and points, not a quadric; the link condition is the equation of sets that
+/// defines it; and every step looks at every edge there is.
+class Reference {
+public:
+  using Vertex = std::uint32_t;
+  using Edge = std::array<Vertex, 2>; // the lower vertex first
+
+  struct Contraction {
+    Vertex kept, gone;
+    Position target;
+  };
+
+  /// The soup is manifold.
+  explicit Reference(const Soup& soup, double boundary_weight = 100) : position_(soup.points) {
+    memory_.resize(position_.size());
+    reach_.resize(position_.size());
+    for (Vertex v = 0; v < position_.size(); ++v)
+      image_.push_back(v);
+    for (Vertex f = 0; f < soup.triangles.size(); ++f)
+      faces_[f] = soup.triangles[f];
+    for (const auto& [f, face] : faces_)
+      remember_face(face);
+    for (const auto& [edge, count] : edges())
+      if (count == 1)
+        remember_boundary(edge, boundary_weight);
+    for (Vertex v = 0; v < position_.size(); ++v)
+      reach_[v] = distance_to_farthest_neighbour(v);
+  }
+
+  /// Contracts the cheapest edge that may be contracted; nothing if none may.
+  std::optional<Contraction> contract_next() {
+    while (const std::optional<Candidate> next = cheapest()) {
+      const auto [a, b] = next->edge;
+      if (!is_link_condition_met(a, b)) {
+        ++topology_rejections;
+        refused_.insert(next->edge);
+      } else if (turns_a_face_over(a, b, next->target)) {
+        ++flip_rejections;
+        refused_.insert(next->edge);
+      } else {
+        return contract(*next);
+      }
+    }
+    return std::nullopt;
+  }
+
+  const std::map<Vertex, Triangle>& faces() const { return faces_; } ///< by the input's number
+  const Position& position(Vertex v) const { return position_[v]; }
+  bool has_faces(Vertex v) const {
+    return std::any_of(faces_.begin(), faces_.end(), [v](const auto& f) { return has(f, v); });
+  }
+  /// What has become of a vertex of the input.
+  Vertex image(Vertex v) const { return image_[v] == v ? v : image(image_[v]); }
+
+  double error = 0; ///< as Report::error
+  std::size_t topology_rejections = 0, flip_rejections = 0;
+
+private:
+  using Real = long double;
+  using Simplex = std::set<Vertex>;
+  static constexpr Vertex infinity = ~Vertex{0}; // the boundary's neighbour
+
+  struct Plane {
+    Position point, normal; // of unit length
+    double weight;
+  };
+  struct WeightedPoint {
+    Position point;
+    double weight;
+  };
+  struct Memory {
+    std::vector<Plane> planes;
+    std::vector<WeightedPoint> points;
+  };
+  struct Candidate {
+    float cost;
+    Edge edge;
+    Position target;
+    Real exact_cost;
+    Real weight;
+    bool operator<(const Candidate& other) const {
+      return std::pair(cost, edge) < std::pair(other.cost, other.edge);
+    }
+  };
+
+  static bool has(const std::pair<const Vertex, Triangle>& face, Vertex v) {
+    return std::find(face.second.begin(), face.second.end(), v) != face.second.end();
+  }
+
+  // Every edge, with the number of its faces.
+  std::map<Edge, int> edges() const {
+    std::map<Edge, int> result;
+    for (const auto& [f, t] : faces_)
+      for (std::size_t i = 0; i < 3; ++i)
+        ++result[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+    return result;
+  }
+
+  std::set<Vertex> neighbours(Vertex v) const {
+    std::set<Vertex> result;
+    for (const auto& face : faces_)
+      if (has(face, v))
+        result.insert(face.second.begin(), face.second.end());
+    result.erase(v);
+    return result;
+  }
+
+  // --- What a vertex remembers -------------------------------------------------------------------
+
+  void remember_face(const Triangle& face) {
+    const auto& [p, q, r] = face;
+    const Position twice = cross(position_[q] - position_[p], position_[r] - position_[p]);
+    const double area = std::sqrt(squared_length(twice)) / 2;
+    if (!(area > 0))
+      return;
+    for (Vertex v : face) {
+      memory_[v].planes.push_back({position_[p], 0.5 / area * twice, area});
+      memory_[v].points.push_back({position_[v], 1e-9 * area});
+    }
+  }
+
+  void remember_boundary(const Edge& edge, double boundary_weight) {
+    for (const auto& [f, t] : faces_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (std::min(t[i], t[(i + 1) % 3]) != edge[0] || std::max(t[i], t[(i + 1) % 3]) != edge[1])
+          continue;
+        const Position along = position_[t[(i + 1) % 3]] - position_[t[i]];
+        const Position normal =
+            cross(along, cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]));
+        const double length = std::sqrt(squared_length(normal));
+        if (!(length > 0))
+          continue;
+        for (Vertex v : edge)
+          memory_[v].planes.push_back(
+              {position_[t[i]], 1 / length * normal, boundary_weight * squared_length(along)});
+      }
+  }
+
+  Memory memory_of(const Edge& edge) const {
+    Memory both = memory_[edge[0]];
+    const Memory& second = memory_[edge[1]];
+    both.planes.insert(both.planes.end(), second.planes.begin(), second.planes.end());
+    both.points.insert(both.points.end(), second.points.begin(), second.points.end());
+    return both;
+  }
+
+  // --- Costs and positions -----------------------------------------------------------------------
+
+  static Real cost(const Memory& memory, const Position& x) {
+    Real sum = 0;
+    for (const Plane& plane : memory.planes) {
+      Real distance = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        distance += Real(plane.normal[i]) * (Real(x[i]) - plane.point[i]);
+      sum += plane.weight * distance * distance;
+    }
+    for (const WeightedPoint& p : memory.points)
+      for (std::size_t i = 0; i < 3; ++i)
+        sum += p.weight * (Real(x[i]) - p.point[i]) * (Real(x[i]) - p.point[i]);
+    return sum;
+  }
+
+  static Real weight(const Memory& memory) {
+    Real sum = 0;
+    for (const Plane& plane : memory.planes)
+      sum += plane.weight;
+    return sum;
+  }
+
+  // By the normal equations and Cramer's rule, as a displacement from `origin`.
+  static std::optional<Position> minimizer(const Memory& memory, const Position& origin) {
+    std::array<std::array<Real, 4>, 3> m{}; // the matrix and, in column 3, the right side
+    for (const Plane& plane : memory.planes) {
+      Real offset = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        offset += Real(plane.normal[i]) * (Real(plane.point[i]) - origin[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j)
+          m[i][j] += Real(plane.weight) * plane.normal[i] * plane.normal[j];
+        m[i][3] += plane.weight * plane.normal[i] * offset;
+      }
+    }
+    for (const WeightedPoint& p : memory.points)
+      for (std::size_t i = 0; i < 3; ++i) {
+        m[i][i] += p.weight;
+        m[i][3] += p.weight * (Real(p.point[i]) - origin[i]);
+      }
+    const auto determinant = [&](std::size_t a, std::size_t b, std::size_t c) {
+      return m[0][a] * (m[1][b] * m[2][c] - m[2][b] * m[1][c]) -
+             m[1][a] * (m[0][b] * m[2][c] - m[2][b] * m[0][c]) +
+             m[2][a] * (m[0][b] * m[1][c] - m[1][b] * m[0][c]);
+    };
+    const Real d = determinant(0, 1, 2);
+    if (!(d > 0))
+      return std::nullopt;
+    return origin + Position{{double(determinant(3, 1, 2) / d), double(determinant(0, 3, 2) / d),
+                              double(determinant(0, 1, 3) / d)}};
+  }
+
+  Position best_position(const Memory& memory, const Edge& edge) const {
+    const Position &p = position_[edge[0]], &q = position_[edge[1]];
+    const std::optional<Position> x = minimizer(memory, p);
+    const double reach = std::max(reach_[edge[0]], reach_[edge[1]]);
+    if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach)
+      return *x;
+    const Position middle = 0.5 * (p + q);
+    Position best = p;
+    for (const Position& other : {q, middle})
+      if (cost(memory, other) < cost(memory, best))
+        best = other;
+    return best;
+  }
+
+  std::optional<Candidate> cheapest() const {
+    std::optional<Candidate> best;
+    for (const auto& [edge, count] : edges()) {
+      if (refused_.contains(edge))
+        continue;
+      const Memory memory = memory_of(edge);
+      const Position target = best_position(memory, edge);
+      const Real value = cost(memory, target);
+      const Candidate candidate{static_cast<float>(value), edge, target, value, weight(memory)};
+      if (!best || candidate < *best)
+        best = candidate;
+    }
+    return best;
+  }
+
+  // Squared, as a float.
+  float distance_to_farthest_neighbour(Vertex v) const {
+    float reach = 0;
+    for (Vertex w : neighbours(v))
+      reach = std::max(reach, static_cast<float>(squared_distance(position_[v], position_[w])));
+    return reach;
+  }
+
+  // --- What is refused ---------------------------------------------------------------------------
+
+  // Lk(a) ∩ Lk(b) = Lk(ab), with the boundary joined to a point at infinity.
+  bool is_link_condition_met(Vertex a, Vertex b) const {
+    std::vector<Simplex> closed;
+    for (const auto& [f, t] : faces_)
+      closed.push_back({t[0], t[1], t[2]});
+    for (const auto& [edge, count] : edges())
+      if (count == 1)
+        closed.push_back({edge[0], edge[1], infinity});
+    const auto link = [&](const Simplex& of) { // the faces of the opposite sides
+      std::set<Simplex> result;
+      for (const Simplex& face : closed) {
+        if (!std::includes(face.begin(), face.end(), of.begin(), of.end()))
+          continue;
+        Simplex rest;
+        std::set_difference(face.begin(), face.end(), of.begin(), of.end(),
+                            std::inserter(rest, rest.end()));
+        result.insert(rest);
+        for (Vertex v : rest)
+          result.insert(Simplex{v});
+      }
+      return result;
+    };
+    const std::set<Simplex> of_a = link({a}), of_b = link({b});
+    std::set<Simplex> common;
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          std::inserter(common, common.end()));
+    return common == link({a, b});
+  }
+
+  bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
+    const auto normal = [](const Position& p, const Position& q, const Position& r) {
+      return cross(q - p, r - p);
+    };
+    return std::any_of(faces_.begin(), faces_.end(), [&](const auto& face) {
+      if (has(face, a) == has(face, b))
+        return false; // it vanishes, or nothing happens to it
+      std::array<Position, 3> before, after;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vertex v = face.second[i];
+        before[i] = position_[v];
+        after[i] = v == a || v == b ? target : position_[v];
+      }
+      const Position n = normal(before[0], before[1], before[2]);
+      return squared_length(n) > 0 && dot(n, normal(after[0], after[1], after[2])) <= 0;
+    });
+  }
+
+  // --- The contraction ---------------------------------------------------------------------------
+
+  Contraction contract(const Candidate& candidate) {
+    auto [kept, gone] = candidate.edge;
+    if (candidate.target == position_[gone] && candidate.target != position_[kept])
+      std::swap(kept, gone);
+    error = std::max(error, std::sqrt(double(candidate.exact_cost / candidate.weight)));
+    memory_[kept] = memory_of(candidate.edge);
+    position_[kept] = candidate.target;
+    image_[gone] = kept;
+    std::erase_if(faces_, [&](const auto& face) { return has(face, kept) && has(face, gone); });
+    for (auto& [f, t] : faces_)
+      std::replace(t.begin(), t.end(), gone, kept);
+    reach_[kept] = distance_to_farthest_neighbour(kept);
+    std::set<Vertex> changed = neighbours(kept);
+    changed.insert({kept, gone});
+    std::erase_if(refused_, [&](const Edge& edge) {
+      return changed.contains(edge[0]) || changed.contains(edge[1]);
+    });
+    return {kept, gone, candidate.target};
+  }
+
+  std::vector<Position> position_;
+  std::vector<Memory> memory_;
+  std::vector<float> reach_; // squared
+  std::vector<Vertex> image_;
+  std::map<Vertex, Triangle> faces_;
+  std::set<Edge> refused_;
+};
+
+} // namespace test
+
+#endif // QUADRILLE_TEST_REFERENCE_H

@@ -1,0 +1,231 @@
+#include <quadrille/distance.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Triangle = Kernel::Triangle_3;
+using Points = std::vector<Point>;
+using Triangles = std::vector<std::array<int, 3>>;
+
+// The unit square in the plane z = height, as two triangles.
+Points square(double height) {
+  return {{0, 0, height}, {1, 0, height}, {1, 1, height}, {0, 1, height}};
+}
+const Triangles two_triangles{{0, 1, 2}, {0, 2, 3}};
+
+// A floor, and on one of its edges a wall of the same shape:
+//
+//        3
+//        |\        the wall 0 1 3 is perpendicular to the floor 0 1 2
+//        | \       .
+//        0--1
+//       /  .
+//      2
+const Points corner{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const Triangles floor_only{{0, 1, 2}};
+const Triangles floor_and_wall{{0, 1, 2}, {0, 1, 3}};
+
+template <class Mesh>
+Mesh tetrahedron(double size) {
+  using P = typename boost::property_traits<
+      typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
+  using FT = typename CGAL::Kernel_traits<P>::Kernel::FT;
+  const FT s = static_cast<FT>(size), o = 0;
+  Mesh mesh;
+  CGAL::make_tetrahedron(P(o, o, o), P(s, o, o), P(o, s, o), P(o, o, s), mesh);
+  return mesh;
+}
+
+Points moved(Points points, double scale, double offset) {
+  for (Point& p : points)
+    p = Point(scale * p.x() + offset, scale * p.y() + offset, scale * p.z() + offset);
+  return points;
+}
+
+} // namespace
+
+TEST_CASE("Parallel squares are as far apart everywhere as their planes") {
+  const auto d = quadrille::surface_distance(square(0), two_triangles, square(0.25), two_triangles);
+  for (double figure :
+       {d.rms, d.rms_a_to_b, d.rms_b_to_a, d.hausdorff, d.hausdorff_a_to_b, d.hausdorff_b_to_a})
+    CHECK(figure == Approx(0.25));
+}
+
+TEST_CASE("What only one surface has counts in its own direction only") {
+  const auto d = quadrille::surface_distance(corner, floor_only, corner, floor_and_wall);
+  CHECK(d.rms_a_to_b == 0);
+  CHECK(d.hausdorff_a_to_b == 0);
+  CHECK(d.hausdorff_b_to_a == 1); // vertex 3, which no sample needs to hit
+  // z² has a mean of 1/6 over the wall, and the wall is half of the surface.
+  CHECK(d.rms_b_to_a == Approx(std::sqrt(1.0 / 12)).epsilon(0.005));
+  CHECK(d.rms == Approx(d.rms_b_to_a / std::sqrt(2.0)));
+  CHECK(d.hausdorff == 1);
+}
+
+TEST_CASE("A surface is at no distance from itself") {
+  const auto d = quadrille::surface_distance(corner, floor_and_wall, corner, floor_and_wall);
+  CHECK(d.hausdorff == Approx(0).margin(1e-15));
+}
+
+TEST_CASE("A wall on a wall may be non-manifold") {
+  const Triangles three_at_an_edge{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
+  Points points = corner;
+  points.push_back({0, 0, -2});
+  const auto d = quadrille::surface_distance(corner, floor_and_wall, points, three_at_an_edge);
+  CHECK(d.hausdorff_a_to_b == Approx(0).margin(1e-15));
+  CHECK(d.hausdorff_b_to_a == 2);
+}
+
+TEST_CASE("Points that no triangle uses do not count") {
+  Points with_stray = corner;
+  with_stray.push_back({100, 100, 100});
+  const auto d = quadrille::surface_distance(with_stray, floor_only, corner, floor_only);
+  CHECK(d.hausdorff == Approx(0).margin(1e-15));
+}
+
+TEST_CASE("Equal seeds give equal figures, others nearly so") {
+  using Sampling = quadrille::DistanceSampling;
+  const auto rms = [](const Sampling& sampling) {
+    return quadrille::surface_distance(corner, floor_only, corner, floor_and_wall, sampling).rms;
+  };
+  CHECK(rms({.samples = 1000, .seed = 1}) == rms({.samples = 1000, .seed = 1}));
+  CHECK(rms({.samples = 1000, .seed = 1}) != rms({.samples = 1000, .seed = 2}));
+  CHECK(rms({.samples = 1000, .seed = 1}) ==
+        Approx(rms({.samples = 1000, .seed = 2})).epsilon(0.1));
+}
+
+TEST_CASE("Distances follow the unit and do not depend on the place") {
+  const auto at = [](double scale, double offset) {
+    return quadrille::surface_distance(moved(square(0), scale, offset), two_triangles,
+                                       moved(square(0.25), scale, offset), two_triangles);
+  };
+  CHECK(at(1e-9, 0).rms == Approx(0.25e-9));
+  CHECK(at(1e9, 0).rms == Approx(0.25e9));
+  CHECK(at(1, 1e7).rms == Approx(0.25));
+  const Points slope{{0, 0, 0}, {1, 0, 0.375}, {0, 1, -0.625}};
+  const Points far_away = moved(slope, 1, 1e7); // where the step between doubles is 2e-9
+  const auto d = quadrille::surface_distance(far_away, floor_only, far_away, floor_only);
+  CHECK(d.hausdorff == Approx(0).margin(1e-15));
+}
+
+TEMPLATE_TEST_CASE("Any mesh type and kernel will do", "",
+                   CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>,
+                   CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>,
+                   CGAL::Polyhedron_3<CGAL::Simple_cartesian<float>>,
+                   CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>) {
+  const auto mesh = tetrahedron<TestType>(1);
+  const auto larger = tetrahedron<CGAL::Surface_mesh<Point>>(2);
+  CHECK(quadrille::bounding_box_diagonal(mesh) == Approx(std::sqrt(3.0)));
+  CHECK(quadrille::surface_distance(mesh, mesh).hausdorff == Approx(0).margin(1e-15));
+  // The farthest are the new corners, 1 away from the old ones.
+  CHECK(quadrille::surface_distance(mesh, larger).hausdorff_b_to_a == Approx(1));
+  CHECK(quadrille::bounded_hausdorff(mesh, larger, 1e-3) == Approx(1).margin(1e-3));
+}
+
+TEST_CASE("The bounded distance finds what lies between vertices") {
+  // The floor of a tent lies half of the tent's height below its middle: between the vertices of
+  // either surface. Nearest to the centre of the square are the slopes, which fall by 1 on 1/2.
+  //
+  //      /\   1      distance from the centre c of the floor to a slope:
+  //     /  \         1/2 · sin(atan(2)) = 1/sqrt(5)
+  //    /_c__\ 0
+  const Points tent_points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+  using Mesh = CGAL::Surface_mesh<Point>;
+  Mesh tent, floor;
+  std::vector<Mesh::Vertex_index> t, f;
+  for (const Point& p : tent_points)
+    t.push_back(tent.add_vertex(p));
+  for (std::size_t i = 0; i < 4; ++i) {
+    tent.add_face(t[i], t[(i + 1) % 4], t[4]);
+    f.push_back(floor.add_vertex(tent_points[i]));
+  }
+  floor.add_face(f[0], f[1], f[2]);
+  floor.add_face(f[0], f[2], f[3]);
+  const auto sampled = quadrille::surface_distance(floor, tent);
+  CHECK(sampled.hausdorff_a_to_b == Approx(1 / std::sqrt(5.0)).epsilon(0.01));
+  CHECK(sampled.hausdorff_a_to_b <= 1 / std::sqrt(5.0));
+  CHECK(sampled.hausdorff_b_to_a == 1);
+  CHECK(quadrille::bounded_hausdorff(floor, tent, 1e-4) == Approx(1).margin(1e-4));
+}
+
+TEST_CASE("Needles, points and the empty have a nearest point or say so") {
+  SECTION("a triangle that is a segment") {
+    const Triangles needle{{0, 1, 2}};
+    const Points on_a_line{{0, 0, 0}, {1, 0, 0}, {0.25, 0, 0}};
+    const auto d = quadrille::surface_distance(square(0), two_triangles, on_a_line, needle);
+    CHECK(d.hausdorff_a_to_b == 1);
+    CHECK(d.rms_a_to_b == Approx(std::sqrt(1.0 / 3)).epsilon(0.005)); // the mean of y²
+    CHECK(d.rms_b_to_a == Approx(0).margin(1e-15));
+  }
+  SECTION("a triangle that is a point") {
+    const Triangles point{{0, 0, 0}};
+    const auto d = quadrille::surface_distance(square(0), two_triangles, corner, point);
+    CHECK(d.hausdorff_a_to_b == Approx(std::sqrt(2.0)));
+  }
+  SECTION("no triangle") {
+    CHECK_THROWS_AS(quadrille::surface_distance(corner, Triangles{}, corner, floor_only),
+                    std::invalid_argument);
+    const CGAL::Surface_mesh<Point> empty;
+    CHECK_THROWS_AS(quadrille::surface_distance(empty, empty), std::invalid_argument);
+    CHECK_THROWS_AS(quadrille::bounded_hausdorff(empty, empty, 1), std::invalid_argument);
+    CHECK(quadrille::bounding_box_diagonal(empty) == 0);
+  }
+}
+
+TEST_CASE("What cannot be measured is refused") {
+  const auto measure = [](const Points& points, const auto& triangles) {
+    return quadrille::surface_distance(points, triangles, corner, floor_only);
+  };
+  CHECK_THROWS_AS(measure(corner, Triangles{{0, 1, 4}}), std::out_of_range);
+  CHECK_THROWS_AS(measure(corner, Triangles{{0, 1, -1}}), std::out_of_range);
+  const std::vector<std::vector<int>> quad{{0, 1, 2, 3}};
+  CHECK_THROWS_AS(measure(corner, quad), std::invalid_argument);
+  Points not_a_number = corner;
+  not_a_number[1] = Point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  CHECK_THROWS_AS(measure(not_a_number, floor_only), std::invalid_argument);
+  const auto mesh = tetrahedron<CGAL::Surface_mesh<Point>>(1);
+  CHECK_THROWS_AS(quadrille::bounded_hausdorff(mesh, mesh, 0), std::invalid_argument);
+}
+
+TEST_CASE("The nearest point of a triangle is in it and as near as any") {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto random_point = [&](double flatness) {
+    return Point(coordinate(generator), flatness * coordinate(generator),
+                 flatness * coordinate(generator));
+  };
+  for (double flatness : {1.0, 1e-3, 1e-9, 1e-17, 0.0}) // down to needles and segments
+    for (int i = 0; i < 200; ++i) {
+      const Triangle t(random_point(flatness), random_point(flatness), random_point(flatness));
+      const Point query = random_point(1);
+      const Point nearest = quadrille::internal::nearest_on_triangle(t, query);
+      const double distance = std::sqrt(CGAL::squared_distance(query, nearest));
+      const int n = 20;
+      double in_triangle = std::numeric_limits<double>::infinity();
+      for (int j = 0; j <= n; ++j)
+        for (int k = 0; j + k <= n; ++k) {
+          const Point p = CGAL::barycenter(t[0], double(j) / n, t[1], double(k) / n, t[2],
+                                           double(n - j - k) / n);
+          in_triangle = std::min(in_triangle, std::sqrt(CGAL::squared_distance(query, p)));
+        }
+      CAPTURE(flatness, i);
+      CHECK(distance <= in_triangle + 1e-15);
+      CHECK(distance >= in_triangle - 0.15); // the spacing of the grid
+      CHECK(quadrille::internal::nearest_on_triangle(t, nearest).x() ==
+            Approx(nearest.x()).margin(1e-12));
+    }
+}

@@ -1,0 +1,768 @@
+// Reading and writing of meshes in examples/mesh_io.h: small files, most of them broken, written
+// here into a folder of their own.
+
+#include "../examples/mesh_io.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace quadrille_examples;
+
+namespace {
+
+/// A folder for the files of one test, removed with it.
+class Folder {
+public:
+  Folder()
+      : path_(fs::temp_directory_path() / ("mesh_io_" + std::to_string(std::random_device{}()))) {
+    fs::create_directory(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+
+  fs::path path(const std::string& name) const { return path_ / name; }
+
+  fs::path file(const std::string& name, const std::string& content) const {
+    std::ofstream(path(name), std::ios::binary) << content;
+    return path(name);
+  }
+
+  std::size_t size() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), {}));
+  }
+
+private:
+  fs::path path_;
+};
+
+IndexedMesh read(const std::string& name, const std::string& content,
+                 Weld weld = Weld::loose_faces) {
+  const Folder folder;
+  return read_mesh(folder.file(name, content), weld);
+}
+
+/// What reading the file complains about, without the folder; "accepted" if it does not.
+std::string complaint(const std::string& name, const std::string& content) {
+  const Folder folder;
+  const fs::path path = folder.file(name, content);
+  try {
+    read_mesh(path);
+  } catch (const std::runtime_error& error) {
+    const std::string folder_name = path.parent_path().string() + "/";
+    const std::string message = error.what();
+    return message.starts_with(folder_name) ? message.substr(folder_name.size()) : message;
+  }
+  return "accepted";
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+template <class Value>
+std::string bytes(Value value, std::endian order = std::endian::little) {
+  std::string result;
+  append_little_endian(result, value);
+  return order == std::endian::little ? result : std::string(result.rbegin(), result.rend());
+}
+
+double area(const IndexedMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    sum += std::sqrt(CGAL::squared_area(mesh.points[a], mesh.points[b], mesh.points[c]));
+  return sum;
+}
+
+using Triangle = std::array<std::uint32_t, 3>;
+const std::vector<Triangle> one_triangle = {{0, 1, 2}};
+const std::vector<Point> its_points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+const std::string off_triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string obj_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string stl_triangle =
+    "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+    "vertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+const std::string ts_triangle = "GOCAD TSurf 1\nHEADER {\nname:a\n}\nTFACE\nVRTX 1 0 0 0\n"
+                                "VRTX 2 1 0 0\nPVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n";
+
+/// The vertices are items "vertex" of x y z and the faces a list of ints, unless told otherwise.
+std::string ply(const std::string& format, const std::string& body,
+                const std::string& index = "int", const std::string& count = "uchar",
+                const std::string& more = "") {
+  return "ply\nformat " + format + " 1.0\nelement vertex 3\nproperty float x\nproperty float y\n" +
+         "property float z\n" + more + "element face 1\nproperty list " + count + " " + index +
+         " vertex_indices\nend_header\n" + body;
+}
+
+std::string float_points(std::endian order = std::endian::little) {
+  std::string result;
+  for (const float coordinate : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
+    result += bytes(coordinate, order);
+  return result;
+}
+
+const std::string text_points = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string ply_triangle = ply("ascii", text_points + "3 0 1 2\n");
+
+} // namespace
+
+TEST_CASE("A triangle is the same in every format", "[mesh_io]") {
+  const auto [name, content] = GENERATE(table<std::string, std::string>(
+      {{"a.off", off_triangle},
+       {"a.obj", obj_triangle},
+       {"a.stl", stl_triangle},
+       {"a.ts", ts_triangle},
+       {"a.ply", ply_triangle},
+       {"A.OFF", off_triangle},
+       {"binary.ply", ply("binary_little_endian", float_points() + bytes(std::uint8_t{3}) +
+                                                      bytes(0) + bytes(1) + bytes(2))}}));
+  CAPTURE(name);
+  const IndexedMesh mesh = read(name, content);
+  CHECK(mesh.points == its_points);
+  CHECK(mesh.triangles == one_triangle);
+  CHECK(mesh.colors.empty());
+  CHECK(mesh.texture_coordinates.empty());
+  CHECK(mesh.remarks.empty());
+}
+
+TEST_CASE("Lines may end in CR LF, in CR, or with the file", "[mesh_io]") {
+  for (const std::string newline : {"\n", "\r\n", "\r"}) {
+    std::string content;
+    for (const char c : off_triangle)
+      content += c == '\n' ? newline : std::string(1, c);
+    CHECK(read("a.off", content).triangles == one_triangle);
+    CHECK(complaint("a.off", content + "x") ==
+          "a.off:7: the file goes on after the last of 1 faces");
+    content.resize(content.size() - newline.size());
+    CHECK(read("a.off", content).triangles == one_triangle);
+  }
+}
+
+TEST_CASE("Files that are missing, empty or of no known format are refused", "[mesh_io]") {
+  CHECK(complaint("a.off", "") == "a.off: the file is empty");
+  CHECK(complaint("a.obj", "") == "a.obj: the file is empty");
+  CHECK(complaint("a.stl", "") == "a.stl: the file is empty");
+  CHECK(complaint("a.txt", "x") ==
+        "a.txt: the extension '.txt' is none of .off .obj .ply .stl .ts");
+  CHECK(complaint("off", "x") == "off: the extension '' is none of .off .obj .ply .stl .ts");
+  const Folder folder;
+  CHECK_THROWS_WITH(read_mesh(folder.path("a.off")), Catch::EndsWith("a.off: no such file"));
+  fs::create_directory(folder.path("b.off"));
+  CHECK_THROWS_WITH(read_mesh(folder.path("b.off")), Catch::EndsWith("b.off: not a regular file"));
+}
+
+TEST_CASE("Broken OFF files are refused with their place", "[mesh_io]") {
+  const auto [content, message] = GENERATE(table<std::string, std::string>({
+      {"# nothing\n\n", "a.off:2: not an OFF file: it holds comments only"},
+      {"PLY\n", "a.off:1: not an OFF file of three dimensions: it starts with 'PLY'"},
+      {"nOFF\n4\n", "a.off:1: not an OFF file of three dimensions: it starts with 'nOFF'"},
+      {"OFF BINARY\n", "a.off:1: binary OFF is not supported"},
+      {"OFF\n\0", "a.off:1: the file ends where the counts are expected"},
+      {"OFF\n3\n", "a.off:2: the line ends before the next face count"},
+      {"OFF\n3 x 0\n", "a.off:2: face count 'x' is not an integer"},
+      {"OFF\n-3 1 0\n", "a.off:2: vertex count -3 is negative"},
+      {"OFF\n3 -1 0\n", "a.off:2: face count -1 is negative"},
+      {"OFF\n99999999999 1 0\n0 0 0\n", "a.off:2: 99999999999 vertices do not fit into the file"},
+      {"OFF\n99999999999999999999 1 0\n",
+       "a.off:2: vertex count '99999999999999999999' is not an integer"},
+      {"OFF\n1 4000000000 0\n0 0 0\n", "a.off:2: 4000000000 faces do not fit into the file"},
+      {"OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+       "a.off:3: the line ends before the next coordinate"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n",
+       "a.off:4: coordinate 'zero' is not a number"},
+      {"OFF\n3 1 0\n0 0 0\n1 0,5 0\n0 1 0\n3 0 1 2\n", "a.off:4: coordinate '0,5' is not a number"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n\n",
+       "a.off:5: the file ends where vertex 2 of 3 is expected, counted from 0"},
+      {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+       "a.off:6: the file ends where face 1 of 2 is expected, counted from 0"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n",
+       "a.off:6: the line ends before the next vertex index"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+       "a.off:6: vertex index 3 is out of range: there are 3"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n",
+       "a.off:6: vertex index -1 is out of range: there are 3"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n",
+       "a.off:6: vertex index '1.5' is not an integer"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n",
+       "a.off:6: the line ends before the next vertex index"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "a.off:6: corner count -3 is negative"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n",
+       "a.off:7: the file goes on after the last of 1 faces"},
+      {"OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
+       "a.off: vertex 1, counted from 0, is not finite"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1e999 0\n3 0 1 2\n",
+       "a.off: vertex 2, counted from 0, is not finite"},
+      {"4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n",
+       "a.off: vertex 1, counted from 0, is not finite"},
+      {"NOFF\n1 0 0\n0 0 0 0 0\n", "a.off:3: the line ends before the next normal"},
+      {"COFF\n1 0 0\n0 0 0 255 255\n", "a.off:3: the line ends before the next colour"},
+      {"STOFF\n1 0 0\n0 0 0 0.5\n", "a.off:3: the line ends before the next texture coordinate"},
+  }));
+  CAPTURE(content);
+  CHECK(complaint("a.off", content) == message);
+}
+
+TEST_CASE("What a message quotes is short and printable", "[mesh_io]") {
+  CHECK(
+      complaint("a.off", "\1\x7F\xFF" + std::string(1000, 'x')) ==
+      "a.off:1: not an OFF file of three dimensions: it starts with '???xxxxxxxxxxxxxxxxxxxxx...'");
+}
+
+TEST_CASE("OFF files come in variants", "[mesh_io]") {
+  CHECK(read("a.off", "3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").points == its_points);
+  CHECK(read("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").points == its_points);
+  CHECK(
+      read("a.off", "#c\nOFF # c\n\n3 1 0 # c\n0 0 0#c\n#\n+1 0 0\n0 1e0 0 \n3 0 1 2\n#").points ==
+      its_points);
+  CHECK(read("a.off", "\xEF\xBB\xBF" + off_triangle).points == its_points);
+  CHECK(read("a.off", "4OFF 3 1 0\n0 0 0 1\n2 0 0 2\n0 .5 0 .5\n3 0 1 2").points == its_points);
+  CHECK(read("a.off", "NOFF 3 1 0\n0 0 0 7 7 7\n1 0 0 7 7 7\n0 1 0 7 7 7\n3 0 1 2").points ==
+        its_points);
+  CHECK(read("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n").triangles ==
+        one_triangle);
+  CHECK(read("a.off", "OFF 0 0 0").points.empty());
+}
+
+TEST_CASE("Broken OBJ files are refused with their place", "[mesh_io]") {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto [rest, message] = GENERATE(table<std::string, std::string>({
+      {"f 1 2 0\n", "a.obj:4: vertex index 0 is out of range: there are 3"},
+      {"f 1 2 4\n", "a.obj:4: vertex index 4 is out of range: there are 3"},
+      {"f 1 2 9999999999\n", "a.obj:4: vertex index 9999999999 is out of range: there are 3"},
+      {"f -1 -2 -4\n", "a.obj:4: vertex index -4 is out of range: there are 3"},
+      {"f 1 2 99\nv 1 1 1\n", "a.obj:4: vertex index 99 is out of range: there are 4"},
+      {"f 1 2 2.5\n", "a.obj:4: vertex index '2.5' is not an integer"},
+      {"f a b c\n", "a.obj:4: vertex index 'a' is not an integer"},
+      {"f 1 2 /3\n", "a.obj:4: vertex index '' is not an integer"},
+      {"f 1/1 2 3\n", "a.obj:4: texture coordinate index 1 is out of range: there are 0"},
+      {"vt 0 0\nf 1/1 2/1 3/-2\n",
+       "a.obj:5: texture coordinate index -2 is out of range: there are 1"},
+      {"f 1//1 2 3\n", "a.obj:4: normal index 1 is out of range: there are 0"},
+      {"f 1/1/1/1 2 3\n", "a.obj:4: face corner '1/1/1/1' has more than three parts"},
+      {"v 1 2\n", "a.obj:4: the line ends before the next coordinate"},
+      {"v 1 2 x\n", "a.obj:4: coordinate 'x' is not a number"},
+      {"v 1 2 3 red green blue\n", "a.obj:4: colour 'red' is not a number"},
+      {"vt\n", "a.obj:4: the line ends before the next texture coordinate"},
+      {"v 0 0 inf\nf 1 2 4\n", "a.obj: vertex 3, counted from 0, is not finite"},
+      {std::string("\0", 1), "a.obj: not a text file"},
+  }));
+  CAPTURE(rest);
+  CHECK(complaint("a.obj", points + rest) == message);
+}
+
+TEST_CASE("OBJ files come in variants", "[mesh_io]") {
+  CHECK(read("a.obj", "# nothing").triangles.empty());
+  CHECK(read("a.obj", "f 1 2 3\nv 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\n").points == its_points);
+  CHECK(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nl 1 2\ng x\nusemtl y\ncurv 0 1\n")
+            .triangles == one_triangle);
+  CHECK(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2\\\n\\\n 3").triangles == one_triangle);
+  CHECK(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\\").triangles == one_triangle);
+}
+
+TEST_CASE("A vertex on a texture seam stays one vertex and keeps its first coordinate",
+          "[mesh_io]") {
+  // 4---3   the seam runs along 1-3: each of its ends has a texture coordinate for both sides
+  // | / |
+  // 1---2
+  const IndexedMesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt .5 0\nvt .5 1\nvt .6\nvt .9 1\n"
+                    "f 1/1 2/2 3/3\nf 1/4 3/5 4/5\n");
+  CHECK(mesh.points.size() == 4);
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {.5, 1}, {.9, 1}});
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{
+            "vertices on texture seams, which keep one of their texture coordinates: 2"});
+}
+
+TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 3\nproperty list uchar float texcoord\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const IndexedMesh mesh = read("a.ply", header + "0 3 2 1 3\n6 0 0 .5 0 0 .5 3 0 1 2\n"
+                                                  "6 .5 0 1 1 0 .9 3 1 3 2\n");
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {0, .5}, {1, 1}});
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{
+            "vertices on texture seams, which keep one of their texture coordinates: 1"});
+  CHECK(
+      read("a.ply", header + "0 3 2 1 3\n0 3 0 1 2\n2 1 1 3 1 3 2\n").texture_coordinates.empty());
+}
+
+TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
+  const std::string start = "ply\nformat ascii 1.0\n";
+  const auto [content, message] = GENERATE_COPY(table<std::string, std::string>({
+      {"pla\n", "a.ply:1: not a PLY file: its first line is not 'ply'"},
+      {"ply\nelement vertex 3\n", "a.ply:2: the line that names the format is missing"},
+      {"ply\nformat ebcdic 1.0\n", "a.ply:2: unknown format 'ebcdic'"},
+      {start, "a.ply:2: the file ends inside the header"},
+      {start + "elephant vertex 3\n", "a.ply:3: unknown keyword 'elephant' in the header"},
+      {start + "element vertex\n", "a.ply:3: the line ends before the next element count"},
+      {start + "element vertex -3\n", "a.ply:3: element count -3 is negative"},
+      {start + "element vertex 3\nelement vertex 3\n",
+       "a.ply:4: element 'vertex' is declared twice"},
+      {start + "property float x\n", "a.ply:3: a property without an element"},
+      {start + "element vertex 3\nproperty quad x\n", "a.ply:4: unknown type 'quad'"},
+      {start + "element vertex 3\nproperty float\n", "a.ply:4: a property without a name"},
+      {start + "element vertex 3\nproperty list float int x\n",
+       "a.ply:4: the count of a list is no integer type"},
+      {start + "element vertex 3\nproperty float x\nproperty float x\n",
+       "a.ply:5: property 'x' is declared twice"},
+      {start + "end_header\n", "a.ply: the header declares no element 'vertex'"},
+      {start + "element vertex 1\nproperty float x\nend_header\n0\n",
+       "a.ply: the vertices have no x, y and z"},
+      {start + "element vertex 4000000000\nproperty float x\nend_header\n0\n",
+       "a.ply: the file is too short for 4000000000 items of element 'vertex'"},
+      {start + "element vertex 5000000000\nproperty float x\nend_header\n0\n",
+       "a.ply: 5000000000 vertices do not fit 32-bit indices"},
+      {start + "element vertex 0\nelement face 1\nproperty list uchar float vertex_indices\n"
+               "end_header\n0\n",
+       "a.ply: element 'face' has no list of integers 'vertex_indices'"},
+      {start + "element vertex 0\nelement face 1\nproperty int vertex_indices\nend_header\n0\n",
+       "a.ply: element 'face' has no list of integers 'vertex_indices'"},
+  }));
+  CAPTURE(content);
+  CHECK(complaint("a.ply", content) == message);
+}
+
+TEST_CASE("A PLY header of endless names is refused", "[mesh_io]") {
+  std::string elements = "ply\nformat ascii 1.0\n", properties = elements + "element vertex 0\n";
+  for (int i = 0; i < 1001; ++i) {
+    elements += "element e" + std::to_string(i) + " 0\n";
+    properties += "property float p" + std::to_string(i) + "\n";
+  }
+  CHECK(complaint("a.ply", elements) == "a.ply:1003: more than 1000 elements");
+  CHECK(complaint("a.ply", properties) == "a.ply:1004: more than 1000 properties");
+}
+
+TEST_CASE("Broken text PLY files are refused with their place", "[mesh_io]") {
+  const auto [body, message] = GENERATE(table<std::string, std::string>({
+      {"0 0 0\n1 0 0\n0 1\n3 0 1 2\n", "a.ply:12: the line ends before the next value"},
+      {"0 0 0\n1 0 0\n0 1 0 0\n3 0 1 2\n",
+       "a.ply:12: the line has more values than the header declares"},
+      {"0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n", "a.ply:12: value 'x' is not a number"},
+      {"0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n", "a.ply: vertex 2, counted from 0, is not finite"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "a.ply:13: the line ends before the next value"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.ply:13: vertex index 3 is out of range: there are 3"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "a.ply:13: vertex index -1 is out of range: there are 3"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", "a.ply:13: value '1.5' is not an integer"},
+      {"0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "a.ply:13: a list of -3 values"},
+      {"0 0 0\n1 0 0\n0 1 0\n3000000000 0 1 2\n", "a.ply:13: the line ends before the next value"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n",
+       "a.ply:14: the file goes on after the last element"},
+      {"0 0 0\n1 0 0\n0 1 0\n\n",
+       "a.ply:13: the file ends where face 0 of 1 is expected, counted from 0"},
+      {"0 0 0\n1 0 0\n\n", "a.ply: the file is too short for 3 items of element 'vertex'"},
+      {"0 0 0\n1 0 0\n             \n\n",
+       "a.ply:13: the file ends where vertex 2 of 3 is expected, counted from 0"},
+  }));
+  CAPTURE(body);
+  CHECK(complaint("a.ply", ply("ascii", body)) == message);
+}
+
+TEST_CASE("Broken binary PLY files are refused with their place", "[mesh_io]") {
+  const std::string face = bytes(std::uint8_t{3}) + bytes(0) + bytes(1) + bytes(2);
+  const auto check = [](const std::string& body, const std::string& message,
+                        const std::string& index = "int", const std::string& count = "uchar") {
+    CHECK(complaint("a.ply", ply("binary_little_endian", body, index, count)) ==
+          "a.ply: " + message);
+  };
+  check(float_points().substr(1), "the file is too short for 3 items of element 'vertex'");
+  check(float_points(), "the file is too short for 1 items of element 'face'");
+  for (std::size_t cut = 1; cut < face.size(); ++cut)
+    check(float_points() + face.substr(0, cut),
+          "the file ends where face 0 of 1 is expected, counted from 0");
+  check(float_points() + face + "x", "the file goes on after the last element");
+  check(float_points() + bytes(std::uint8_t{3}) + bytes(0) + bytes(1) + bytes(-1),
+        "face 0: vertex index -1 is out of range: there are 3");
+  check(float_points() + bytes(std::uint8_t{3}) + bytes(0) + bytes(1) + bytes(~0U),
+        "face 0: vertex index 4294967295 is out of range: there are 3", "uint");
+  check(float_points() + bytes(-3) + bytes(0) + bytes(1) + bytes(2), "face 0: a list of -3 values",
+        "int", "int");
+  check(float_points() + bytes(~0U) + bytes(0) + bytes(1) + bytes(2),
+        "the file ends where face 0 of 1 is expected, counted from 0", "int", "uint");
+  const std::string nan = bytes(std::nanf(""));
+  check(float_points().replace(12, 4, nan) + face, "vertex 1, counted from 0, is not finite");
+}
+
+TEST_CASE("PLY files come in every type and byte order", "[mesh_io]") {
+  const std::endian big = std::endian::big;
+  CHECK(read("a.ply", ply("binary_big_endian", float_points(big) + bytes(std::uint8_t{3}) +
+                                                   bytes(0, big) + bytes(1, big) + bytes(2, big)))
+            .points == its_points);
+  const auto triangle_of = [](auto zero, const std::string& type) {
+    using Index = decltype(zero);
+    const std::string face = bytes(Index{3}) + bytes(Index{0}) + bytes(Index{1}) + bytes(Index{2});
+    return read("a.ply", ply("binary_little_endian", float_points() + face, type, type)).triangles;
+  };
+  CHECK(triangle_of(std::int8_t{}, "char") == one_triangle);
+  CHECK(triangle_of(std::uint8_t{}, "uint8") == one_triangle);
+  CHECK(triangle_of(std::int16_t{}, "int16") == one_triangle);
+  CHECK(triangle_of(std::uint16_t{}, "ushort") == one_triangle);
+  CHECK(triangle_of(std::int32_t{}, "int32") == one_triangle);
+  CHECK(triangle_of(std::uint32_t{}, "uint") == one_triangle);
+}
+
+TEST_CASE("PLY elements and properties may come in any order, with others between", "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\ncomment c\nobj_info o\nelement nothing 4000000000\nelement face 1\n"
+      "property uchar flags\nproperty list uchar int vertex_index\nelement camera 1\n"
+      "property list uint float w\nelement vertex 3\nproperty double z\nproperty list uchar int l\n"
+      "property double y\nproperty double x\nend_header\n";
+  const IndexedMesh mesh =
+      read("a.ply", header + "9 3 0 1 2\n2 7 7\n0 0 0 0\n0 2 7 7 0 1\n0 0 1 0\n");
+  CHECK(mesh.points == its_points);
+  CHECK(mesh.triangles == one_triangle);
+}
+
+TEST_CASE("A PLY file may hold triangle strips", "[mesh_io]") {
+  // 1---3   5     every second triangle of a strip is turned over
+  // | \ |  / \    .
+  // 0---2  4-6
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\n"
+      "property list int int vertex_indices\nend_header\n";
+  const IndexedMesh mesh =
+      read("a.ply", header + "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n3 1 0\n3 0 0\n"
+                             "9 0 1 2 3 3 -1 4 5 6\n");
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}});
+}
+
+TEST_CASE("Colours are read in the units of each format", "[mesh_io]") {
+  using CGAL::IO::Color;
+  const std::vector<Color> expected = {{255, 0, 0}, {0, 255, 0, 128}, {51, 102, 153}};
+  const auto ply_colors = [](const std::string& type, const std::string& body) {
+    return read("a.ply", ply("ascii", body, "int", "uchar",
+                             "property " + type + " red\nproperty " + type + " green\nproperty " +
+                                 type + " blue\nproperty " + type + " alpha\n"))
+        .colors;
+  };
+  CHECK(
+      ply_colors("uchar", "0 0 0 255 0 0 255\n1 0 0 0 255 0 128\n0 1 0 51 102 153 255\n3 0 1 2") ==
+      expected);
+  CHECK(ply_colors("float", "0 0 0 1 0 0 1\n1 0 0 0 1 0 .5\n0 1 0 .2 .4 .6 1\n3 0 1 2") ==
+        expected);
+  CHECK(
+      ply_colors("float", "0 0 0 255 0 0 255\n1 0 0 0 255 0 128\n0 1 0 51 102 153 255\n3 0 1 2") ==
+      expected);
+  CHECK(ply_colors("ushort", "0 0 0 65535 0 0 65535\n1 0 0 0 65535 0 32896\n"
+                             "0 1 0 13107 26214 39321 65535\n3 0 1 2") == expected);
+  CHECK(read("a.off", "COFF 3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0 128\n0 1 0 51 102 153\n3 0 1 2")
+            .colors == expected);
+  CHECK(read("a.off", "COFF 3 1 0\n0 0 0 1 0 0\n1 0 0 0 1 0 0.5\n0 1 0 .2 .4 .6\n3 0 1 2").colors ==
+        expected);
+  CHECK(read("a.obj", "v 0 0 0\nv 1 0 0 0 1 0\nv 0 1 0 .2 .4 .6\nf 1 2 3").colors ==
+        std::vector<Color>{{255, 255, 255}, {0, 255, 0}, {51, 102, 153}});
+}
+
+TEST_CASE("Colours and texture coordinates that are no numbers are taken as 0", "[mesh_io]") {
+  const IndexedMesh mesh =
+      read("a.off", "STCOFF 3 1 0\n0 0 0 nan 0 inf 1 nan 1\n1 0 0 0.5 -1 0 1 1 1\n"
+                    "0 1 0 0 0 0 1 1 -inf\n3 0 1 2");
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{0, 0, 255}, {128, 0, 0}, {0, 0, 0}});
+  CHECK(mesh.texture_coordinates == std::vector<std::array<double, 2>>{{0, 0}, {1, 1}, {0, 0}});
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{"colour values that are not numbers, taken as 0: 1",
+                                 "texture coordinates that are not finite, taken as 0: 2"});
+}
+
+TEST_CASE("OFF colours before texture coordinates may do without opacity", "[mesh_io]") {
+  const IndexedMesh mesh = read(
+      "a.off", "STCOFF 3 1 0\n0 0 0 1 2 3 .1 .2\n1 0 0 1 2 3 4 .1 .2\n0 1 0 1 2 3 .1 .2\n3 0 1 2");
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3}});
+  CHECK(mesh.texture_coordinates ==
+        std::vector<std::array<double, 2>>{{.1, .2}, {.1, .2}, {.1, .2}});
+}
+
+TEST_CASE("Broken STL files are refused with their place", "[mesh_io]") {
+  CHECK(complaint("a.stl", "triangle") ==
+        "a.stl: neither a text STL file, nor long enough for a binary one");
+  const auto [text, message] = GENERATE(table<std::string, std::string>({
+      {"solid\n", "a.stl:1: the file ends before 'endsolid'"},
+      {"solid\nfacet\nvertex 0 0 0\nendfacet\n", "a.stl:4: a facet of 1 vertices"},
+      {"solid\nfacet\nvertex 0 0\n", "a.stl:3: the line ends before the next coordinate"},
+      {"solid\nfacet\nvertex 0 0 x\n", "a.stl:3: coordinate 'x' is not a number"},
+      {"solid\nvertex 0 0 0\n", "a.stl:2: a vertex outside of a facet"},
+      {"solid\nfacet\nfacet\n", "a.stl:3: 'facet' is out of place"},
+      {"solid\nfacet\nendsolid\n", "a.stl:3: 'endsolid' is out of place"},
+      {"solid\nendsolid\nfacet\n", "a.stl:3: 'facet' is out of place"},
+      {"solid\nface\n", "a.stl:2: unknown keyword 'face'"},
+  }));
+  CAPTURE(text);
+  CHECK(complaint("a.stl", text) == message);
+}
+
+TEST_CASE("Binary STL files are refused if their size does not fit", "[mesh_io]") {
+  std::string facet = std::string(12, '\0') + float_points() + "  ";
+  const auto file = [&](std::uint32_t count, const std::string& facets) {
+    std::string header = "solid, for all that it is binary";
+    header.resize(80, ' ');
+    return header + bytes(count) + facets;
+  };
+  CHECK(read("a.stl", file(1, facet)).points == its_points);
+  CHECK(read("a.stl", file(1, facet)).triangles == one_triangle);
+  CHECK(read("a.stl", file(0, "")).triangles.empty());
+  CHECK(read("a.stl", file(1, facet + "spare")).remarks ==
+        std::vector<std::string>{"the bytes after the last facet are left out"});
+  CHECK(complaint("a.stl", file(2, facet)) ==
+        "a.stl: the file ends where facet 1 of 2 is expected, counted from 0");
+  CHECK(complaint("a.stl", file(~0U, facet)) ==
+        "a.stl: the file ends where facet 1 of 4294967295 is expected, counted from 0");
+  CHECK(complaint("a.stl", file(1, facet + facet)) ==
+        "a.stl: the file goes on after the last of 1 facets");
+  CHECK(complaint("a.stl", file(1, facet.replace(12, 4, bytes(std::nanf(""))))) ==
+        "a.stl: vertex 0, counted from 0, is not finite");
+}
+
+TEST_CASE("Broken GOCAD files are refused with their place", "[mesh_io]") {
+  const std::string start = "GOCAD TSurf 1\nVRTX 1 0 0 0\n";
+  const auto [content, message] = GENERATE_COPY(table<std::string, std::string>({
+      {"GODOT\n", "a.ts:1: not a GOCAD file: its first word is not 'GOCAD'"},
+      {start, "a.ts:2: the file ends before 'END'"},
+      {start + "VRTX 1 0 0 0\n", "a.ts:3: vertex number 1 is defined twice"},
+      {start + "VRTX 2 0 0\n", "a.ts:3: the line ends before the next coordinate"},
+      {start + "VRTX two 0 0 0\n", "a.ts:3: vertex number 'two' is not an integer"},
+      {start + "TRGL 1 1 4000000000\n", "a.ts:3: vertex number 4000000000 is not defined"},
+      {start + "TRGL 1 1\n", "a.ts:3: the line ends before the next vertex number"},
+      {start + "TFACE\nEND\nGOCAD TSurf 1\nTRGL 1 1 1\n", "a.ts:6: vertex number 1 is not defined"},
+      {start + "END\n", "a.ts:3: 'END' before 'TFACE'"},
+  }));
+  CAPTURE(content);
+  CHECK(complaint("a.ts", content) == message);
+}
+
+TEST_CASE("Vertices that no face uses may be broken", "[mesh_io]") {
+  const IndexedMesh mesh =
+      read("a.off", "OFF 5 1 0\n0 0 nan\n0 0 0\n1 0 0\ninf 0 0\n0 1 0\n3 1 2 4");
+  CHECK(mesh.points == its_points);
+  CHECK(mesh.triangles == one_triangle);
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{"vertices without a face left out for not being finite: 2"});
+}
+
+TEST_CASE("Faces without three different corners are left out", "[mesh_io]") {
+  const IndexedMesh mesh = read(
+      "a.off",
+      "OFF 3 7 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0\n1 0\n2 0 1\n3 0 1 1\n5 0 0 1 2 0\n4 0 1 0 1");
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}});
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{"faces left out for having fewer than three different corners: 4",
+                                 "triangles left out for having two equal corners: 2"});
+}
+
+TEST_CASE("Only loose faces are welded, unless all shall be", "[mesh_io]") {
+  // Two triangles along an edge, each with points of its own.
+  const std::string loose =
+      "OFF 6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n-0. 1 0\n3 0 1 2\n3 3 4 5";
+  const IndexedMesh welded = read("a.off", loose);
+  CHECK(welded.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+  CHECK(welded.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
+  CHECK(welded.remarks ==
+        std::vector<std::string>{"vertices welded to another at the same place: 2"});
+
+  // A third triangle shares the first point: now the file knows of indices, and means what it says.
+  const std::string connected =
+      "OFF 7 3 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 3 4 5\n3 0 6 1";
+  CHECK(read("a.off", connected).points.size() == 7);
+  CHECK(read("a.off", connected, Weld::always).points.size() == 5);
+
+  const IndexedMesh collapsed =
+      read("a.off", "OFF 3 1 0\n0 0 0\n0 0 0\n0 1 0\n3 0 1 2", Weld::always);
+  CHECK(collapsed.triangles.empty());
+}
+
+TEST_CASE("Welded vertices keep the colour of the first", "[mesh_io]") {
+  const IndexedMesh mesh =
+      read("a.off", "COFF 6 2 0\n0 0 0 1 0 0\n1 0 0 2 0 0\n0 1 0 3 0 0\n1 0 0 4 0 0\n"
+                    "1 1 0 5 0 0\n0 1 0 6 0 0\n3 0 1 2\n3 3 4 5");
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}});
+}
+
+TEST_CASE("The first of many vertices at one place is kept", "[mesh_io]") {
+  std::string points, faces;
+  for (int i = 0; i < 150; ++i) // more than a sort leaves in order by chance
+    points += std::to_string(i % 3) + " 0 0 " + std::to_string(i) + " 0 0\n";
+  for (int i = 0; i < 150; i += 3)
+    faces +=
+        "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  const IndexedMesh mesh = read("a.off", "COFF 150 50 0\n" + points + faces);
+  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+}
+
+TEST_CASE("Polygons that are not convex are cut without folds", "[mesh_io]") {
+  // A flat polygon's triangles cover it once exactly if their areas add up to its own.
+  SECTION("a star") {
+    const std::size_t n = 16;
+    std::string text = "OFF 16 1 0\n", face = "16";
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = static_cast<double>(i) * 3.14159265358979 / 8;
+      const double radius = i % 2 == 0 ? 3 : 1;
+      text += std::to_string(radius * std::cos(angle)) + " 0 " +
+              std::to_string(radius * std::sin(angle)) + "\n";
+      face += " " + std::to_string(i);
+    }
+    const IndexedMesh mesh = read("a.off", text + face);
+    CHECK(mesh.triangles.size() == n - 2);
+    CHECK(area(mesh) == Approx(8 * 3 * std::sin(3.14159265358979 / 8)).epsilon(1e-5));
+    CHECK(mesh.remarks.empty());
+  }
+  SECTION("a quadrilateral") { // an arrow head, of which corner 0 is the notch or its opposite
+    for (const std::string face : {"4 0 1 2 3", "4 1 2 3 0", "4 3 2 1 0", "4 2 1 0 3"}) {
+      const IndexedMesh mesh = read("a.off", "OFF 4 1 0\n1 1 0\n0 4 0\n0 0 0\n4 0 0\n" + face);
+      CHECK(area(mesh) == Approx(4));
+    }
+  }
+  SECTION("at extreme sizes and places") {
+    for (const std::string unit : {"1", "1e-310", "1e-200", "1e200"}) {
+      const IndexedMesh mesh =
+          read("a.off", "OFF 6 1 0\n0 0 0\n2" + unit.substr(1) + " 0 0\n2" + unit.substr(1) + " " +
+                            unit + " 0\n" + unit + " " + unit + " 0\n" + unit + " 2" +
+                            unit.substr(1) + " 0\n0 2" + unit.substr(1) + " 0\n6 0 1 2 3 4 5");
+      CHECK(mesh.triangles.size() == 4);
+      CHECK(mesh.remarks.empty());
+    }
+  }
+}
+
+TEST_CASE("The triangles of a polygon face the way it does", "[mesh_io]") {
+  const std::string points = "OFF 5 1 0\n0 0 0\n2 0 0\n2 2 0\n1 .5 0\n0 2 0\n";
+  for (const std::string face : {"5 0 1 2 3 4", "5 4 3 2 1 0"}) {
+    const IndexedMesh mesh = read("a.off", points + face);
+    CHECK(mesh.triangles.size() == 3);
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const double z = CGAL::normal(mesh.points[a], mesh.points[b], mesh.points[c]).z();
+      CHECK((z > 0) == (face == "5 0 1 2 3 4"));
+    }
+  }
+}
+
+TEST_CASE("Polygons that cross themselves or are flat are cut into fans", "[mesh_io]") {
+  const IndexedMesh crossing =
+      read("a.off", "OFF 5 1 0\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n-1 1 0\n5 0 1 2 3 4");
+  CHECK(crossing.triangles.size() == 3);
+  CHECK(crossing.remarks == std::vector<std::string>{
+                                "polygons cut into fans for being flat or crossing themselves: 1"});
+  CHECK(
+      read("a.off", "OFF 5 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 1 2 3 4").triangles.size() ==
+      3);
+}
+
+TEST_CASE("What is written reads back the same", "[mesh_io]") {
+  IndexedMesh mesh;
+  mesh.points = {{0.1, -1e-310, 1. / 3}, {1e150, 0, -0.}, {123456789.123456789, 1, 1}, {0, 1, 2}};
+  mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+  const Folder folder;
+  for (const std::string name : {"a.off", "a.obj", "a.ply", "a.ts"}) {
+    CAPTURE(name);
+    write_mesh(folder.path(name), mesh);
+    const IndexedMesh again = read_mesh(folder.path(name));
+    CHECK(again.points == mesh.points);
+    CHECK(again.triangles == mesh.triangles);
+    CHECK(again.colors.empty());
+    CHECK(again.texture_coordinates.empty());
+  }
+  mesh.colors = {{255, 0, 0}, {1, 2, 3}, {0, 128, 255}, {254, 253, 252}};
+  mesh.texture_coordinates = {{0, 0}, {.1, 1. / 3}, {1, 1}, {-1, 2}};
+  for (const std::string name : {"a.off", "a.obj", "a.ply"}) {
+    CAPTURE(name);
+    write_mesh(folder.path(name), mesh);
+    const IndexedMesh again = read_mesh(folder.path(name));
+    CHECK(again.points == mesh.points);
+    CHECK(again.triangles == mesh.triangles);
+    CHECK(again.colors == mesh.colors);
+    CHECK(again.texture_coordinates == mesh.texture_coordinates);
+  }
+  mesh.colors[0] = {255, 0, 0, 77};
+  for (const std::string name : {"a.off", "a.ply"}) {
+    write_mesh(folder.path(name), mesh);
+    CHECK(read_mesh(folder.path(name)).colors == mesh.colors);
+  }
+}
+
+TEST_CASE("STL is written in single precision and refuses what that does not hold", "[mesh_io]") {
+  IndexedMesh mesh;
+  mesh.points = {{0.1F, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+  const Folder folder;
+  write_mesh(folder.path("a.stl"), mesh);
+  CHECK(read_mesh(folder.path("a.stl")).points == mesh.points);
+  CHECK(read_mesh(folder.path("a.stl")).triangles == mesh.triangles);
+
+  mesh.points[0] = {1e-150, 0, 0};
+  mesh.points[1] = {2e-150, 1e-150, 0};
+  write_mesh(folder.path("a.stl"), mesh);
+  const std::string tiny = content_of(folder.path("a.stl"));
+  const IndexedMesh mesh_of_tiny = read_mesh(folder.path("a.stl")); // normals are finite too
+  for (std::size_t offset = stl_header_size; offset < tiny.size(); offset += stl_facet_size)
+    CHECK(std::isfinite(little_endian_at<float>(tiny, offset)));
+
+  mesh.points[0] = {1e39, 0, 0};
+  CHECK_THROWS_WITH(
+      write_mesh(folder.path("a.stl"), mesh),
+      Catch::EndsWith("a.stl: a coordinate is too large for STL, which is of single precision"));
+  CHECK(content_of(folder.path("a.stl")) == tiny);
+}
+
+TEST_CASE("An empty mesh is written as a valid file", "[mesh_io]") {
+  const Folder folder;
+  for (const std::string name : {"a.off", "a.obj", "a.ply", "a.stl", "a.ts"}) {
+    CAPTURE(name);
+    write_mesh(folder.path(name), {});
+    CHECK(read_mesh(folder.path(name)).points.empty());
+  }
+}
+
+TEST_CASE("A file is replaced as a whole or not at all", "[mesh_io]") {
+  const Folder folder;
+  CHECK_THROWS_WITH(write_mesh(folder.path("none/a.off"), {}),
+                    Catch::EndsWith("none/a.off: cannot be opened for writing"));
+  CHECK_THROWS_WITH(write_mesh(folder.path("a.xyz"), {}), Catch::Contains("the extension '.xyz'"));
+  CHECK(folder.size() == 0);
+
+  const fs::path target = folder.file("target.off", "old");
+  fs::create_symlink(target, folder.path("link.off"));
+  write_mesh(folder.path("link.off"), {});
+  CHECK(fs::is_symlink(folder.path("link.off")));
+  CHECK(content_of(target) == "OFF\n0 0 0\n");
+  CHECK(folder.size() == 2);
+
+  if (fs::is_character_file("/dev/full")) { // fails on every write
+    fs::create_symlink("/dev/full", folder.path("full.off"));
+    CHECK_THROWS_WITH(write_mesh(folder.path("full.off"), {}),
+                      Catch::EndsWith("full.off: cannot be written in full"));
+    CHECK(fs::is_character_file("/dev/full"));
+    CHECK(folder.size() == 3);
+  }
+}
+
+TEST_CASE("Any cut of a good file is refused or reads no more than there is", "[mesh_io]") {
+  IndexedMesh mesh; // a strip of triangles with colours
+  for (int i = 0; i < 12; ++i) {
+    mesh.points.emplace_back(i, i % 2, 1. / (i + 1));
+    mesh.colors.emplace_back(static_cast<unsigned char>(20 * i), static_cast<unsigned char>(7), 3);
+  }
+  for (std::uint32_t i = 2; i < 12; ++i)
+    mesh.triangles.push_back({i - 2, i - 1, i});
+  const Folder folder;
+  for (const std::string name : {"a.off", "a.ply", "a.stl", "a.ts"}) { // OBJ has no end
+    write_mesh(folder.path(name), mesh);
+    const std::string whole = content_of(folder.path(name));
+    for (std::size_t size = 0; size + 6 < whole.size(); ++size) {
+      CAPTURE(name, size);
+      CHECK_THROWS_AS(read_mesh(folder.file(name, whole.substr(0, size))), std::runtime_error);
+    }
+  }
+}

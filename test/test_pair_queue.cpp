@@ -1,0 +1,257 @@
+// The queue gives the order of a plain priority queue, in bounded memory; the parked pairs come
+// back.
+
+#include "soups.h"
+
+#include <quadrille/internal/pair_queue.h>
+#include <quadrille/internal/parked_pairs.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <new>
+#include <optional>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+std::size_t allocated_bytes = 0; // by this program so far
+} // namespace
+
+// Not inlined: g++ would take the pairs of new and free, malloc and delete for mistakes.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  allocated_bytes += size;
+  if (void* p = std::malloc(size))
+    return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept {
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
+
+namespace {
+
+using quadrille::internal::PairQueue;
+using quadrille::internal::ParkedPairs;
+using quadrille::internal::QueuedPair;
+using test::Random;
+
+struct IsLater {
+  bool operator()(const QueuedPair& a, const QueuedPair& b) const { return b < a; }
+};
+
+// Both queues and the stamps by which pairs are outdated.
+class QueueUnderTest {
+  auto outdated() const {
+    return [this](const QueuedPair& p) {
+      return p.stamp < stamp_[p.first] || p.stamp < stamp_[p.second];
+    };
+  }
+
+public:
+  QueueUnderTest(std::size_t vertices, std::size_t expected) : stamp_(vertices), queue_(expected) {}
+
+  void push(QueuedPair pair) {
+    pair.stamp = time_;
+    queue_.push(pair, outdated());
+    expected_.push(pair);
+  }
+  void outdate(std::uint32_t vertex) { stamp_[vertex] = ++time_; }
+  void require_same_pop() {
+    const std::optional<QueuedPair> pair = queue_.pop(outdated());
+    while (!expected_.empty() && outdated()(expected_.top()))
+      expected_.pop();
+    REQUIRE(pair.has_value() == !expected_.empty());
+    if (!pair)
+      return;
+    const QueuedPair expected = expected_.top();
+    expected_.pop();
+    REQUIRE(std::tie(pair->cost, pair->first, pair->second) ==
+            std::tie(expected.cost, expected.first, expected.second));
+  }
+  bool is_empty() const { return expected_.empty(); }
+
+private:
+  std::vector<std::uint32_t> stamp_;
+  std::uint32_t time_ = 1;
+  PairQueue queue_;
+  std::priority_queue<QueuedPair, std::vector<QueuedPair>, IsLater> expected_;
+};
+
+// Costs of every kind: many equal ones, the least and the greatest, near and far from each other.
+float random_cost(Random& random) {
+  switch (random.below(8)) {
+  case 0:
+    return 0;
+  case 1:
+    return std::numeric_limits<float>::denorm_min() * static_cast<float>(random.below(5));
+  case 2:
+    return std::numeric_limits<float>::max();
+  case 3:
+    return std::numeric_limits<float>::infinity();
+  case 4:
+    return static_cast<float>(random.below(4));
+  case 5:
+    return static_cast<float>(random(1, 1.0001));
+  default:
+    return static_cast<float>(std::exp(random(-60, 60)));
+  }
+}
+
+QueuedPair random_pair(Random& random, std::size_t vertices) {
+  const std::uint32_t v = random.below(vertices), w = random.below(vertices);
+  return {random_cost(random), std::min(v, w), std::max(v, w), 0};
+}
+
+} // namespace
+
+TEST_CASE("The pair queue gives the order of a priority queue") {
+  const std::uint64_t seed = GENERATE(range(0, 5));
+  Random random(seed);
+  const std::size_t vertices = 200;
+  QueueUnderTest queue(vertices, 4000);
+  for (int i = 0; i < 2000; ++i)
+    queue.push(random_pair(random, vertices));
+  for (int i = 0; i < 20000; ++i) {
+    const std::uint32_t what = random.below(10);
+    if (what < 5)
+      queue.push(random_pair(random, vertices));
+    else if (what < 9)
+      queue.require_same_pop();
+    else
+      queue.outdate(random.below(vertices));
+  }
+  while (!queue.is_empty())
+    queue.require_same_pop();
+  queue.require_same_pop(); // nothing, and again nothing
+  queue.require_same_pop();
+}
+
+TEST_CASE("The pair queue takes pairs again after it was empty") {
+  QueueUnderTest queue(10, 10);
+  queue.require_same_pop();
+  queue.push({2, 0, 1, 0});
+  queue.require_same_pop();
+  queue.require_same_pop();
+  queue.push({1, 2, 3, 0}); // below all that was there
+  queue.push({3, 4, 5, 0}); // above
+  queue.require_same_pop();
+  queue.require_same_pop();
+  queue.require_same_pop();
+}
+
+TEST_CASE("Pairs of one cost come by their indices") {
+  QueueUnderTest queue(100, 1000);
+  Random random(7);
+  for (int i = 0; i < 500; ++i) {
+    QueuedPair pair = random_pair(random, 100);
+    pair.cost = 1;
+    queue.push(pair);
+    if (i == 250)
+      queue.require_same_pop(); // from now on they go to the heap
+  }
+  while (!queue.is_empty())
+    queue.require_same_pop();
+}
+
+TEST_CASE("Outdated pairs never make the queue grow") {
+  // A hundred pairs are up to date at any time, and each is pushed anew thirty thousand times.
+  const std::size_t pairs = 100, rounds = 30'000;
+  std::vector<std::uint32_t> stamp(pairs, 0);
+  const auto is_outdated = [&](const QueuedPair& p) { return p.stamp < stamp[p.first]; };
+  PairQueue queue(pairs);
+  Random random(8);
+  std::vector<float> cost(pairs);
+  const std::size_t before = allocated_bytes;
+  for (std::uint32_t round = 1; round <= rounds; ++round)
+    for (std::uint32_t v = 0; v < pairs; ++v) {
+      cost[v] = static_cast<float>(std::exp(random(-60, 60)));
+      stamp[v] = round;
+      queue.push({cost[v], v, v, round}, is_outdated);
+    }
+  CHECK(allocated_bytes == before);
+
+  std::set<std::pair<float, std::uint32_t>> expected;
+  for (std::uint32_t v = 0; v < pairs; ++v)
+    expected.insert({cost[v], v});
+  for (const auto& [c, v] : expected) {
+    const std::optional<QueuedPair> pair = queue.pop(is_outdated);
+    REQUIRE(pair);
+    CHECK(pair->cost == c);
+    CHECK(pair->first == v);
+  }
+  CHECK_FALSE(queue.pop(is_outdated));
+}
+
+TEST_CASE("A look ahead shows pairs of the open bucket in order") {
+  PairQueue queue(10);
+  const auto never = [](const QueuedPair&) { return false; };
+  CHECK(queue.peek(0) == nullptr);
+  for (std::uint32_t v = 0; v < 4; ++v)
+    queue.push({1, v, v, 0}, never);
+  CHECK(queue.pop(never)->first == 0);
+  REQUIRE(queue.peek(0) != nullptr);
+  CHECK(queue.peek(0)->first == 1);
+  CHECK(queue.peek(2)->first == 3);
+  CHECK(queue.peek(3) == nullptr);
+}
+
+TEST_CASE("A parked pair comes back once, from whichever end is released first") {
+  ParkedPairs parked(4);
+  std::vector<QueuedPair> released;
+  const auto keep = [&](const QueuedPair& p) { released.push_back(p); };
+  parked.park({1, 0, 1, 5});
+  parked.park({2, 1, 2, 6});
+  CHECK(parked.size() == 2);
+  parked.release(3, keep);
+  CHECK(released.empty());
+  parked.release(2, keep);
+  REQUIRE(released.size() == 1);
+  CHECK(released[0].cost == 2);
+  CHECK(released[0].stamp == 6);
+  parked.release(1, keep);
+  REQUIRE(released.size() == 2);
+  CHECK(released[1].cost == 1);
+  parked.release(0, keep);
+  parked.release(1, keep);
+  CHECK(released.size() == 2);
+  CHECK(parked.size() == 0);
+}
+
+TEST_CASE("Parked pairs are those of a plain set") {
+  Random random(9);
+  const std::uint32_t vertices = 12;
+  ParkedPairs parked(vertices);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, float> expected;
+  for (int i = 0; i < 5000; ++i) {
+    const std::uint32_t v = random.below(vertices), w = random.below(vertices);
+    if (random.below(4) > 0) {
+      if (v < w && expected.insert({{v, w}, static_cast<float>(i)}).second)
+        parked.park({static_cast<float>(i), v, w, 0});
+      continue;
+    }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, float> released;
+    parked.release(v, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
+    for (const auto& [pair, cost] : released) {
+      const auto found = expected.find(pair);
+      REQUIRE(found != expected.end());
+      REQUIRE(found->second == cost);
+      expected.erase(found);
+    }
+    for (const auto& [pair, cost] : expected)
+      REQUIRE((pair.first != v && pair.second != v));
+    REQUIRE(parked.size() == expected.size());
+  }
+}
