@@ -1,0 +1,106 @@
+#ifndef QUADRILLE_EXAMPLES_FIGURES_GENERATE_H
+#define QUADRILLE_EXAMPLES_FIGURES_GENERATE_H
+
+#include "surfaces.h"
+
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+/// Surfaces for the figures whose models are not to be had.
+
+namespace figures {
+
+/// Adds columns × rows squares, each cut into two triangles; position(s, t) is the point at s and t
+/// from 0 to 1. Returns the vertices, row by row.
+inline std::vector<Vertex> add_grid(Mesh& mesh, std::size_t columns, std::size_t rows,
+                                    const auto& position) {
+  std::vector<Vertex> vertices;
+  for (std::size_t j = 0; j <= rows; ++j)
+    for (std::size_t i = 0; i <= columns; ++i)
+      vertices.push_back(mesh.add_vertex(
+          position(static_cast<double>(i) / static_cast<double>(columns),
+                   static_cast<double>(j) / static_cast<double>(rows))));
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t at = j * (columns + 1) + i, above = at + columns + 1;
+      mesh.add_face(vertices[at], vertices[at + 1], vertices[above + 1]);
+      mesh.add_face(vertices[at], vertices[above + 1], vertices[above]);
+    }
+  return vertices;
+}
+
+/// A tube of columns × rows squares that closes after its columns; position(angle, t) is the point
+/// at an angle, and at t from 0 to 1 along the tube.
+inline Mesh tube(std::size_t columns, std::size_t rows, const auto& position) {
+  Mesh mesh;
+  std::vector<Vertex> vertices;
+  for (std::size_t j = 0; j <= rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i)
+      vertices.push_back(mesh.add_vertex(
+          position(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(columns),
+                   static_cast<double>(j) / static_cast<double>(rows))));
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t at = j * columns + i, right = j * columns + (i + 1) % columns;
+      mesh.add_face(vertices[at], vertices[right], vertices[right + columns]);
+      mesh.add_face(vertices[at], vertices[right + columns], vertices[at + columns]);
+    }
+  return mesh;
+}
+
+/// The wall of a cylinder of radius 1 around the z axis, open at z = 0 and z = height.
+inline Mesh cylinder_wall(std::size_t columns, std::size_t rows, double height) {
+  return tube(columns, rows, [=](double angle, double t) {
+    return Point(std::cos(angle), std::sin(angle), height * t);
+  });
+}
+
+/// A ball of `columns` × `rows` squares, with triangles around both poles: 2 · columns · (rows − 1)
+/// faces. radius(direction) is how far the surface is from the centre in a direction.
+inline Mesh ball(std::size_t columns, std::size_t rows, const auto& radius) {
+  const auto place = [&](double angle, double polar) {
+    const Point direction(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle),
+                          -std::cos(polar));
+    return CGAL::ORIGIN + radius(direction) * (direction - CGAL::ORIGIN);
+  };
+  const double step = std::numbers::pi / static_cast<double>(rows);
+  Mesh mesh = tube(columns, rows - 2, [&](double angle, double t) {
+    return place(angle, step + (std::numbers::pi - 2 * step) * t);
+  });
+  const std::size_t last = columns * (rows - 2);
+  const Vertex south = mesh.add_vertex(place(0, 0));
+  const Vertex north = mesh.add_vertex(place(0, std::numbers::pi));
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::size_t next = (i + 1) % columns;
+    mesh.add_face(south, Vertex(next), Vertex(i));
+    mesh.add_face(north, Vertex(last + i), Vertex(last + next));
+  }
+  return mesh;
+}
+
+inline Mesh sphere(std::size_t columns, std::size_t rows) {
+  return ball(columns, rows, [](const Point&) { return 1.0; });
+}
+
+/// columns × rows separate cubes of edge 1 in a layer, `gap` apart.
+inline Mesh cubes(std::size_t columns, std::size_t rows, double gap) {
+  Mesh mesh;
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const double x = static_cast<double>(i) * (1 + gap), y = static_cast<double>(j) * (1 + gap);
+      CGAL::make_hexahedron(Point(x, y, 0), Point(x + 1, y, 0), Point(x + 1, y + 1, 0),
+                            Point(x, y + 1, 0), Point(x, y + 1, 1), Point(x, y, 1),
+                            Point(x + 1, y, 1), Point(x + 1, y + 1, 1), mesh);
+    }
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  return mesh;
+}
+
+} // namespace figures
+
+#endif

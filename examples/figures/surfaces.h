@@ -1,0 +1,57 @@
+#ifndef QUADRILLE_EXAMPLES_FIGURES_SURFACES_H
+#define QUADRILLE_EXAMPLES_FIGURES_SURFACES_H
+
+#include <quadrille/vector.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// The surfaces of the figures: meshes and soups, read and written.
+
+namespace figures {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+/// A surface that may be non-manifold.
+struct Soup {
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+/// One of the models that come with CGAL.
+inline Mesh read_model(const std::string& folder, const std::string& name) {
+  const std::string path = folder + "/" + name + ".off";
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(path, mesh) || !CGAL::is_triangle_mesh(mesh))
+    throw std::runtime_error("not a triangle mesh: " + path);
+  return mesh;
+}
+
+inline Soup soup_of(const Mesh& mesh) {
+  Soup soup;
+  std::vector<std::size_t> index(mesh.num_vertices());
+  for (const Vertex v : mesh.vertices()) {
+    index[v] = soup.points.size();
+    soup.points.push_back(mesh.point(v));
+  }
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    soup.triangles.push_back(
+        {index[mesh.target(h)], index[mesh.target(mesh.next(h))], index[mesh.source(h)]});
+  }
+  return soup;
+}
+
+} // namespace figures
+
+#endif
