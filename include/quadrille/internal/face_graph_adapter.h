@@ -68,7 +68,7 @@ public:
       surface.fix(w);
       fixed_edges_.push_back({std::min(v, w), std::max(v, w), e});
     });
-    std::sort(fixed_edges_.begin(), fixed_edges_.end(), FixedEdge::less);
+    std::sort(fixed_edges_.begin(), fixed_edges_.end(), NamedEdge::less);
   }
 
   /// Makes creases of the edges of which get(map, edge) is true.
@@ -88,7 +88,9 @@ public:
     umbrellas_.build(sides_, result.vertex_count(), [this](Index i, Index j) {
       return opposite(halfedges_[i], mesh_) == halfedges_[j];
     });
-    choose_halfedges();
+    if (!result.is_closed())
+      collect_border(result);
+    choose_halfedges(result);
     collect_doomed(result);
     write_points(result);
     write_connectivity();
@@ -96,11 +98,12 @@ public:
   }
 
 private:
-  struct FixedEdge {
+  // An edge of the mesh, by its vertices.
+  struct NamedEdge {
     Index low, high;
     Edge edge;
 
-    static bool less(const FixedEdge& a, const FixedEdge& b) {
+    static bool less(const NamedEdge& a, const NamedEdge& b) {
       return std::tie(a.low, a.high) < std::tie(b.low, b.high);
     }
   };
@@ -192,29 +195,52 @@ private:
     }
   }
 
-  // Two sides that were not mates from the beginning come from two edges: the first one's is left.
-  void choose_halfedges() {
+  // The edges that were on the border, by the vertices that their ends have become.
+  template <class Result>
+  void collect_border(const Result& result) {
+    for (Halfedge h : halfedges(mesh_)) {
+      if (!is_border(h, mesh_))
+        continue;
+      const Index v = result.image(index(source(h, mesh_))),
+                  w = result.image(index(target(h, mesh_)));
+      if (v != w)
+        border_edges_.push_back({std::min(v, w), std::max(v, w), edge(h, mesh_)});
+    }
+    std::stable_sort(border_edges_.begin(), border_edges_.end(), NamedEdge::less);
+  }
+
+  // Two sides that were not mates from the beginning come from two edges: the first one's is left,
+  // but for a fixed edge. On the border an edge is left that was there.
+  template <class Result>
+  void choose_halfedges(const Result& result) {
     chosen_ = halfedges_;
     for (Index side = 0; side < sides_.size(); ++side) {
       const Index mate = umbrellas_.mate(side);
       if (mate != none && mate < side)
         continue; // done with its mate
-      if (const std::optional<Halfedge> fixed = fixed_halfedge(sides_[side]))
-        chosen_[side] = *fixed;
+      if (const auto fixed = find(fixed_edges_, sides_[side]))
+        chosen_[side] = half_along(*fixed, sides_[side], result);
+      else if (mate == none && !is_border(opposite(chosen_[side], mesh_), mesh_))
+        if (const auto border = find(border_edges_, sides_[side]))
+          chosen_[side] = half_along(*border, sides_[side], result);
       if (mate != none)
         chosen_[mate] = opposite(chosen_[side], mesh_);
     }
   }
 
-  // The half of a fixed edge that runs as the side does, if there is one.
-  std::optional<Halfedge> fixed_halfedge(const Side& side) const {
-    const FixedEdge wanted{std::min(side.from, side.to), std::max(side.from, side.to), Edge()};
-    const auto found =
-        std::lower_bound(fixed_edges_.begin(), fixed_edges_.end(), wanted, FixedEdge::less);
-    if (found == fixed_edges_.end() || FixedEdge::less(wanted, *found))
+  static std::optional<Edge> find(const std::vector<NamedEdge>& edges, const Side& side) {
+    const NamedEdge wanted{std::min(side.from, side.to), std::max(side.from, side.to), Edge()};
+    const auto found = std::lower_bound(edges.begin(), edges.end(), wanted, NamedEdge::less);
+    if (found == edges.end() || NamedEdge::less(wanted, *found))
       return std::nullopt;
-    const Halfedge h = halfedge(found->edge, mesh_);
-    return index(target(h, mesh_)) == side.to ? h : opposite(h, mesh_);
+    return found->edge;
+  }
+
+  // The half of an edge that runs as the side does.
+  template <class Result>
+  Halfedge half_along(Edge e, const Side& side, const Result& result) const {
+    const Halfedge h = halfedge(e, mesh_);
+    return result.image(index(target(h, mesh_))) == side.to ? h : opposite(h, mesh_);
   }
 
   template <class Result>
@@ -308,13 +334,13 @@ private:
   PointMap points_;
   VertexIndexMap indices_;
   [[no_unique_address]] Attributes attributes_;
-  std::vector<FixedEdge> fixed_edges_; // sorted
-  std::vector<Vertex> vertices_;       // by the engine's index; behind them those that write() adds
-  std::vector<Index> dense_;           // the engine's index by the user's, which may have gaps
-  std::vector<Face> faces_;            // the faces that are left
-  std::vector<Side> sides_;            // three a face: side k leads to corner k
-  std::vector<Halfedge> halfedges_;    // of each side before
-  std::vector<Halfedge> chosen_;       // and after
+  std::vector<NamedEdge> fixed_edges_, border_edges_; // sorted
+  std::vector<Vertex> vertices_;    // by the engine's index; behind them those that write() adds
+  std::vector<Index> dense_;        // the engine's index by the user's, which may have gaps
+  std::vector<Face> faces_;         // the faces that are left
+  std::vector<Side> sides_;         // three a face: side k leads to corner k
+  std::vector<Halfedge> halfedges_; // of each side before
+  std::vector<Halfedge> chosen_;    // and after
   Umbrellas umbrellas_;
   std::vector<Face> doomed_faces_;
   std::vector<Edge> doomed_edges_;

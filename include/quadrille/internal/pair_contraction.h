@@ -50,7 +50,8 @@ public:
         pairs_(select_pairs(policies.pairs, input, complex_, marks_)),
         is_topology_kept_(keeps_topology(input)), positions_(std::move(input.positions)),
         is_fixed_(std::move(input.is_fixed)), squared_reach_(positions_.size(), 0),
-        is_moved_(positions_.size(), false) {
+        is_moved_(positions_.size(), false), merged_into_(positions_.size(), none) {
+    input.triangles = {}; // the complex holds them now
     scale_.apply(positions_);
     if (!is_topology_kept_ || input.has_doubled_faces)
       for (Index v = 0; v < positions_.size(); ++v)
@@ -109,7 +110,7 @@ public:
   /// Would the contraction whose star was gathered last go beyond the target of the stop policy,
   /// where another one might not?
   bool overshoots() const {
-    if (is_topology_kept_ && link_condition_.is_closed())
+    if (is_closed())
       return false; // each contraction takes two faces
     Status after = status_;
     after.faces -= star_.shared.size();
@@ -131,6 +132,7 @@ public:
       complex_.kill(f.face);
     complex_.merge(kept, gone);
     pairs_.merge(kept, gone);
+    merged_into_[gone] = kept;
     --status_.vertices;
     place(kept, candidate);
     if (is_topology_kept_)
@@ -202,6 +204,14 @@ public:
   const TriangleComplex& complex() const { return complex_; }
 
   std::size_t vertex_capacity() const { return positions_.size(); }
+  /// What a vertex of the beginning has become part of.
+  Index image(Index v) const {
+    while (merged_into_[v] != none)
+      v = merged_into_[v];
+    return v;
+  }
+  /// Had the surface no border, nor will it have one?
+  bool is_closed() const { return is_topology_kept_ && link_condition_.is_closed(); }
   bool is_moved(Index v) const { return is_moved_[v]; }
   /// Of a vertex, in the units of the mesh and its attributes.
   Position position(Index v) const { return scale_.position_of_mesh(positions_[v]); }
@@ -262,7 +272,7 @@ private:
       if (!is_interior(v))
         current_.recompute(v, policies_.cost, positions_, complex_, marks_);
     };
-    if (is_topology_kept_ && link_condition_.is_closed())
+    if (is_closed())
       return;
     renew(kept);
     for (const auto* faces : {&star_.first, &star_.second, &star_.shared})
@@ -384,6 +394,7 @@ private:
   [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
   std::vector<float> squared_reach_;
   std::vector<bool> is_moved_;
+  std::vector<Index> merged_into_; // of each vertex that is gone
   PairStar star_;
   std::vector<StarFace> doubles_;
   Status status_;

@@ -28,6 +28,8 @@ public:
   }
 
   bool has_vertex(Index v) const { return surface_.complex().has_faces(order_.vertex_rank(v)); }
+  bool is_closed() const { return surface_.is_closed(); }
+  Index image(Index v) const { return order_.vertex_at(surface_.image(order_.vertex_rank(v))); }
   bool is_moved(Index v) const { return surface_.is_moved(order_.vertex_rank(v)); }
   /// With attributes, in the units of the mesh.
   auto position(Index v) const { return surface_.position(order_.vertex_rank(v)); }
