@@ -8,6 +8,7 @@
 #include <quadrille/internal/umbrellas.h>
 #include <quadrille/vector.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -199,7 +200,7 @@ private:
   template <class Result>
   void collect_border(const Result& result) {
     for (Halfedge h : halfedges(mesh_)) {
-      if (!is_border(h, mesh_))
+      if (!CGAL::is_border(h, mesh_))
         continue;
       const Index v = result.image(index(source(h, mesh_))),
                   w = result.image(index(target(h, mesh_)));
@@ -220,7 +221,7 @@ private:
         continue; // done with its mate
       if (const auto fixed = find(fixed_edges_, sides_[side]))
         chosen_[side] = half_along(*fixed, sides_[side], result);
-      else if (mate == none && !is_border(opposite(chosen_[side], mesh_), mesh_))
+      else if (mate == none && !CGAL::is_border(opposite(chosen_[side], mesh_), mesh_))
         if (const auto border = find(border_edges_, sides_[side]))
           chosen_[side] = half_along(*border, sides_[side], result);
       if (mate != none)
