@@ -33,11 +33,11 @@ run() { # expected status, arguments...
 }
 
 expect() { # file, extended regular expression
-  grep -qE -- "$2" "$1" || fail "no match for '$2' in $1"
+  grep -qsE -- "$2" "$1" || fail "no match for '$2' in $1"
 }
 
 expect_faces() { # file.off, count
-  set -- "$1" "$2" "$(sed -n 2p "$1" | cut -d' ' -f2)"
+  set -- "$1" "$2" "$(sed -n 2p "$1" 2>/dev/null | cut -d' ' -f2)"
   [ "$3" = "$2" ] || fail "$3 faces instead of $2 in $1"
 }
 
@@ -90,6 +90,13 @@ for format in off obj ply stl ts; do
   run 0 point.off out.$format
   run 0 out.$format empty.off
   expect_faces empty.off 0
+done
+
+printf 'OFF\n0 0 0\n' >none.off
+for options in '' '--pairs-closer-than 1' '--cost memoryless' '--cost length' '--weld'; do
+  # shellcheck disable=SC2086
+  run 0 $options none.off out.off
+  expect_faces out.off 0
 done
 
 # Costs, placements, topology, pairs
