@@ -74,6 +74,9 @@ run 0 plain.off out.off --vertices 50
 [ "$(sed -n 2p out.off | cut -d' ' -f1)" -le 50 ] || fail "more than 50 vertices"
 run 0 plain.off out.off --ratio 1
 expect_faces out.off 800
+run 0 plain.off out.off --error 0.05
+expect stdout 'stopped: target met, error 0\.0[0-4]'
+run 0 plain.off out.off --error 1e300
 run 0 --quiet plain.off out.off
 expect_nothing stdout
 
@@ -124,7 +127,7 @@ run 0 --cost length --placement endpoint plain.off out.off
 cp plain.off out.off
 for bad in '' 'plain.off' 'plain.off out.off more' '--faces 1 --ratio 1 plain.off out.off' \
   '--faces -1 plain.off out.off' '--faces 1.5 plain.off out.off' '--vertices x plain.off out.off' \
-  '--ratio 1.5 plain.off out.off' '--ratio nan plain.off out.off' '--cost gold plain.off out.off' \
+  '--error -1 plain.off out.off' '--ratio 1.5 plain.off out.off' '--ratio nan plain.off out.off' '--cost gold plain.off out.off' \
   '--boundary-weight -1 plain.off out.off' '--pairs-closer-than inf plain.off out.off' \
   '--placement optimal --cost length plain.off out.off' '--cost color plain.off out.off' \
   '--cost texture plain.off out.off' '--unknown plain.off out.off'; do
