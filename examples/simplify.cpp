@@ -1,6 +1,6 @@
 // The command-line program: reads a mesh, simplifies it and writes it.
 //
-//   simplify IN OUT [--faces N | --ratio R | --vertices N] [options]
+//   simplify IN OUT [--faces N | --ratio R | --vertices N | --error D] [options]
 //
 // Exit status: 0 done; 1 the target was not reached, OUT holds how far it went; 2 bad usage or
 // file, OUT is as it was.
@@ -36,13 +36,26 @@ using namespace quadrille_examples;
 // --- Policies chosen at run time: one engine for each cost is enough then ------------------------
 
 struct Target {
-  std::variant<quadrille::FaceRatio, quadrille::FaceCount, quadrille::VertexCount> chosen;
+  std::variant<quadrille::FaceRatio, quadrille::FaceCount, quadrille::VertexCount,
+               quadrille::ErrorLimit>
+      chosen;
 
   bool operator()(const quadrille::Status& status) const {
     return std::visit([&](const auto& stop) { return stop(status); }, chosen);
   }
   bool is_passed(const quadrille::Status& status) const {
-    return std::visit([&](const auto& stop) { return stop.is_passed(status); }, chosen);
+    const auto asked = [&](const auto& stop) {
+      if constexpr (requires { stop.is_passed(status); })
+        return stop.is_passed(status);
+      else
+        return false;
+    };
+    return std::visit(asked, chosen);
+  }
+  /// An error limit is kept also if there is nothing more to contract.
+  bool is_met(quadrille::StopReason reason) const {
+    return reason == quadrille::StopReason::target_met ||
+           std::holds_alternative<quadrille::ErrorLimit>(chosen);
   }
 };
 
@@ -99,6 +112,7 @@ void add_target(CLI::App& app, Target& target) {
   const auto stop_at_faces = [&](std::size_t n) { target.chosen = quadrille::FaceCount{n}; };
   const auto stop_at_ratio = [&](double ratio) { target.chosen = quadrille::FaceRatio{ratio}; };
   const auto stop_at_vertices = [&](std::size_t n) { target.chosen = quadrille::VertexCount{n}; };
+  const auto stop_at_error = [&](double error) { target.chosen = quadrille::ErrorLimit(error); };
   CLI::Option_group* const group = app.add_option_group("Target", "half of the faces by default");
   group->require_option(0, 1);
   group->add_option_function<std::size_t>("--faces", stop_at_faces, "stop at so many faces")
@@ -108,6 +122,8 @@ void add_target(CLI::App& app, Target& target) {
   group
       ->add_option_function<std::size_t>("--vertices", stop_at_vertices, "stop at so many vertices")
       ->check(count());
+  group->add_option_function<double>("--error", stop_at_error, "stop before a larger error")
+      ->check(number_in(0, std::numeric_limits<double>::infinity(), "a distance"));
 }
 
 void add_policies(CLI::App& app, Options& options) {
@@ -234,7 +250,7 @@ bool run(const Options& options) {
   write_mesh(options.output, mesh);
   if (!options.is_quiet)
     std::cout << report << std::endl;
-  if (report.stop == quadrille::StopReason::target_met)
+  if (options.target.is_met(report.stop))
     return true;
   std::cerr << options.output << ": the target was not reached: " << to_string(report.stop) << '\n';
   return false;

@@ -33,11 +33,11 @@ run() { # expected status, arguments...
 }
 
 expect() { # file, extended regular expression
-  grep -qE -- "$2" "$1" || fail "no match for '$2' in $1"
+  grep -qsE -- "$2" "$1" || fail "no match for '$2' in $1"
 }
 
 expect_faces() { # file.off, count
-  set -- "$1" "$2" "$(sed -n 2p "$1" | cut -d' ' -f2)"
+  set -- "$1" "$2" "$(sed -n 2p "$1" 2>/dev/null | cut -d' ' -f2)"
   [ "$3" = "$2" ] || fail "$3 faces instead of $2 in $1"
 }
 
@@ -74,6 +74,9 @@ run 0 plain.off out.off --vertices 50
 [ "$(sed -n 2p out.off | cut -d' ' -f1)" -le 50 ] || fail "more than 50 vertices"
 run 0 plain.off out.off --ratio 1
 expect_faces out.off 800
+run 0 plain.off out.off --error 0.05
+expect stdout 'stopped: target met, error 0\.0[0-4]'
+run 0 plain.off out.off --error 1e300
 run 0 --quiet plain.off out.off
 expect_nothing stdout
 
@@ -90,6 +93,13 @@ for format in off obj ply stl ts; do
   run 0 point.off out.$format
   run 0 out.$format empty.off
   expect_faces empty.off 0
+done
+
+printf 'OFF\n0 0 0\n' >none.off
+for options in '' '--pairs-closer-than 1' '--cost memoryless' '--cost length' '--weld'; do
+  # shellcheck disable=SC2086
+  run 0 $options none.off out.off
+  expect_faces out.off 0
 done
 
 # Costs, placements, topology, pairs
@@ -117,7 +127,7 @@ run 0 --cost length --placement endpoint plain.off out.off
 cp plain.off out.off
 for bad in '' 'plain.off' 'plain.off out.off more' '--faces 1 --ratio 1 plain.off out.off' \
   '--faces -1 plain.off out.off' '--faces 1.5 plain.off out.off' '--vertices x plain.off out.off' \
-  '--ratio 1.5 plain.off out.off' '--ratio nan plain.off out.off' '--cost gold plain.off out.off' \
+  '--error -1 plain.off out.off' '--ratio 1.5 plain.off out.off' '--ratio nan plain.off out.off' '--cost gold plain.off out.off' \
   '--boundary-weight -1 plain.off out.off' '--pairs-closer-than inf plain.off out.off' \
   '--placement optimal --cost length plain.off out.off' '--cost color plain.off out.off' \
   '--cost texture plain.off out.off' '--unknown plain.off out.off'; do

@@ -60,7 +60,7 @@ public:
   /// std::length_error, before the first call, if there are more of them than allowed.
   void operator()(const SurfaceView& surface, const EmitPair& emit) const {
     const double t = is_relative_ ? t_ * diagonal(surface.points) : t_;
-    if (!(t > 0))
+    if (!(t > 0) || surface.points.empty()) // CGAL's tree is never empty
       return;
     const Finder finder(surface.points);
     require_few(finder, surface.points.size(), t);
