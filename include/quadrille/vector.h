@@ -38,7 +38,7 @@ struct Vector {
 };
 
 template <std::size_t N>
-constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
+[[gnu::always_inline]] constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
   static_assert(N > 0);
   double sum = a[0] * b[0]; // not from 0: x + 0 is an addition that no compiler may leave out
   for (std::size_t i = 1; i < N; ++i)
@@ -47,12 +47,12 @@ constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
 }
 
 template <std::size_t N>
-constexpr double squared_length(const Vector<N>& a) {
+[[gnu::always_inline]] constexpr double squared_length(const Vector<N>& a) {
   return dot(a, a);
 }
 
 template <std::size_t N>
-constexpr double squared_distance(const Vector<N>& a, const Vector<N>& b) {
+[[gnu::always_inline]] constexpr double squared_distance(const Vector<N>& a, const Vector<N>& b) {
   return squared_length(a - b);
 }
 

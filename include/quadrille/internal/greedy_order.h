@@ -77,7 +77,7 @@ private:
 
   void push(Index v, Index w) {
     const auto [first, second] = std::minmax(v, w);
-    const auto cost = static_cast<float>(surface_.evaluate(first, second).cost);
+    const auto cost = static_cast<float>(surface_.cost_of(first, second));
     queue_.push({std::max(0.0f, cost), first, second, time_}, outdated()); // no number counts as 0
   }
 
@@ -93,9 +93,12 @@ private:
 
   // The pairs of the open bucket lie anywhere on the surface.
   void prefetch() const {
+    if (const QueuedPair* last = queue_.peek(12))
+      for (Index v : {last->first, last->second})
+        surface_.prefetch(v);
     if (const QueuedPair* later = queue_.peek(8))
       for (Index v : {later->first, later->second})
-        surface_.prefetch(v);
+        surface_.prefetch_corners(v);
     if (const QueuedPair* soon = queue_.peek(4))
       for (Index v : {soon->first, soon->second})
         surface_.prefetch_faces(v);

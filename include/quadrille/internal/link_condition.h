@@ -24,30 +24,25 @@ public:
     star_.clear();
     complex.for_each_corner(
         v, [&](Index face, Index i) { star_.push_back(PairStar::star_face(complex, face, i)); });
-    return is_oriented_cycle() ? VertexKind::interior : classify(marks);
+    return is_oriented_cycle(marks) ? VertexKind::interior : classify(marks);
   }
 
 private:
-  // The usual case, told without marks: each face of the star follows just one other, all round.
-  bool is_oriented_cycle() const {
-    constexpr std::size_t usual = 16;
-    if (star_.size() < 3 || star_.size() > usual)
-      return false;
-    Index end = star_[0].third;
-    for (std::size_t step = 1; step < star_.size(); ++step) {
-      const StarFace* following = nullptr;
-      for (const StarFace& f : star_) {
-        if (f.second != end)
-          continue;
-        if (following)
-          return false;
-        following = &f;
-      }
-      if (!following || following == star_.data())
-        return false;
-      end = following->third;
+  // The usual case: each face of the star follows just one other, all round. A vertex of the link
+  // is marked with the face that begins at it.
+  bool is_oriented_cycle(Marks& marks) const {
+    marks.clear();
+    const Index faces = static_cast<Index>(star_.size());
+    for (Index i = 0; i < faces; ++i)
+      marks.set(star_[i].second, i);
+    Index face = 0;
+    for (Index step = 0; step < faces; ++step) {
+      const Index end = star_[face].third;
+      if (!marks.is_marked(end) || marks[end] == 0)
+        return step + 1 == faces && marks.is_marked(end); // round; too early if faces are left
+      face = marks[end];
     }
-    return end == star_[0].second;
+    return false;
   }
 
   struct LinkVertex {

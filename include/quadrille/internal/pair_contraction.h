@@ -46,12 +46,11 @@ public:
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, policies.cost)),
-        complex_(input.positions.size(), input.triangles), marks_(input.positions.size()),
+        complex_(input.positions.size(), take_triangles(input)), marks_(input.positions.size()),
         pairs_(select_pairs(policies.pairs, input, complex_, marks_)),
         is_topology_kept_(keeps_topology(input)), positions_(std::move(input.positions)),
         is_fixed_(std::move(input.is_fixed)), squared_reach_(positions_.size(), 0),
         is_moved_(positions_.size(), false), merged_into_(positions_.size(), none) {
-    input.triangles = {}; // the complex holds them now
     scale_.apply(positions_);
     if (!is_topology_kept_ || input.has_doubled_faces)
       for (Index v = 0; v < positions_.size(); ++v)
@@ -73,26 +72,30 @@ public:
   void prefetch(Index v) const {
     complex_.prefetch(v);
     __builtin_prefetch(&positions_[v]);
-    const char* memory = reinterpret_cast<const char*>(&memories_[v]);
-    for (std::size_t line = 0; line < sizeof(Memory); line += 64)
-      __builtin_prefetch(memory + line);
+    prefetch_memory(v);
   }
+  void prefetch_corners(Index v) const { complex_.prefetch_corners(v); }
   void prefetch_faces(Index v) const { complex_.prefetch_faces(v); }
 
   /// Where the pair goes and what that costs.
   Candidate evaluate(Index a, Index b) {
-    Candidate candidate{view(a, b), {}, 0};
-    const Pair& pair = candidate.pair;
-    candidate.target = is_fixed(a)   ? pair.first
-                       : is_fixed(b) ? pair.second
-                                     : policies_.placement(policies_.cost, pair);
-    candidate.cost = policies_.cost(pair, candidate.target);
-    return candidate;
+    const Pair pair = view(a, b);
+    const Position target = target_of(a, b, pair);
+    return {pair, target, policies_.cost(pair, target)};
+  }
+
+  /// Only what it costs.
+  double cost_of(Index a, Index b) {
+    const Pair pair = view(a, b);
+    return policies_.cost(pair, target_of(a, b, pair));
   }
 
   /// Why this contraction must not be done, if so. The star of the pair is gathered by the way.
   std::optional<Rejection> rejection(Index a, Index b, const Candidate& candidate) {
     star_.gather(complex_, a, b);
+    for (const auto* faces : {&star_.first, &star_.second})
+      for (const StarFace& f : *faces)
+        prefetch_memory(f.second);
     if (is_fixed(a) && is_fixed(b))
       return Rejection::constraint;
     if (!is_finite(candidate.target) || !std::isfinite(candidate.cost))
@@ -128,9 +131,9 @@ public:
     non_edge_contractions_ += star_.shared.empty();
     if constexpr (asks_for_current<Cost>)
       current_.forget(star_, a, b, policies_.cost, positions_);
+    complex_.merge(kept, gone);
     for (const StarFace& f : star_.shared)
       complex_.kill(f.face);
-    complex_.merge(kept, gone);
     pairs_.merge(kept, gone);
     merged_into_[gone] = kept;
     --status_.vertices;
@@ -228,10 +231,30 @@ private:
     return scale;
   }
 
+  void prefetch_memory(Index v) const {
+    const char* memory = reinterpret_cast<const char*>(&memories_[v]);
+    for (std::size_t line = 0; line < sizeof(Memory); line += 64)
+      __builtin_prefetch(memory + line);
+  }
+
+  // A pair policy of the user's wants to see them once more.
+  static std::vector<TriangleComplex::Triangle> take_triangles(SurfaceInput<dimension>& input) {
+    if constexpr (std::same_as<typename Policies::Pairs, EdgePairs>)
+      return std::move(input.triangles);
+    else
+      return input.triangles;
+  }
+
   // Unless the user says, an adapter's default, or free if there are pairs that are not edges.
   bool keeps_topology(const SurfaceInput<dimension>& input) const {
     const Topology by_default = pairs_.size() > 0 ? Topology::free : input.default_topology;
     return policies_.topology.value_or(by_default) == Topology::kept;
+  }
+
+  Position target_of(Index a, Index b, const Pair& pair) const {
+    if (is_fixed(a) || is_fixed(b))
+      return is_fixed(a) ? pair.first : pair.second;
+    return policies_.placement(policies_.cost, pair);
   }
 
   Pair view(Index a, Index b) {
@@ -366,19 +389,17 @@ private:
 
   // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
   // that can change while the pair waits in the queue.
-  void update_reach(Index v) {
-    squared_reach_[v] = 0;
-    complex_.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex_, face, i);
-      lengthen_reach(v, f.second);
-      lengthen_reach(v, f.third);
-    });
+  void update_reach(Index kept) {
+    squared_reach_[kept] = 0;
+    for (const auto* faces : {&star_.first, &star_.second})
+      for (const StarFace& f : *faces)
+        for (Index w : {f.second, f.third})
+          lengthen_reach(kept, w);
   }
 
   void lengthen_reach(Index v, Index w) {
-    squared_reach_[v] =
-        std::max(squared_reach_[v],
-                 static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w]))));
+    const double squared = squared_distance(space(positions_[v]), space(positions_[w]));
+    squared_reach_[v] = std::max(squared_reach_[v], static_cast<float>(squared));
   }
 
   const Policies& policies_;

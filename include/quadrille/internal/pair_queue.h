@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -32,14 +33,15 @@ struct QueuedPair {
 /// rest is sorted. A pair that comes in at or below the open bucket goes to a small heap beside it.
 /// The order is exact.
 ///
-/// All memory is taken when the queue is built: pairs that are up to date never outnumber those
-/// that it began with, so when the blocks run out, dropping outdated pairs always frees enough.
+/// All memory is reserved when the queue is built: pairs that are up to date never outnumber those
+/// that it began with, and when half as many outdated ones lie beside them, these are dropped.
 class PairQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
   explicit PairQueue(std::size_t expected) {
     const std::size_t pairs = expected + expected / 2;
-    blocks_.reserve(pairs / Block::capacity + 2 * bucket_count);
+    blocks_.reserve(pairs / Block::capacity + bucket_count);
+    size_to_drop_at_ = pairs / Block::capacity + bucket_count / 8;
   }
 
   template <class IsOutdated>
@@ -50,7 +52,7 @@ public:
       std::push_heap(heap_.begin(), heap_.end(), later);
       return;
     }
-    if (blocks_.size() == blocks_.capacity() && free_ == end_of_list)
+    if (blocks_.size() == size_to_drop_at_ && free_ == end_of_list)
       drop_outdated(is_outdated);
     append(bucket, pair);
   }
@@ -80,8 +82,16 @@ private:
   struct Block {
     static constexpr std::size_t capacity = 31;
     std::array<QueuedPair, capacity> pairs;
-    std::uint32_t size = 0;
-    std::uint32_t next = end_of_list;
+    std::uint32_t next;
+
+    Block() {} // a new block is not written to before it is used
+  };
+
+  // The first block of a bucket is the one that is being filled. How far is told here, so that an
+  // append touches one place in the block.
+  struct Bucket {
+    std::uint32_t first = end_of_list;
+    std::uint32_t size = Block::capacity; // of the first block: as good as full where there is none
   };
 
   static bool later(const QueuedPair& a, const QueuedPair& b) { return b < a; }
@@ -91,16 +101,15 @@ private:
     return std::bit_cast<std::uint32_t>(cost) >> (31 - 13);
   }
 
-  void append(std::size_t bucket, const QueuedPair& pair) {
-    std::uint32_t& first = first_block_[bucket];
-    if (first == end_of_list || blocks_[first].size == Block::capacity) {
+  void append(std::size_t index, const QueuedPair& pair) {
+    Bucket& bucket = buckets_[index];
+    if (bucket.size == Block::capacity) {
       const std::uint32_t added = new_block();
-      blocks_[added].next = first;
-      first = added;
+      blocks_[added].next = bucket.first;
+      bucket = {added, 0};
+      lowest_ = std::min(lowest_, index);
     }
-    Block& block = blocks_[first];
-    block.pairs[block.size++] = pair;
-    lowest_ = std::min(lowest_, bucket);
+    blocks_[bucket.first].pairs[bucket.size++] = pair;
   }
 
   std::uint32_t new_block() {
@@ -108,10 +117,7 @@ private:
       blocks_.emplace_back();
       return static_cast<std::uint32_t>(blocks_.size() - 1);
     }
-    const std::uint32_t block = free_;
-    free_ = blocks_[block].next;
-    blocks_[block].size = 0;
-    return block;
+    return std::exchange(free_, blocks_[free_].next);
   }
 
   void free_block(std::uint32_t block) {
@@ -130,48 +136,48 @@ private:
     return pair;
   }
 
+  // Empties a bucket and calls visit(pair) for each pair that is not outdated. The blocks are free
+  // as soon as they have been read.
+  template <class IsOutdated, class Visit>
+  void empty(Bucket& bucket, IsOutdated is_outdated, Visit visit) {
+    auto [b, size] = std::exchange(bucket, {});
+    while (b != end_of_list) {
+      const Block block = blocks_[b];
+      free_block(b);
+      for (std::uint32_t i = 0; i < size; ++i)
+        if (!is_outdated(block.pairs[i]))
+          visit(block.pairs[i]);
+      b = block.next;
+      size = Block::capacity;
+    }
+  }
+
   template <class IsOutdated>
   bool open_next_bucket(IsOutdated is_outdated) {
-    while (lowest_ < bucket_count && first_block_[lowest_] == end_of_list)
+    while (lowest_ < bucket_count && buckets_[lowest_].first == end_of_list)
       ++lowest_;
     if (lowest_ == bucket_count)
       return false;
     sorted_.clear();
     sorted_at_ = 0;
-    for (std::uint32_t b = first_block_[lowest_]; b != end_of_list;) {
-      const Block& block = blocks_[b];
-      for (std::uint32_t i = 0; i < block.size; ++i)
-        if (!is_outdated(block.pairs[i]))
-          sorted_.push_back(block.pairs[i]);
-      const std::uint32_t next = block.next;
-      free_block(b);
-      b = next;
-    }
-    first_block_[lowest_++] = end_of_list;
-    open_end_ = lowest_;
+    empty(buckets_[lowest_], is_outdated, [&](const QueuedPair& pair) { sorted_.push_back(pair); });
+    open_end_ = ++lowest_;
     std::sort(sorted_.begin(), sorted_.end());
     return true;
   }
 
   template <class IsOutdated>
   void drop_outdated(IsOutdated is_outdated) {
-    for (std::size_t bucket = lowest_; bucket < bucket_count; ++bucket) {
-      std::uint32_t b = first_block_[bucket];
-      first_block_[bucket] = end_of_list;
-      while (b != end_of_list) {
-        const Block block = blocks_[b]; // a copy: the block may be refilled at once
-        free_block(b);
-        for (std::uint32_t i = 0; i < block.size; ++i)
-          if (!is_outdated(block.pairs[i]))
-            append(bucket, block.pairs[i]);
-        b = block.next;
-      }
-    }
+    for (std::size_t i = lowest_; i < bucket_count; ++i)
+      empty(buckets_[i], is_outdated, [&](const QueuedPair& pair) { append(i, pair); });
+    if (free_ == end_of_list) // many buckets with few pairs each
+      size_to_drop_at_ += size_to_drop_at_ / 4 + 1;
   }
 
   std::vector<Block> blocks_;
+  std::size_t size_to_drop_at_;
   std::uint32_t free_ = end_of_list;
-  std::vector<std::uint32_t> first_block_ = std::vector<std::uint32_t>(bucket_count, end_of_list);
+  std::vector<Bucket> buckets_ = std::vector<Bucket>(bucket_count);
   std::size_t lowest_ = bucket_count; // no block lies in a bucket below this one
   std::size_t open_end_ = 0;          // one past the bucket that was opened last
   std::vector<QueuedPair> sorted_;    // its pairs; those before sorted_at_ are gone

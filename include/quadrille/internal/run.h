@@ -40,10 +40,11 @@ Report run(Adapter& adapter, const Policies& policies, Read read) {
   const SpatialOrder spatial_order =
       std::same_as<typename Policies::Pairs, EdgePairs> ? SpatialOrder(input) : SpatialOrder();
   PairContraction<Policies> surface(std::move(input), policies);
-  GreedyOrder<Policies> order(surface, report);
-  report.seconds.prepare = watch.lap();
-
-  order.run();
+  {
+    GreedyOrder<Policies> order(surface, report);
+    report.seconds.prepare = watch.lap();
+    order.run();
+  }
   surface.complete(report);
   report.seconds.contract = watch.lap();
 

@@ -22,18 +22,24 @@ struct PairStar {
   std::vector<StarFace> shared;        // the faces of both, seen from the first end
 
   void gather(TriangleComplex& complex, Index a, Index b) {
-    first.clear();
-    second.clear();
-    shared.clear();
-    complex.for_each_corner(a, [&](Index face, Index i) {
+    first.resize(complex.degree_bound(a));
+    shared.resize(first.size());
+    second.resize(complex.degree_bound(b));
+    std::size_t ours = 0, both = 0, theirs = 0;
+    complex.for_each_corner(a, [&](Index face, Index i) { // without a branch: it is hard to guess
       const StarFace f = star_face(complex, face, i);
-      (f.second == b || f.third == b ? shared : first).push_back(f);
+      const bool is_shared = (f.second == b) | (f.third == b);
+      first[ours] = shared[both] = f;
+      both += is_shared;
+      ours += !is_shared;
     });
     complex.for_each_corner(b, [&](Index face, Index i) {
-      const StarFace f = star_face(complex, face, i);
-      if (f.second != a && f.third != a)
-        second.push_back(f);
+      const StarFace f = second[theirs] = star_face(complex, face, i);
+      theirs += (f.second != a) & (f.third != a);
     });
+    first.resize(ours);
+    shared.resize(both);
+    second.resize(theirs);
   }
 
   static StarFace star_face(const TriangleComplex& complex, Index face, Index i) {

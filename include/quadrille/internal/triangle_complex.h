@@ -18,9 +18,11 @@ inline constexpr Index none = ~Index{0};
 /// and nothing of positions or costs.
 ///
 /// A *corner* is a face at one of its vertices, written 4·face + 0, 1 or 2. The corners at a vertex
-/// form a circular singly linked list in no particular order, so merging two vertices is a relabel
-/// and a splice, and an edge of three faces is nothing special. A face that has died stays in the
-/// lists of its corners until the next walk along them drops it.
+/// lie side by side in no particular order, in one pool for all vertices, so a walk around a vertex
+/// does not wait for one face to learn of the next, and an edge of three faces is nothing special.
+/// Merging two vertices writes their corners to the end of the pool; when that is full, the lists
+/// are built anew. A face that has died stays in the lists of its corners until the next walk along
+/// them drops it.
 class TriangleComplex {
 public:
   static constexpr std::size_t max_faces = std::size_t{1} << 30;
@@ -32,7 +34,7 @@ public:
 
   /// Builds the lists in linear time. A triangle with two equal vertices is dead from the
   /// beginning.
-  TriangleComplex(std::size_t vertex_count, const std::vector<Triangle>& triangles);
+  TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles);
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
@@ -42,104 +44,112 @@ public:
           std::to_string(max_vertices - 1) + " and " + std::to_string(max_faces - 1) + ")");
   }
 
-  std::size_t vertex_capacity() const { return head_.size(); }
+  std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
   std::size_t live_faces() const { return live_faces_; }
 
-  bool is_dead(Index face) const { return faces_[face].vertex[0] == none; }
-  const Triangle& vertices(Index face) const { return faces_[face].vertex; }
-  bool has_faces(Index vertex) const { return head_[vertex] != none; }
+  bool is_dead(Index face) const { return faces_[face][0] == none; }
+  const Triangle& vertices(Index face) const { return faces_[face]; }
+  /// At most this many faces are at a vertex.
+  std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
+  bool has_faces(Index vertex) const { return lists_[vertex].size != 0; }
 
   /// Calls visit(face, i) for each live face at `vertex`, i being the place of the vertex in the
   /// face. Drops the corners of dead faces on its way, so its cost is repaid by the faces that
   /// died.
   template <class Visit>
   void for_each_corner(Index vertex, Visit visit) {
-    Index previous = head_[vertex];
-    if (previous == none)
-      return;
-    const Index last = previous;
-    bool at_end = false;
-    while (!at_end) {
-      const Index corner = next(previous);
-      at_end = corner == last;
-      if (!is_dead(corner >> 2)) {
-        visit(corner >> 2, corner & 3);
-        previous = corner;
-      } else if (corner == previous) {
-        head_[vertex] = none; // it was the only one
-      } else {
-        next(previous) = next(corner);
-        if (at_end)
-          head_[vertex] = previous;
-      }
+    List& list = lists_[vertex];
+    Index* const corners = pool_.data() + list.begin;
+    Index live = 0;
+    for (Index i = 0; i < list.size; ++i) {
+      const Index corner = corners[i];
+      if (is_dead(corner >> 2))
+        continue;
+      corners[live++] = corner;
+      visit(corner >> 2, corner & 3);
     }
+    list.size = live;
   }
 
   void kill(Index face) {
-    faces_[face].vertex = {none, none, none};
+    faces_[face] = {none, none, none};
     --live_faces_;
   }
 
   /// Moves all faces of `gone` to `kept`. The caller kills those that hold both.
   void merge(Index kept, Index gone) {
-    for_each_corner(gone, [&](Index face, Index i) { faces_[face].vertex[i] = kept; });
-    if (head_[gone] == none)
-      return;
-    if (head_[kept] == none)
-      head_[kept] = head_[gone];
-    else
-      std::swap(next(head_[kept]), next(head_[gone])); // two circles become one
-    head_[gone] = none;
+    if (pool_.size() + lists_[kept].size + lists_[gone].size > pool_.capacity())
+      build_lists();
+    const Index begin = static_cast<Index>(pool_.size());
+    const auto append = [&](Index face, Index i) { pool_.push_back(4 * face + i); };
+    pool_.reserve(pool_.size() + lists_[kept].size + lists_[gone].size); // no walk may see it move
+    for_each_corner(kept, append);
+    for_each_corner(gone, [&](Index face, Index i) {
+      faces_[face][i] = kept;
+      append(face, i);
+    });
+    lists_[kept] = {begin, static_cast<Index>(pool_.size() - begin)};
+    lists_[gone].size = 0;
   }
 
-  /// Asks for a vertex some time before its faces are walked; and for the first of them a little
-  /// later.
-  void prefetch(Index vertex) const { __builtin_prefetch(&head_[vertex]); }
+  /// Ask for what a walk around a vertex will read, one after the other and some time before it:
+  /// where its corners are, the corners, the faces.
+  void prefetch(Index vertex) const { __builtin_prefetch(&lists_[vertex]); }
+  void prefetch_corners(Index vertex) const {
+    __builtin_prefetch(pool_.data() + lists_[vertex].begin);
+  }
   void prefetch_faces(Index vertex) const {
-    if (head_[vertex] != none)
-      __builtin_prefetch(&faces_[head_[vertex] >> 2]);
+    const List& list = lists_[vertex];
+    for (Index i = 0; i < list.size; ++i)
+      __builtin_prefetch(&faces_[pool_[list.begin + i] >> 2]);
   }
 
 private:
-  struct Face {
-    Triangle vertex;
-    std::array<Index, 3> next; // the next corner at the same vertex
+  struct List {
+    Index begin, size; // in the pool
   };
 
-  Index& next(Index corner) { return faces_[corner >> 2].next[corner & 3]; }
+  // Linear in the number of faces. Leaves room at the end of the pool.
+  void build_lists();
 
-  void add_corner(Index corner, Index vertex) {
-    if (head_[vertex] == none) {
-      next(corner) = corner;
-    } else {
-      next(corner) = next(head_[vertex]);
-      next(head_[vertex]) = corner;
-    }
-    head_[vertex] = corner;
-  }
-
-  std::vector<Face> faces_;
-  std::vector<Index> head_; // of each vertex: one of its corners, or none
+  std::vector<Triangle> faces_;
+  std::vector<Index> pool_;
+  std::vector<List> lists_; // of each vertex
   std::size_t live_faces_ = 0;
 };
 
-inline TriangleComplex::TriangleComplex(std::size_t vertex_count,
-                                        const std::vector<Triangle>& triangles)
-    : faces_(triangles.size()), head_(vertex_count, none), live_faces_(triangles.size()) {
-  check_size(vertex_count, triangles.size());
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    const auto [a, b, c] = triangles[f];
-    const Index face = static_cast<Index>(f);
-    faces_[face].vertex = triangles[f];
-    if (a == b || b == c || c == a) {
+inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles)
+    : faces_(std::move(triangles)), lists_(vertex_count), live_faces_(faces_.size()) {
+  check_size(vertex_count, faces_.size());
+  for (Index face = 0; face < faces_.size(); ++face) {
+    const auto [a, b, c] = faces_[face];
+    if (a == b || b == c || c == a)
       kill(face);
-      continue;
-    }
-    add_corner(4 * face, a);
-    add_corner(4 * face + 1, b);
-    add_corner(4 * face + 2, c);
   }
+  pool_.reserve(4 * faces_.size());
+  build_lists();
+}
+
+inline void TriangleComplex::build_lists() {
+  for (List& list : lists_)
+    list.size = 0;
+  for (const Triangle& face : faces_)
+    if (face[0] != none)
+      for (Index v : face)
+        ++lists_[v].size;
+  Index begin = 0;
+  for (List& list : lists_) {
+    list.begin = begin;
+    begin += std::exchange(list.size, 0);
+  }
+  pool_.resize(begin);
+  for (Index face = 0; face < faces_.size(); ++face)
+    if (!is_dead(face))
+      for (Index i = 0; i < 3; ++i) {
+        List& list = lists_[faces_[face][i]];
+        pool_[list.begin + list.size++] = 4 * face + i;
+      }
 }
 
 } // namespace quadrille::internal
