@@ -63,10 +63,10 @@ struct AttributeQuadric {
   }
 
   /// The plane of the triangle pqr in all dimensions, about p: A = I − e₁e₁ᵀ − e₂e₂ᵀ, where e₁ and
-  /// e₂ are an orthonormal basis of the triangle. Nothing for a face without area in space.
+  /// e₂ are an orthonormal basis of the triangle. Nothing for a face without a normal in space.
   Memory face(const Position& p, const Position& q, const Position& r) const {
     const double doubled_area =
-        std::sqrt(squared_length(double_area_vector(space(p), space(q), space(r))));
+        std::sqrt(squared_length(normal_vector(space(p), space(q), space(r))));
     if (!(doubled_area > 0))
       return {};
     const double weight = weighting == Weighting::by_area ? doubled_area / 2 : 1;

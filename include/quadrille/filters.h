@@ -14,8 +14,8 @@
 namespace quadrille {
 
 /// Refuses a contraction that turns the normal of a face by `degrees` or more. On by default, with
-/// 90 degrees. A face without area has no normal and may turn to any; 180 degrees allows
-/// everything.
+/// 90 degrees. A face of three points on a line, up to rounding, has no normal and may turn to any;
+/// 180 degrees allows everything.
 class NormalFlip {
 public:
   static constexpr Rejection cause = Rejection::normal_flip;
@@ -34,18 +34,23 @@ public:
       return true;
     for (const auto& face : contraction.faces())
       if (turns_too_far(double_area_vector(face.before, face.second, face.third),
-                        double_area_vector(face.after, face.second, face.third)))
+                        double_area_vector(face.after, face.second, face.third)) &&
+          has_normal(face.before, face.second, face.third))
         return false;
     return true;
   }
 
 private:
+  static bool has_normal(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+    return squared_length(normal_vector(p, q, r)) > 0;
+  }
+
   bool turns_too_far(const Vector<3>& before, const Vector<3>& after) const {
     const double product = dot(before, after);
     if (cosine_ == 0)
-      return product <= 0 && squared_length(before) > 0;
+      return product <= 0;
     const double lengths = std::sqrt(squared_length(before) * squared_length(after));
-    return product <= cosine_ * lengths && squared_length(before) > 0;
+    return product <= cosine_ * lengths;
   }
 
   double cosine_;

@@ -55,7 +55,7 @@ struct MemorylessQuadric {
   };
 
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    const Vector<3> normal = double_area_vector(p, q, r);
+    const Vector<3> normal = normal_vector(p, q, r);
     const double length = std::sqrt(squared_length(normal));
     if (!(length > 0))
       return {};

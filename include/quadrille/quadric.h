@@ -61,9 +61,9 @@ struct Quadric {
                                   std::to_string(crease_degrees) + " is not in [0, 180]");
   }
 
-  /// What a face pqr leaves at each of its corners. Nothing for a face without area.
+  /// What a face pqr leaves at each of its corners. Nothing for a face without a normal.
   Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    const Vector<3> normal = double_area_vector(p, q, r);
+    const Vector<3> normal = normal_vector(p, q, r);
     const double squared = squared_length(normal);
     if (!(squared > 0))
       return {};
@@ -105,7 +105,7 @@ struct Quadric {
   /// The plane through the edge pq and perpendicular to the face pqr, about p, with weight · |pq|².
   static Memory constraint_plane(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
                                  double weight) {
-    const Vector<3> normal = double_area_vector(p, q, r);
+    const Vector<3> normal = normal_vector(p, q, r);
     const double squared = squared_length(normal);
     if (!(squared > 0))
       return {};

@@ -66,6 +66,17 @@ constexpr Vector<3> double_area_vector(const Vector<3>& p, const Vector<3>& q, c
   return cross(q - p, r - p);
 }
 
+/// The same, but zero, no normal, if the three points lie on a line up to the rounding of their
+/// coordinates. A triangle higher than a millionth of its length has one, however few bits tell it.
+constexpr Vector<3> normal_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+  const Vector<3> normal = double_area_vector(p, q, r);
+  const double edges = squared_distance(p, q) + squared_distance(p, r);
+  if (squared_length(normal) > 0x1p-40 * edges * edges)
+    return normal;
+  const double sizes = squared_length(p) + squared_length(q) + squared_length(r);
+  return squared_length(normal) > 0x1p-102 * sizes * edges ? normal : Vector<3>{};
+}
+
 template <std::size_t N>
 bool is_finite(const Vector<N>& a) {
   double sum = 0;

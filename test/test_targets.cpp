@@ -1,0 +1,293 @@
+// Targets are met exactly where parity and topology allow; those that cannot be met end with a
+// reason.
+
+#include "meshes.h"
+
+#include <quadrille/simplify.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Mesh;
+using test::Point;
+using test::Position;
+using test::Soup;
+
+struct PointSoup {
+  std::vector<Point> points;
+  std::vector<test::Triangle> triangles;
+
+  explicit PointSoup(const Soup& soup) : triangles(soup.triangles) {
+    for (const Position& p : soup.points)
+      points.push_back(test::to_point<Point>(p));
+  }
+};
+
+template <class... Arguments>
+Report simplify_soup(PointSoup& soup, const Arguments&... arguments) {
+  return simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles, arguments...);
+}
+
+struct Refuse {
+  bool allows(const auto&) const { return false; }
+};
+
+Soup open_surface() {
+  return test::with_noise(test::grid(8, 7), 1, 0.02);
+}
+
+Soup closed_surface() {
+  return test::with_noise(test::sphere(2), 1, 0.05);
+}
+
+} // namespace
+
+// --- Exact targets -------------------------------------------------------------------------------
+
+TEST_CASE("A surface with a border gets to every number of faces") {
+  const Mesh input = test::make_mesh(open_surface());
+  for (std::size_t target = 1; target <= input.number_of_faces(); ++target) {
+    CAPTURE(target);
+    Mesh mesh = input;
+    const Report report = simplify(mesh, FaceCount{target});
+    REQUIRE(report.stop == StopReason::target_met);
+    REQUIRE(mesh.number_of_faces() == target);
+    REQUIRE(CGAL::is_valid_polygon_mesh(mesh));
+  }
+}
+
+TEST_CASE("A closed surface gets to every even number of faces, and to the next below an odd one") {
+  const Mesh input = test::make_mesh(closed_surface());
+  for (std::size_t target = 4; target <= input.number_of_faces(); ++target) {
+    CAPTURE(target);
+    Mesh mesh = input;
+    const Report report = simplify(mesh, FaceCount{target});
+    REQUIRE(report.stop == StopReason::target_met);
+    REQUIRE(mesh.number_of_faces() == target / 2 * 2);
+  }
+}
+
+TEST_CASE("Every number of vertices is met exactly") {
+  for (const Soup& soup : {open_surface(), closed_surface()}) {
+    const Mesh input = test::make_mesh(soup);
+    for (std::size_t target = 4; target <= input.number_of_vertices(); ++target) {
+      CAPTURE(target);
+      Mesh mesh = input;
+      const Report report = simplify(mesh, VertexCount{target});
+      REQUIRE(report.stop == StopReason::target_met);
+      REQUIRE(mesh.number_of_vertices() == target);
+    }
+  }
+}
+
+TEST_CASE("A ratio is met to the nearest face") {
+  const Mesh input = test::make_mesh(open_surface());
+  const auto faces = static_cast<double>(input.number_of_faces());
+  for (double ratio : {1.0, 0.996, 0.9, 0.5, 0.1, 0.0134}) {
+    CAPTURE(ratio);
+    Mesh mesh = input;
+    simplify(mesh, FaceRatio{ratio});
+    CHECK(mesh.number_of_faces() == static_cast<std::size_t>(std::lround(ratio * faces)));
+  }
+}
+
+TEST_CASE("A soup gets to every number of faces") {
+  const Soup input = open_surface();
+  for (std::size_t target = 0; target <= input.triangles.size(); ++target) {
+    CAPTURE(target);
+    PointSoup soup(input);
+    const Report report = simplify_soup(soup, FaceCount{target});
+    REQUIRE(report.stop == StopReason::target_met);
+    REQUIRE(soup.triangles.size() == target);
+  }
+}
+
+TEST_CASE("AnyOf stops at the first of its targets, AllOf at the last") {
+  const Mesh input = test::make_mesh(open_surface());
+  for (std::size_t faces : {11, 30, 57}) {
+    Mesh any = input, all = input;
+    simplify(any, AnyOf{FaceCount{faces}, VertexCount{25}});
+    simplify(all, AllOf{FaceCount{faces}, VertexCount{25}});
+    CAPTURE(faces, any.number_of_faces(), any.number_of_vertices(), all.number_of_faces());
+    CHECK((any.number_of_faces() == faces || any.number_of_vertices() == 25));
+    CHECK((any.number_of_faces() >= faces && any.number_of_vertices() >= 25));
+    CHECK((all.number_of_faces() == faces || all.number_of_vertices() == 25));
+    CHECK((all.number_of_faces() <= faces && all.number_of_vertices() <= 25));
+  }
+}
+
+TEST_CASE("A target above the input changes nothing") {
+  const auto faces =
+      GENERATE(as<std::size_t>{}, 112, 113, 1000000, std::numeric_limits<std::size_t>::max());
+  const Soup input = open_surface();
+  REQUIRE(input.triangles.size() == 112);
+  Mesh mesh = test::make_mesh(input);
+  Report report = simplify(mesh, FaceCount{faces});
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(report.contractions == 0);
+  CHECK(test::to_soup(mesh).points == input.points);
+  CHECK(test::is_same_surface(test::to_soup(mesh), input, 0));
+
+  report = simplify(mesh, VertexCount{faces});
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(mesh.number_of_vertices() == input.points.size());
+
+  PointSoup soup(input);
+  report = simplify_soup(soup, FaceCount{faces});
+  CHECK(report.contractions == 0);
+  CHECK(soup.points == PointSoup(input).points);
+  CHECK(soup.triangles == input.triangles);
+}
+
+// --- Targets that cannot be met ------------------------------------------------------------------
+
+TEST_CASE("A tetrahedron cannot be simplified") {
+  Mesh mesh = test::make_mesh(test::tetrahedron());
+  const Report report = simplify(mesh, FaceCount{0});
+  CHECK(report.stop == StopReason::all_pairs_rejected);
+  CHECK(report.rejected(Rejection::topology) == 6);
+  CHECK(test::to_soup(mesh).points == test::tetrahedron().points);
+  CHECK(test::is_same_surface(test::to_soup(mesh), test::tetrahedron(), 0));
+}
+
+TEST_CASE("Constraints on everything end with that reason") {
+  const Soup input = closed_surface();
+  const auto always = [](const auto&) { return true; };
+  const auto fixed_vertices = boost::make_function_property_map<Mesh::Vertex_index>(always);
+  const auto fixed_edges = boost::make_function_property_map<Mesh::Edge_index>(always);
+  const auto require_unchanged = [&](const auto& parameters) {
+    Mesh mesh = test::make_mesh(input);
+    const Report report = simplify(mesh, FaceCount{0}, parameters);
+    CHECK(report.stop == StopReason::all_pairs_rejected);
+    CHECK(report.rejected(Rejection::constraint) == mesh.number_of_edges());
+    CHECK(test::to_soup(mesh).points == input.points);
+    CHECK(test::is_same_surface(test::to_soup(mesh), input, 0));
+  };
+  require_unchanged(CGAL::parameters::vertex_is_constrained_map(fixed_vertices));
+  require_unchanged(CGAL::parameters::edge_is_constrained_map(fixed_edges));
+}
+
+TEST_CASE("A filter that refuses everything ends with that reason") {
+  Mesh mesh = test::make_mesh(closed_surface());
+  const Report report = simplify(mesh, FaceCount{0}, Refuse{}, NormalFlip{180});
+  CHECK(report.stop == StopReason::all_pairs_rejected);
+  CHECK(report.contractions == 0);
+  CHECK(report.rejected(Rejection::filter) == mesh.number_of_edges());
+}
+
+TEST_CASE("Where topology is free, nothing at all is left of a surface in the end") {
+  for (const Soup& input : {closed_surface(), open_surface(), test::triangle(), test::tetrahedron(),
+                            test::random_with_borders(3)}) {
+    PointSoup soup(input);
+    const Report report = simplify_soup(soup, FaceCount{0}, NormalFlip{180});
+    INFO(report);
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(soup.triangles.empty());
+    CHECK(soup.points.empty());
+
+    Mesh mesh = test::make_mesh(input);
+    simplify(mesh, FaceCount{0}, Topology::free, NormalFlip{180});
+    CHECK(mesh.number_of_vertices() == 0);
+    CHECK(mesh.number_of_edges() == 0);
+  }
+}
+
+TEST_CASE("Without pairs there is no pair left") {
+  struct None {
+    void operator()(const SurfaceView&, const EmitPair&) const {}
+  };
+  Mesh mesh = test::make_mesh(closed_surface());
+  const Report report = simplify(mesh, None{}, FaceCount{0});
+  CHECK(report.stop == StopReason::no_pair_left);
+  CHECK(report.contractions == 0);
+}
+
+// --- Odd surfaces --------------------------------------------------------------------------------
+
+TEST_CASE("Soups of nothing give nothing") {
+  const Soup no_points;
+  const Soup isolated_points{{{{1, 2, 3}}, {{4, 5, 6}}}, {}};
+  const Soup collapsed{{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{0, 0, 0}, {0, 1, 0}, {2, 2, 1}}};
+  for (const Soup& input : {no_points, isolated_points, collapsed}) {
+    for (double ratio : {0.0, 0.5, 1.0}) {
+      PointSoup soup(input);
+      const Report report = simplify_soup(soup, FaceRatio{ratio});
+      CHECK(report.stop == StopReason::target_met);
+      CHECK(report.faces_after == 0);
+      CHECK(soup.points.empty());
+      CHECK(soup.triangles.empty());
+    }
+  }
+}
+
+TEST_CASE("An empty mesh meets every target") {
+  Mesh mesh;
+  CHECK(simplify(mesh, FaceCount{0}).stop == StopReason::target_met);
+  CHECK(simplify(mesh, FaceCount{10}).stop == StopReason::target_met);
+  CHECK(simplify(mesh, VertexCount{0}).stop == StopReason::target_met);
+  CHECK(simplify(mesh, FaceRatio{0}).stop == StopReason::target_met);
+}
+
+TEMPLATE_TEST_CASE("Surfaces that lie on a line up to rounding reach their targets", "", Quadric,
+                   MemorylessQuadric) {
+  test::Random random(1);
+  for (int line = 0; line < 24; ++line) {
+    CAPTURE(line);
+    const double offset = std::array{0.0, 1.0, 1e3, 1e7}.at(line % 4);
+    const auto random_vector = [&](double size) {
+      return Position{{random(-size, size), random(-size, size), random(-size, size)}};
+    };
+    const Position origin = random_vector(offset), direction = random_vector(1);
+    const auto onto_line = [&](const Position& p) {
+      return origin + dot(Position{{0.3, 0.7, 0.2}}, p) * direction;
+    };
+    for (const Soup& soup : {test::sphere(2), test::sphere(4), test::grid(6, 6), test::grid(40, 1),
+                             test::torus(8, 8), test::torus(20, 20)}) {
+      const Soup flat = test::mapped(soup, onto_line);
+      const auto before = test::topology_of(flat);
+      Mesh mesh = test::make_mesh(flat);
+      const Report report = simplify<TestType, OptimalPlacement>(mesh, FaceRatio{0.25});
+      INFO(report);
+      CHECK(report.stop == StopReason::target_met);
+      CHECK(4 * mesh.number_of_faces() == soup.triangles.size());
+      CHECK(is_same_topology(test::topology_of(test::to_soup(mesh)), before));
+      const double length = std::sqrt(squared_length(direction));
+      for (const Position& p : test::to_soup(mesh).points)
+        CHECK(squared_length(cross(p - origin, direction)) <
+              std::pow(1e-14 * length * (length + std::sqrt(squared_length(origin))), 2));
+    }
+  }
+}
+
+// --- Again and again -----------------------------------------------------------------------------
+
+TEST_CASE("Each round takes faces until every pair is refused") {
+  const auto step = GENERATE(as<std::size_t>{}, 1, 2, 7);
+  for (const Soup& input : {closed_surface(), open_surface(), test::torus(9, 7)}) {
+    CAPTURE(step);
+    Mesh mesh = test::make_mesh(input);
+    StopReason stop = StopReason::target_met;
+    while (stop == StopReason::target_met) {
+      const std::size_t faces = mesh.number_of_faces();
+      const std::size_t target = faces - std::min(step, faces);
+      const Report report = simplify(mesh, FaceCount{target});
+      INFO(report);
+      stop = report.stop;
+      REQUIRE((mesh.number_of_faces() <= target) == (stop == StopReason::target_met));
+      REQUIRE(test::is_valid_triangle_mesh(mesh));
+    }
+    CHECK(stop == StopReason::all_pairs_rejected);
+    CHECK(mesh.number_of_faces() <= 20); // irreducible tori have at most 10 vertices
+  }
+}
