@@ -73,12 +73,13 @@ inline Mesh ball(std::size_t columns, std::size_t rows, const auto& radius) {
     return place(angle, step + (std::numbers::pi - 2 * step) * t);
   });
   const std::size_t last = columns * (rows - 2);
+  const auto vertex = [](std::size_t i) { return Vertex(static_cast<Vertex::size_type>(i)); };
   const Vertex south = mesh.add_vertex(place(0, 0));
   const Vertex north = mesh.add_vertex(place(0, std::numbers::pi));
   for (std::size_t i = 0; i < columns; ++i) {
     const std::size_t next = (i + 1) % columns;
-    mesh.add_face(south, Vertex(next), Vertex(i));
-    mesh.add_face(north, Vertex(last + i), Vertex(last + next));
+    mesh.add_face(south, vertex(next), vertex(i));
+    mesh.add_face(north, vertex(last + i), vertex(last + next));
   }
   return mesh;
 }

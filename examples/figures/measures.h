@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 /// What the figures measure beside the distance of two surfaces.
@@ -122,6 +123,20 @@ double rms_difference(const Field<N>& a, const Field<N>& b, std::size_t samples 
   };
   const double mean = (squares(a, b) + squares(b, a)) / static_cast<double>(2 * N * samples);
   return std::sqrt(mean);
+}
+
+/// Gives each vertex of a mesh what a field has at the place nearest to it.
+template <std::size_t N, class Map>
+void transfer(const Field<N>& field, const Mesh& mesh, Map attributes) {
+  using Component = std::remove_cvref_t<decltype(attributes[Vertex()][0])>;
+  for (const Vertex v : mesh.vertices()) {
+    const auto value = field.value(field.nearest(mesh.point(v)));
+    for (std::size_t i = 0; i < N; ++i)
+      if constexpr (std::is_integral_v<Component>)
+        attributes[v][i] = static_cast<Component>(std::lround(value[i]));
+      else
+        attributes[v][i] = value[i];
+  }
 }
 
 } // namespace figures
