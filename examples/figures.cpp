@@ -1,7 +1,7 @@
 // Computes figures of Garland and Heckbert's papers, on models that come with CGAL or on generated
 // ones, prints what each of them shows and writes its meshes.
 //
-//   figures [NUMBER...]     all of them without a number
+//   figures MODEL_FOLDER OUTPUT_FOLDER [NUMBER...]     all of them without a number
 #include "figures/figure_1.h"
 #include "figures/figure_2.h"
 #include "figures/figure_3.h"
@@ -46,23 +46,26 @@ const std::array<Entry, 7> entries = {
 } // namespace
 
 int main(int argc, char* argv[]) try {
-  const path folder = "figures_out";
-  std::vector<std::string> numbers(argv + 1, argv + argc);
-  for (const std::string& number : numbers)
-    if (std::ranges::find(entries, number, &Entry::number) == entries.end()) {
-      std::fprintf(stderr, "usage: %s [NUMBER...], numbers from 1 to %zu\n", argv[0],
-                   entries.size());
-      return 2;
-    }
+  const std::vector<std::string> numbers(argv + std::min(argc, 3), argv + argc);
+  const auto is_known = [](const std::string& number) {
+    return std::ranges::find(entries, number, &Entry::number) != entries.end();
+  };
+  if (argc < 3 || !std::ranges::all_of(numbers, is_known)) {
+    std::fprintf(stderr, "usage: %s MODEL_FOLDER OUTPUT_FOLDER [NUMBER...], numbers 1 to %zu\n",
+                 argv[0], entries.size());
+    return 2;
+  }
+  const path models = argv[1], folder = argv[2];
   figures::fs::create_directories(folder);
   for (const Entry& entry : entries) {
     if (!numbers.empty() && std::ranges::find(numbers, entry.number) == numbers.end())
       continue;
-    std::printf("\nFigure %s. %s\n\n", entry.number.c_str(), entry.title);
+    std::printf("Figure %s. %s\n\n", entry.number.c_str(), entry.title);
     std::fflush(stdout);
-    entry.show(QUADRILLE_MODELS_DIR, folder);
+    entry.show(models, folder);
+    std::printf("\n");
   }
-  std::printf("\nThe meshes are in %s\n", folder.c_str());
+  std::printf("The meshes are in %s\n", folder.c_str());
 } catch (const std::exception& error) {
   std::fprintf(stderr, "figures: %s\n", error.what());
   return 2;

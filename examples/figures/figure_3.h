@@ -29,7 +29,7 @@ struct Figure3 {
   Result by_edges, by_pairs;
 
   explicit Figure3(const fs::path& /*models*/)
-      : original(soup_of(cubes(10, 10, gap))), by_edges(simplified(quadrille::EdgePairs{})),
+      : original(cubes(10, 10, gap)), by_edges(simplified(quadrille::EdgePairs{})),
         by_pairs(simplified(quadrille::ThresholdPairs{1.5 * gap})) {}
 
   void print() const {
@@ -45,14 +45,13 @@ struct Figure3 {
   }
 
 private:
-  static constexpr std::size_t faces = 200;
+  static constexpr std::size_t faces = 840; // of a block of 10 × 10 cubes, its inner walls once
 
   Result simplified(const auto& pairs) const {
     using namespace quadrille;
     Result result{original, {}, {}};
     auto& [points, triangles] = result.soup;
-    result.report =
-        simplify<Quadric, OptimalPlacement>(points, triangles, FaceCount{faces}, pairs);
+    result.report = simplify<Quadric, OptimalPlacement>(points, triangles, FaceCount{faces}, pairs);
     result.error = surface_distance(original.points, original.triangles, points, triangles);
     return result;
   }

@@ -35,7 +35,7 @@ struct Border {
 /// The wall of a cylinder, 7,960 → 2,460 faces, with and without constraint planes at its borders.
 /// Without them the borders recede: along the wall nothing holds them.
 struct Figure4 {
-  static constexpr double height = 2;
+  static constexpr double height = 1;
 
   Mesh original, with, without;
 

@@ -41,9 +41,9 @@ struct Figure5 {
                 "model      before   after    Quadric  ColorQuadric     Quadric  ColorQuadric\n");
     for (const Row& row : rows)
       std::printf("%-8s %8zu %7u %10.2f %13.2f %11.4f %13.4f\n", row.model.c_str(),
-                  row.faces_before, row.by_quadric.mesh.number_of_faces(),
-                  row.by_quadric.color_rms, row.by_color_quadric.color_rms,
-                  100 * row.by_quadric.rms, 100 * row.by_color_quadric.rms);
+                  row.faces_before, row.by_quadric.mesh.number_of_faces(), row.by_quadric.color_rms,
+                  row.by_color_quadric.color_rms, 100 * row.by_quadric.rms,
+                  100 * row.by_color_quadric.rms);
   }
 
   void write(const fs::path& folder) const {

@@ -34,8 +34,9 @@ inline Mesh terrain() {
     const auto hill = [&](double x, double y, double width) {
       return std::exp(-(std::pow(s - x, 2) + std::pow(t - y, 2)) / (width * width));
     };
-    return Point(s, t, 0.35 * hill(0.3, 0.35, 0.16) + 0.25 * hill(0.7, 0.65, 0.2) -
-                           0.12 * hill(0.65, 0.2, 0.15) + 0.1 * hill(0.2, 0.8, 0.1));
+    return Point(s, t,
+                 0.35 * hill(0.3, 0.35, 0.16) + 0.25 * hill(0.7, 0.65, 0.2) -
+                     0.12 * hill(0.65, 0.2, 0.15) + 0.1 * hill(0.2, 0.8, 0.1));
   });
   const TextureMap map = texture(mesh);
   const auto walk = [&](std::size_t first, std::size_t step, std::size_t axis) {
@@ -81,8 +82,8 @@ struct Figure6 {
     transfer(field, mesh, texture(mesh));
     by_quadric = measured(mesh);
     mesh = original;
-    simplify<TextureQuadric, OptimalPlacement>(
-        mesh, FaceCount{faces}, CGAL::parameters::vertex_texture_map(texture(mesh)));
+    simplify<TextureQuadric, OptimalPlacement>(mesh, FaceCount{faces},
+                                               CGAL::parameters::vertex_texture_map(texture(mesh)));
     by_texture_quadric = measured(mesh);
   }
 

@@ -55,8 +55,7 @@ public:
 
   Point point(const Place& place) const {
     const Kernel::Triangle_3& t = triangles_[place.face];
-    return CGAL::barycenter(t[0], place.weights[0], t[1], place.weights[1], t[2],
-                            place.weights[2]);
+    return CGAL::barycenter(t[0], place.weights[0], t[1], place.weights[1], t[2], place.weights[2]);
   }
 
   Value value(const Place& place) const {

@@ -3,9 +3,9 @@
 
 #include <quadrille/vector.h>
 
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
