@@ -92,9 +92,18 @@ inline Mesh sphere(std::size_t columns, std::size_t rows) {
 /// triangles alike, so that neighbours can grow together without a trace.
 inline Soup cubes(std::size_t columns, std::size_t rows, double gap) {
   // Corner i is at the bits of i; each diagonal runs from the lowest to the highest corner.
-  constexpr std::array<std::array<std::size_t, 3>, 12> triangles = {
-      {{0, 6, 2}, {0, 4, 6}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
-       {2, 7, 3}, {2, 6, 7}, {0, 3, 1}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6}}};
+  constexpr std::array<std::array<std::size_t, 3>, 12> triangles = {{{0, 6, 2},
+                                                                     {0, 4, 6},
+                                                                     {1, 3, 7},
+                                                                     {1, 7, 5},
+                                                                     {0, 1, 5},
+                                                                     {0, 5, 4},
+                                                                     {2, 7, 3},
+                                                                     {2, 6, 7},
+                                                                     {0, 3, 1},
+                                                                     {0, 2, 3},
+                                                                     {4, 5, 7},
+                                                                     {4, 7, 6}}};
   Soup soup;
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {

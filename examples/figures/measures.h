@@ -124,12 +124,23 @@ double rms_difference(const Field<N>& a, const Field<N>& b, std::size_t samples 
   return std::sqrt(mean);
 }
 
+/// A point next to a vertex, a ten-thousandth of the way to the middle of one of its faces: where
+/// several surfaces have a vertex in one place, this is on the vertex's own.
+inline Point next_to(Vertex v, const Mesh& mesh) {
+  auto h = mesh.halfedge(v);
+  if (mesh.is_border(h))
+    h = mesh.prev(mesh.opposite(h));
+  const Point middle = CGAL::centroid(mesh.point(v), mesh.point(mesh.source(h)),
+                                      mesh.point(mesh.target(mesh.next(h))));
+  return mesh.point(v) + 1e-4 * (middle - mesh.point(v));
+}
+
 /// Gives each vertex of a mesh what a field has at the place nearest to it.
 template <std::size_t N, class Map>
 void transfer(const Field<N>& field, const Mesh& mesh, Map attributes) {
   using Component = std::remove_cvref_t<decltype(attributes[Vertex()][0])>;
   for (const Vertex v : mesh.vertices()) {
-    const auto value = field.value(field.nearest(mesh.point(v)));
+    const auto value = field.value(field.nearest(next_to(v, mesh)));
     for (std::size_t i = 0; i < N; ++i)
       if constexpr (std::is_integral_v<Component>)
         attributes[v][i] = static_cast<Component>(std::lround(value[i]));
