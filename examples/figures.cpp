@@ -9,6 +9,7 @@
 #include "figures/figure_5.h"
 #include "figures/figure_6.h"
 #include "figures/figure_7.h"
+#include "figures/figure_8.h"
 
 #include <algorithm>
 #include <array>
@@ -34,14 +35,15 @@ struct Entry {
   void (*show)(const path& models, const path& folder);
 };
 
-const std::array<Entry, 7> entries = {
+const std::array<Entry, 8> entries = {
     {{"1", "The shortest edge first, and quadrics", show<figures::Figure1>},
      {"2", "The bones of a foot, by edges and by pairs", show<figures::Figure2>},
      {"3", "A hundred cubes, by edges and by pairs", show<figures::Figure3>},
      {"4", "The borders of a cylinder's wall", show<figures::Figure4>},
      {"5", "Colours", show<figures::Figure5>},
      {"6", "Texture coordinates", show<figures::Figure6>},
-     {"7", "The bunny to 100 faces", show<figures::Figure7>}}};
+     {"7", "The bunny to 100 faces", show<figures::Figure7>},
+     {"8", "Quadrics as ellipsoids", show<figures::Figure8>}}};
 
 } // namespace
 

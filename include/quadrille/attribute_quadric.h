@@ -48,8 +48,9 @@ struct AttributeQuadric {
   using Memory = QuadricForm<dimension>;
 
   double importance = A == Attribute::texture ? 0.2 : 0.02; ///< above 0
-  std::optional<Vector<N>> weights; ///< of each attribute, in mesh units a unit of the attribute
-  double boundary_weight = 100;     ///< as in Quadric
+  /// Of each attribute, in mesh units a unit of the attribute; by default as above.
+  std::optional<Vector<N>> weights = {};
+  double boundary_weight = 100; ///< as in Quadric
   Weighting weighting = Weighting::by_area;
 
   /// The weights for attributes between `low` and `high`, see above.
