@@ -1,6 +1,8 @@
 #!/bin/sh
 # Builds the examples and runs one of them. Debian packages that are missing are installed first.
 #   sh examples/run.sh               simplifies the models of the papers and prints a table
+#   sh examples/run.sh --figures [NUMBER...]
+#                                    computes the papers' figures (doc/figures.md)
 #   sh examples/run.sh ARGUMENT...   runs the program simplify (--help lists its arguments)
 # Exit status: that of the program, or 3 if it cannot be built.
 set -u
@@ -8,7 +10,11 @@ set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$root/build/examples
 log=$build/build.log
-if [ $# -eq 0 ]; then program=papers_models; else program=simplify; fi
+case $#,${1-} in
+  0,*)         program=papers_models; set -- "$build/data/meshes" "$build/results" ;;
+  *,--figures) program=figures; shift; set -- "$build/data/meshes" "$build/figures" "$@" ;;
+  *)           program=simplify ;;
+esac
 
 prepare() {
   sh "$root/.ci/install_packages.sh" \
@@ -26,5 +32,4 @@ if ! prepare >"$log" 2>&1; then
   exit 3
 fi
 
-if [ $# -eq 0 ]; then set -- "$build/data/meshes" "$build/results"; fi
 exec "$build/examples/$program" "$@"

@@ -52,9 +52,7 @@ inline Mesh globe() {
   for (const Vertex v : mesh.vertices()) {
     const Vector3 d = mesh.point(v) - CGAL::ORIGIN;
     const double h = height(CGAL::ORIGIN + d / std::sqrt(d.squared_length()));
-    color[v] = h < 0     ? Color(30, 70, 160)
-               : h < 1.2 ? Color(90, 150, 60)
-                         : Color(235, 230, 220);
+    color[v] = h < 0 ? Color(30, 70, 160) : h < 1.2 ? Color(90, 150, 60) : Color(235, 230, 220);
   }
   return mesh;
 }

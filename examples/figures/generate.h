@@ -3,9 +3,7 @@
 
 #include "surfaces.h"
 
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/boost/graph/generators.h>
-
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -22,9 +20,9 @@ inline std::vector<Vertex> add_grid(Mesh& mesh, std::size_t columns, std::size_t
   std::vector<Vertex> vertices;
   for (std::size_t j = 0; j <= rows; ++j)
     for (std::size_t i = 0; i <= columns; ++i)
-      vertices.push_back(mesh.add_vertex(
-          position(static_cast<double>(i) / static_cast<double>(columns),
-                   static_cast<double>(j) / static_cast<double>(rows))));
+      vertices.push_back(
+          mesh.add_vertex(position(static_cast<double>(i) / static_cast<double>(columns),
+                                   static_cast<double>(j) / static_cast<double>(rows))));
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
       const std::size_t at = j * (columns + 1) + i, above = at + columns + 1;
@@ -53,10 +51,12 @@ inline Mesh tube(std::size_t columns, std::size_t rows, const auto& position) {
   return mesh;
 }
 
-/// The wall of a cylinder of radius 1 around the z axis, open at z = 0 and z = height.
+/// The wall of a cylinder of radius 1 around the z axis, open at z = 0 and z = height. Each row is
+/// turned by half a column against the one below, so that no edge runs along the wall.
 inline Mesh cylinder_wall(std::size_t columns, std::size_t rows, double height) {
+  const double turn = std::numbers::pi * static_cast<double>(rows) / static_cast<double>(columns);
   return tube(columns, rows, [=](double angle, double t) {
-    return Point(std::cos(angle), std::sin(angle), height * t);
+    return Point(std::cos(angle - turn * t), std::sin(angle - turn * t), height * t);
   });
 }
 
@@ -73,12 +73,13 @@ inline Mesh ball(std::size_t columns, std::size_t rows, const auto& radius) {
     return place(angle, step + (std::numbers::pi - 2 * step) * t);
   });
   const std::size_t last = columns * (rows - 2);
+  const auto vertex = [](std::size_t i) { return Vertex(static_cast<Vertex::size_type>(i)); };
   const Vertex south = mesh.add_vertex(place(0, 0));
   const Vertex north = mesh.add_vertex(place(0, std::numbers::pi));
   for (std::size_t i = 0; i < columns; ++i) {
     const std::size_t next = (i + 1) % columns;
-    mesh.add_face(south, Vertex(next), Vertex(i));
-    mesh.add_face(north, Vertex(last + i), Vertex(last + next));
+    mesh.add_face(south, vertex(next), vertex(i));
+    mesh.add_face(north, vertex(last + i), vertex(last + next));
   }
   return mesh;
 }
@@ -87,18 +88,34 @@ inline Mesh sphere(std::size_t columns, std::size_t rows) {
   return ball(columns, rows, [](const Point&) { return 1.0; });
 }
 
-/// columns × rows separate cubes of edge 1 in a layer, `gap` apart.
-inline Mesh cubes(std::size_t columns, std::size_t rows, double gap) {
-  Mesh mesh;
+/// columns × rows separate cubes of edge 1 in a layer, `gap` apart. Opposite sides are cut into
+/// triangles alike, so that neighbours can grow together without a trace.
+inline Soup cubes(std::size_t columns, std::size_t rows, double gap) {
+  // Corner i is at the bits of i; each diagonal runs from the lowest to the highest corner.
+  constexpr std::array<std::array<std::size_t, 3>, 12> triangles = {{{0, 6, 2},
+                                                                     {0, 4, 6},
+                                                                     {1, 3, 7},
+                                                                     {1, 7, 5},
+                                                                     {0, 1, 5},
+                                                                     {0, 5, 4},
+                                                                     {2, 7, 3},
+                                                                     {2, 6, 7},
+                                                                     {0, 3, 1},
+                                                                     {0, 2, 3},
+                                                                     {4, 5, 7},
+                                                                     {4, 7, 6}}};
+  Soup soup;
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
-      const double x = static_cast<double>(i) * (1 + gap), y = static_cast<double>(j) * (1 + gap);
-      CGAL::make_hexahedron(Point(x, y, 0), Point(x + 1, y, 0), Point(x + 1, y + 1, 0),
-                            Point(x, y + 1, 0), Point(x, y + 1, 1), Point(x, y, 1),
-                            Point(x + 1, y, 1), Point(x + 1, y + 1, 1), mesh);
+      const std::size_t first = soup.points.size();
+      for (std::size_t corner = 0; corner < 8; ++corner)
+        soup.points.emplace_back(static_cast<double>(i) * (1 + gap) + (corner & 1 ? 1 : 0),
+                                 static_cast<double>(j) * (1 + gap) + (corner & 2 ? 1 : 0),
+                                 corner & 4 ? 1 : 0);
+      for (const auto& [a, b, c] : triangles)
+        soup.triangles.push_back({first + a, first + b, first + c});
     }
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  return mesh;
+  return soup;
 }
 
 } // namespace figures

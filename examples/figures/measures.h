@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 /// What the figures measure beside the distance of two surfaces.
@@ -54,8 +55,7 @@ public:
 
   Point point(const Place& place) const {
     const Kernel::Triangle_3& t = triangles_[place.face];
-    return CGAL::barycenter(t[0], place.weights[0], t[1], place.weights[1], t[2],
-                            place.weights[2]);
+    return CGAL::barycenter(t[0], place.weights[0], t[1], place.weights[1], t[2], place.weights[2]);
   }
 
   Value value(const Place& place) const {
@@ -122,6 +122,31 @@ double rms_difference(const Field<N>& a, const Field<N>& b, std::size_t samples 
   };
   const double mean = (squares(a, b) + squares(b, a)) / static_cast<double>(2 * N * samples);
   return std::sqrt(mean);
+}
+
+/// A point next to a vertex, a ten-thousandth of the way to the middle of one of its faces: where
+/// several surfaces have a vertex in one place, this is on the vertex's own.
+inline Point next_to(Vertex v, const Mesh& mesh) {
+  auto h = mesh.halfedge(v);
+  if (mesh.is_border(h))
+    h = mesh.prev(mesh.opposite(h));
+  const Point middle = CGAL::centroid(mesh.point(v), mesh.point(mesh.source(h)),
+                                      mesh.point(mesh.target(mesh.next(h))));
+  return mesh.point(v) + 1e-4 * (middle - mesh.point(v));
+}
+
+/// Gives each vertex of a mesh what a field has at the place nearest to it.
+template <std::size_t N, class Map>
+void transfer(const Field<N>& field, const Mesh& mesh, Map attributes) {
+  using Component = std::remove_cvref_t<decltype(attributes[Vertex()][0])>;
+  for (const Vertex v : mesh.vertices()) {
+    const auto value = field.value(field.nearest(next_to(v, mesh)));
+    for (std::size_t i = 0; i < N; ++i)
+      if constexpr (std::is_integral_v<Component>)
+        attributes[v][i] = static_cast<Component>(std::lround(value[i]));
+      else
+        attributes[v][i] = value[i];
+  }
 }
 
 } // namespace figures

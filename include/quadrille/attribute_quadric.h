@@ -32,9 +32,11 @@ enum class Attribute {
 ///
 ///     importance · (diagonal of the bounding box) / (largest range of the N attributes)
 ///
-/// (1 if the attributes are constant), so a step across the whole range of colours counts as much
-/// as a step of `importance` times the size of the model. Memory: the (N + 4)(N + 5) / 2 doubles of
-/// a QuadricForm<3 + N> a vertex: 28 for colours.
+/// (1 if the attributes are constant), so a step across their whole range counts as much as a step
+/// of `importance` times the size of the model. By default that is 0.2 for texture coordinates,
+/// whose range goes once across the model, and 0.02 for others, which may cross theirs from a
+/// vertex to the next: a higher one costs shape and gains hardly any colour (see doc/design.md).
+/// Memory: the (N + 4)(N + 5) / 2 doubles of a QuadricForm<3 + N> a vertex: 28 for colours.
 ///
 /// Source: Garland and Heckbert, Simplifying Surfaces with Color and Texture using Quadric Error
 /// Metrics, 1998, sections 3 and 4.
@@ -45,9 +47,10 @@ struct AttributeQuadric {
   using Position = Vector<dimension>;
   using Memory = QuadricForm<dimension>;
 
-  double importance = 0.1;          ///< above 0
-  std::optional<Vector<N>> weights; ///< of each attribute, in mesh units a unit of the attribute
-  double boundary_weight = 100;     ///< as in Quadric
+  double importance = A == Attribute::texture ? 0.2 : 0.02; ///< above 0
+  /// Of each attribute, in mesh units a unit of the attribute; by default as above.
+  std::optional<Vector<N>> weights = {};
+  double boundary_weight = 100; ///< as in Quadric
   Weighting weighting = Weighting::by_area;
 
   /// The weights for attributes between `low` and `high`, see above.

@@ -24,7 +24,8 @@ public:
   using Position = Vector<N>;
 
   constexpr QuadricForm() = default;
-  explicit constexpr QuadricForm(const SymmetricMatrix<N>& a) : a_(a) {}
+  explicit constexpr QuadricForm(const SymmetricMatrix<N>& a, const Position& g = {}, double c = 0)
+      : a_(a), g_(g), c_(c) {}
 
   /// weight · (normal · x)²: the squared distance to a plane through the origin, for a unit normal.
   static constexpr QuadricForm plane(const Position& normal, double weight) {

@@ -40,6 +40,7 @@ namespace quadrille {
 /// - edge_is_crease_map: creases, see Quadric
 /// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: see
 ///   AttributeQuadric
+/// - vertex_quadric_map: written, the quadrics of the vertices that are left
 ///
 /// What is left keeps its descriptors, so property maps stay right. As in CGAL, meshes that only
 /// mark what is removed (Surface_mesh, OpenMesh) are left for the caller to tidy up:

@@ -82,9 +82,10 @@ public:
   /// lie.
   ///
   /// Everything that can throw (memory, the user's maps) comes before the first change of the
-  /// connectivity, and is taken back if it does. Returns how many vertices it had to duplicate.
-  template <class Result>
-  std::size_t write(const Result& result) {
+  /// connectivity, and is taken back if it does. Calls tell(vertex, v, result) for each vertex v
+  /// that is left. Returns how many vertices it had to duplicate.
+  template <class Result, class Tell>
+  std::size_t write(const Result& result, Tell tell) {
     collect_faces(result);
     umbrellas_.build(sides_, result.vertex_count(), [this](Index i, Index j) {
       return opposite(halfedges_[i], mesh_) == halfedges_[j];
@@ -93,7 +94,7 @@ public:
       collect_border(result);
     choose_halfedges(result);
     collect_doomed(result);
-    write_points(result);
+    write_points(result, tell);
     write_connectivity();
     return umbrellas_.duplicates().size();
   }
@@ -253,22 +254,27 @@ private:
   }
 
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
-  template <class Result>
-  void write_points(const Result& result) {
+  template <class Result, class Tell>
+  void write_points(const Result& result, Tell tell) {
     std::vector<Vertex> added;
     added.reserve(umbrellas_.duplicates().size());
     vertices_.reserve(vertices_.size() + umbrellas_.duplicates().size());
     Undo undo;
     try {
-      for (Index v = 0; v < result.vertex_count(); ++v)
-        if (result.has_vertex(v) && result.is_moved(v))
+      for (Index v = 0; v < result.vertex_count(); ++v) {
+        if (!result.has_vertex(v))
+          continue;
+        if (result.is_moved(v))
           write_position(vertices_[v], result.position(v), undo);
+        tell(vertices_[v], v, result);
+      }
       for (Index original : umbrellas_.duplicates()) {
         added.push_back(add_vertex(mesh_));
         vertices_.push_back(added.back());
         put(points_, added.back(), Point(get(points_, vertices_[original])));
         if constexpr (Attributes::size > 0)
           attributes_.put_raw(added.back(), attributes_.raw(vertices_[original]));
+        tell(added.back(), original, result);
       }
     } catch (...) {
       for (Vertex v : added)

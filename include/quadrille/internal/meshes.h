@@ -55,6 +55,16 @@ template <class Parameter>
 inline constexpr bool is_given =
     !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
 
+/// What run() calls for each vertex that is left.
+template <class NamedParameters>
+auto teller(const NamedParameters& named) {
+  const auto quadrics = CGAL::parameters::get_parameter(named, parameters::vertex_quadric);
+  return [quadrics](const auto& key, Index v, const auto& result) {
+    if constexpr (is_given<decltype(quadrics)>)
+      put(quadrics, key, result.mean_quadric(v));
+  };
+}
+
 template <class Mesh, class Policies, class NamedParameters>
 Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedParameters& named) {
   using CGAL::parameters::choose_parameter;
@@ -66,7 +76,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
   auto attributes = pick_attributes<Cost>(named);
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes)> adapter(
       mesh, points, indices, attributes);
-  return run(adapter, policies, [&](auto& reader) {
+  const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
     const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
@@ -78,7 +88,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
     if constexpr (is_given<decltype(creases)>)
       reader.name_creases(creases, input);
     return input;
-  });
+  };
+  return run(adapter, policies, read, teller(named));
 }
 
 template <class Points, class Triangles, class Policies, class NamedParameters>
@@ -93,13 +104,14 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   auto attributes = pick_attributes<Cost>(named);
   SoupAdapter<Points, Triangles, decltype(map), decltype(attributes)> adapter(points, triangles,
                                                                               map, attributes);
-  return run(adapter, policies, [&](auto& reader) {
+  const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
     if constexpr (is_given<decltype(fixed_vertices)>)
       reader.fix_vertices(fixed_vertices, input);
     return input;
-  });
+  };
+  return run(adapter, policies, read, teller(named));
 }
 
 } // namespace quadrille::internal

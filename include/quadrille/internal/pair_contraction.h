@@ -218,6 +218,8 @@ public:
   bool is_moved(Index v) const { return is_moved_[v]; }
   /// Of a vertex, in the units of the mesh and its attributes.
   Position position(Index v) const { return scale_.position_of_mesh(positions_[v]); }
+  /// What a vertex remembers, as vertex_quadric_map tells it.
+  auto mean_quadric(Index v) const { return scale_.mean_of_mesh(memories_[v]); }
 
 private:
   static Scale<dimension> scale_of(const SurfaceInput<dimension>& input, const Cost& cost) {

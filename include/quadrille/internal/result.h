@@ -4,7 +4,9 @@
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/spatial_order.h>
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/quadric_form.h>
 
+#include <concepts>
 #include <cstddef>
 
 namespace quadrille::internal {
@@ -33,6 +35,15 @@ public:
   bool is_moved(Index v) const { return surface_.is_moved(order_.vertex_rank(v)); }
   /// With attributes, in the units of the mesh.
   auto position(Index v) const { return surface_.position(order_.vertex_rank(v)); }
+
+  /// As vertex_quadric_map tells it.
+  auto mean_quadric(Index v) const {
+    using Cost = typename Policies::Cost;
+    static_assert(std::same_as<typename Cost::Memory, QuadricForm<Cost::dimension>>,
+                  "vertex_quadric_map needs a cost that remembers a QuadricForm: use Quadric or an "
+                  "AttributeQuadric.");
+    return surface_.mean_quadric(order_.vertex_rank(v));
+  }
 
 private:
   const PairContraction<Policies>& surface_;

@@ -27,9 +27,10 @@ private:
   Clock::time_point last_ = Clock::now();
 };
 
-/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter.
-template <class Adapter, class Policies, class Read>
-Report run(Adapter& adapter, const Policies& policies, Read read) {
+/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter;
+/// `tell(key, v, result)` is called for each vertex that is left, with its key in the user's maps.
+template <class Adapter, class Policies, class Read, class Tell>
+Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   StopWatch watch;
   Report report;
   auto input = read(adapter);
@@ -48,7 +49,7 @@ Report run(Adapter& adapter, const Policies& policies, Read read) {
   surface.complete(report);
   report.seconds.contract = watch.lap();
 
-  report.duplicated_vertices = adapter.write(Result<Policies>(surface, spatial_order));
+  report.duplicated_vertices = adapter.write(Result<Policies>(surface, spatial_order), tell);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;

@@ -57,15 +57,17 @@ public:
   }
 
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart, so
-  /// the soup stays as it was if that throws.
-  template <class Result>
-  std::size_t write(const Result& result) {
+  /// the soup stays as it was if that throws. Calls tell(new index, v, result) for each point v
+  /// that is left.
+  template <class Result, class Tell>
+  std::size_t write(const Result& result, Tell tell) {
     Points points;
     std::vector<Index> new_index(result.vertex_count(), none);
     for (Index v = 0; v < result.vertex_count(); ++v) {
       if (!result.has_vertex(v))
         continue;
       new_index[v] = static_cast<Index>(std::ranges::size(points));
+      tell(std::ranges::size(points), v, result);
       points.push_back(points_[v]);
       if (result.is_moved(v))
         put(map_, points.back(), to_cgal<Point>(space(result.position(v))));

@@ -2,6 +2,8 @@
 #define QUADRILLE_INTERNAL_SURFACE_H
 
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/symmetric_matrix.h>
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
@@ -99,6 +101,23 @@ public:
     for (std::size_t i = 3; i < N; ++i)
       p[i] /= weights_[i - 3];
     return p;
+  }
+
+  /// A quadric about its vertex in the mesh's units, divided by its weight: a plane in N dimensions
+  /// adds N − 2 times its own to the trace.
+  QuadricForm<N> mean_of_mesh(const QuadricForm<N>& form) const {
+    const double weight = form.trace() / (N - 2);
+    if (!(weight > 0))
+      return {};
+    const auto unit = [&](std::size_t i) { return i < 3 ? 1 : weights_[i - 3]; };
+    SymmetricMatrix<N> a;
+    Vector<N> g;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j <= i; ++j)
+        a.set(i, j, unit(i) * unit(j) * form.matrix()(i, j) / weight);
+      g[i] = unit(i) * length_of_mesh(form.gradient()[i] / weight);
+    }
+    return QuadricForm<N>(a, g, length_of_mesh(length_of_mesh(form.constant() / weight)));
   }
 
   double diagonal() const { return diagonal_; } ///< of the bounding box, in the mesh's unit
