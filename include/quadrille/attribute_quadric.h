@@ -45,9 +45,9 @@ struct AttributeQuadric {
   using Position = Vector<dimension>;
   using Memory = QuadricForm<dimension>;
 
-  double importance = 0.1;          ///< above 0
-  std::optional<Vector<N>> weights; ///< of each attribute, in mesh units a unit of the attribute
-  double boundary_weight = 100;     ///< as in Quadric
+  double importance = 0.1;            ///< above 0
+  std::optional<Vector<N>> weights{}; ///< of each attribute, in mesh units a unit of the attribute
+  double boundary_weight = 100;       ///< as in Quadric
   Weighting weighting = Weighting::by_area;
 
   /// The weights for attributes between `low` and `high`, see above.
@@ -112,9 +112,9 @@ struct AttributeQuadric {
                                   std::to_string(importance) + " is not above 0 and finite");
     if (weights)
       for (double weight : weights->coordinates)
-        if (!(weight > 0))
+        if (!(weight > 0) || !std::isfinite(weight))
           throw std::invalid_argument("quadrille::AttributeQuadric: an attribute's weight is " +
-                                      std::to_string(weight) + ", not above 0");
+                                      std::to_string(weight) + ", not above 0 and finite");
   }
 
 private:
