@@ -147,8 +147,8 @@ TEMPLATE_TEST_CASE("A face that is not a triangle is named, with the remedy", ""
 TEMPLATE_TEST_CASE("A vertex that is not finite is named", "", Mesh, Polyhedron) {
   const auto input = test::make_mesh<TestType>(test::sphere(1));
   for (double value : {not_a_number, infinity, -infinity})
-    for (std::size_t at : {0, 7, 17})
-      for (std::size_t axis : {0, 1, 2}) {
+    for (const auto at : std::array<std::size_t, 3>{0, 7, 17})
+      for (std::size_t axis = 0; axis < 3; ++axis) {
         TestType mesh = input;
         auto v = vertices(mesh).begin();
         std::advance(v, at);
