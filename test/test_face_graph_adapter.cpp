@@ -105,13 +105,13 @@ struct LabelledMesh {
 // --- Descriptors and property maps ---------------------------------------------------------------
 
 TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
-  const std::uint64_t seed = GENERATE(range(0, 8));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 8));
   const bool has_borders = GENERATE(true, false);
   CAPTURE(seed, has_borders);
   const Soup soup = has_borders ? test::random_with_borders(seed) : test::random_closed(seed);
   test::Reference reference(soup);
   std::size_t done = 0;
-  for (std::size_t contractions : {0, 1, 2, 10, 30, 50}) {
+  for (const auto contractions : std::array<std::size_t, 6>{0, 1, 2, 10, 30, 50}) {
     CAPTURE(contractions);
     for (; done < contractions && reference.contract_next(); ++done) {
     }
@@ -129,7 +129,7 @@ TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
 }
 
 TEST_CASE("A border stays a border, with edges that were on it") {
-  const std::uint64_t seed = GENERATE(range(0, 8));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 8));
   Mesh mesh = test::make_mesh(test::random_with_borders(seed));
   std::set<Mesh::Halfedge_index> was_border;
   for (const auto h : mesh.halfedges())
@@ -142,7 +142,7 @@ TEST_CASE("A border stays a border, with edges that were on it") {
 }
 
 TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
-  const std::uint64_t seed = GENERATE(range(0, 8));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 8));
   CAPTURE(seed);
   LabelledMesh labelled(test::random_with_borders(seed));
   Mesh& mesh = labelled.mesh;
@@ -166,13 +166,13 @@ TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
   for (const auto e : chosen) {
     const std::set<std::uint32_t> ends{mesh.vertex(e, 0), mesh.vertex(e, 1)};
     CHECK(ends == labelled.edge[e]);
-    for (const int i : {0, 1})
+    for (const unsigned i : {0u, 1u})
       CHECK(mesh.point(mesh.vertex(e, i)) == input.point(mesh.vertex(e, i)));
   }
 }
 
 TEST_CASE("Where vertices go to an end of their pair, those that are left lie where they were") {
-  const std::uint64_t seed = GENERATE(range(0, 6));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   const auto topology = GENERATE(Topology::kept, Topology::free);
   CAPTURE(seed);
   const Soup soup = test::random_with_borders(seed);
@@ -316,7 +316,7 @@ TEST_CASE("A vertex between two sheets stays one vertex") {
 }
 
 TEST_CASE("Garbage from before the call does no harm") {
-  const std::uint64_t seed = GENERATE(range(0, 6));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   const Soup soup = test::random_closed(seed);
   Mesh with_garbage = test::make_mesh(soup);
   test::Random random(seed);
@@ -339,7 +339,7 @@ TEST_CASE("Garbage from before the call does no harm") {
 }
 
 TEST_CASE("A mesh can be simplified again and again, and refined in between") {
-  const std::uint64_t seed = GENERATE(range(0, 6));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   CAPTURE(seed);
   Mesh mesh = test::make_mesh(test::random_with_borders(seed));
   while (true) {
