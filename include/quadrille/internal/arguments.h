@@ -194,7 +194,7 @@ auto pick_policies(const Arguments&... arguments) {
                 "simplify<EdgeLength, MidpointPlacement>(mesh).");
   const auto named = pick_named(arguments...);
   const Visitor no_visitor;
-  const auto& visitor = CGAL::parameters::choose_parameter(
+  const auto visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter_reference(named, CGAL::internal_np::visitor), no_visitor);
   std::optional<Topology> topology;
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
