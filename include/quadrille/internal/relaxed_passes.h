@@ -113,9 +113,9 @@ private:
   void propose(std::size_t quota) {
     const float limit = cost_limit(quota);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      auto& [begin, end, proposals, allowance] = blocks_[block];
+      std::vector<Proposal>& proposals = blocks_[block].proposals; // clang captures no bindings
       proposals.clear();
-      for (Index v = begin; v < end; ++v)
+      for (Index v = blocks_[block].begin; v < blocks_[block].end; ++v)
         for_each_pair(workers_[worker], v, [&](const Proposal& proposal) {
           if (proposal.cost <= limit)
             proposals.push_back(proposal);
@@ -242,7 +242,8 @@ private:
     bool inside = true;
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
-        inside &= (block_[f.second] == block) & (block_[f.third] == block);
+        for (Index v : {f.second, f.third})
+          inside &= block_[v] == block;
     return inside;
   }
 
