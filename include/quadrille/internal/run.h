@@ -3,13 +3,12 @@
 
 #include <quadrille/internal/greedy_order.h>
 #include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/policies.h>
 #include <quadrille/internal/result.h>
 #include <quadrille/internal/spatial_order.h>
-#include <quadrille/pairs.h>
 #include <quadrille/report.h>
 
 #include <chrono>
-#include <concepts>
 #include <utility>
 
 namespace quadrille::internal {
@@ -39,7 +38,7 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   report.seconds.read = watch.lap();
 
   const SpatialOrder spatial_order =
-      std::same_as<typename Policies::Pairs, EdgePairs> ? SpatialOrder(input) : SpatialOrder();
+      ignores_indices<typename Policies::Pairs> ? SpatialOrder(input) : SpatialOrder();
   PairContraction<Policies> surface(std::move(input), policies);
   {
     GreedyOrder<Policies> order(surface, report);
