@@ -164,7 +164,9 @@ namespace {
 struct Onlooker {
   double* largest_turn;   // of the normal of a face that has one, in degrees
   double* lowest_quality; // of a face that was better before
+  std::size_t* highest_degree;
   bool allows(const auto& contraction) const {
+    *highest_degree = std::max(*highest_degree, contraction.faces().size());
     for (const auto& face : contraction.faces()) {
       const auto before = double_area_vector(face.before, face.second, face.third);
       const auto after = double_area_vector(face.after, face.second, face.third);
@@ -189,7 +191,8 @@ struct Onlooker {
 
 struct Seen {
   double largest_turn = 0, lowest_quality = 1;
-  Onlooker onlooker() { return {&largest_turn, &lowest_quality}; }
+  std::size_t highest_degree = 0;
+  Onlooker onlooker() { return {&largest_turn, &lowest_quality, &highest_degree}; }
 };
 
 std::size_t highest_degree(const Soup& soup) {
@@ -205,7 +208,7 @@ template <class Kind>
 void check_filters() {
   const Soup soup = as_floats(with_noise(random_closed(8), 0, 0.3));
   const FaceRatio stop{0.4};
-  Seen freely, turning, shaped;
+  Seen freely, turning, shaped, slim;
   Kind::run(soup, Quadric{}, stop, NormalFlip{180}, freely.onlooker());
   CHECK(freely.largest_turn > 90);
   CHECK(freely.lowest_quality < 0.3);
@@ -226,9 +229,10 @@ void check_filters() {
   const std::size_t before = highest_degree(soup);
   REQUIRE(before <= 10);
   CHECK(highest_degree(Kind::run(soup, Quadric{}, stop).soup) > 10);
-  const Result with_degree = Kind::run(soup, Quadric{}, stop, HighestDegree{10});
+  const Result with_degree = Kind::run(soup, Quadric{}, stop, HighestDegree{10}, slim.onlooker());
   CHECK(with_degree.report.rejected(Rejection::degree) > 0);
   CHECK(highest_degree(with_degree.soup) <= 10);
+  CHECK(slim.highest_degree <= 10);
 
   Seen all;
   const Result with_all = Kind::run(soup, Quadric{}, stop, HighestDegree{10}, TriangleShape{0.1},
