@@ -307,7 +307,7 @@ private:
   // --- The contraction ---------------------------------------------------------------------------
 
   Contraction contract(const Candidate& candidate) {
-    auto [kept, gone] = candidate.edge;
+    Vertex kept = candidate.edge[0], gone = candidate.edge[1]; // clang captures no bindings
     if (candidate.target == position_[gone] && candidate.target != position_[kept])
       std::swap(kept, gone);
     error = std::max(error, std::sqrt(double(candidate.exact_cost / candidate.weight)));

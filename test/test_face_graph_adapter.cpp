@@ -105,13 +105,13 @@ struct LabelledMesh {
 // --- Descriptors and property maps ---------------------------------------------------------------
 
 TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
-  const std::uint64_t seed = GENERATE(range(0, 8));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 8));
   const bool has_borders = GENERATE(true, false);
   CAPTURE(seed, has_borders);
   const Soup soup = has_borders ? test::random_with_borders(seed) : test::random_closed(seed);
   test::Reference reference(soup);
   std::size_t done = 0;
-  for (std::size_t contractions : {0, 1, 2, 10, 30, 50}) {
+  for (const auto contractions : std::array<std::size_t, 6>{0, 1, 2, 10, 30, 50}) {
     CAPTURE(contractions);
     for (; done < contractions && reference.contract_next(); ++done) {
     }
@@ -129,7 +129,7 @@ TEST_CASE("Property maps on vertices, halfedges, edges and faces stay right") {
 }
 
 TEST_CASE("A border stays a border, with edges that were on it") {
-  const std::uint64_t seed = GENERATE(range(0, 8));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 8));
   Mesh mesh = test::make_mesh(test::random_with_borders(seed));
   std::set<Mesh::Halfedge_index> was_border;
   for (const auto h : mesh.halfedges())
@@ -139,6 +139,54 @@ TEST_CASE("A border stays a border, with edges that were on it") {
   for (const auto h : mesh.halfedges())
     if (mesh.is_border(h))
       CHECK(was_border.contains(h));
+}
+
+TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 8));
+  CAPTURE(seed);
+  LabelledMesh labelled(test::random_with_borders(seed));
+  Mesh& mesh = labelled.mesh;
+  const Mesh input = mesh;
+  const auto constrained = mesh.add_property_map<Mesh::Edge_index, bool>("c", false).first;
+  test::Random random(seed);
+  std::set<Mesh::Edge_index> chosen;
+  while (chosen.size() < 12)
+    chosen.insert(Mesh::Edge_index(random.below(mesh.number_of_edges())));
+  for (const auto e : chosen)
+    constrained[e] = true;
+
+  simplify(mesh, FaceCount{0}, CGAL::parameters::edge_is_constrained_map(constrained));
+  REQUIRE(mesh.number_of_faces() < input.number_of_faces() / 2);
+  REQUIRE(test::is_valid_triangle_mesh(mesh));
+  std::set<Mesh::Edge_index> left;
+  for (const auto e : mesh.edges())
+    if (constrained[e])
+      left.insert(e);
+  REQUIRE(left == chosen);
+  for (const auto e : chosen) {
+    const std::set<std::uint32_t> ends{mesh.vertex(e, 0), mesh.vertex(e, 1)};
+    CHECK(ends == labelled.edge[e]);
+    for (const unsigned i : {0u, 1u})
+      CHECK(mesh.point(mesh.vertex(e, i)) == input.point(mesh.vertex(e, i)));
+  }
+}
+
+TEST_CASE("Where vertices go to an end of their pair, those that are left lie where they were") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
+  const auto topology = GENERATE(Topology::kept, Topology::free);
+  CAPTURE(seed);
+  const Soup soup = test::random_with_borders(seed);
+  LabelledMesh labelled(soup);
+  const Mesh& mesh = labelled.mesh;
+  const Report report = simplify(labelled.mesh, EndpointPlacement{}, FaceRatio{0.3}, topology);
+  REQUIRE(report.contractions > 10);
+  for (const auto v : mesh.vertices()) {
+    const bool is_added = v.idx() >= soup.points.size();
+    if (!is_added)
+      CHECK(labelled.vertex[v] == v.idx());
+    CHECK(std::count(soup.points.begin(), soup.points.end(), test::to_position(mesh.point(v))) > 0);
+    CHECK((is_added || test::to_position(mesh.point(v)) == soup.points.at(v.idx())));
+  }
 }
 
 TEST_CASE("Nothing to do changes nothing") {
@@ -268,7 +316,7 @@ TEST_CASE("A vertex between two sheets stays one vertex") {
 }
 
 TEST_CASE("Garbage from before the call does no harm") {
-  const std::uint64_t seed = GENERATE(range(0, 6));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   const Soup soup = test::random_closed(seed);
   Mesh with_garbage = test::make_mesh(soup);
   test::Random random(seed);
@@ -291,7 +339,7 @@ TEST_CASE("Garbage from before the call does no harm") {
 }
 
 TEST_CASE("A mesh can be simplified again and again, and refined in between") {
-  const std::uint64_t seed = GENERATE(range(0, 6));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   CAPTURE(seed);
   Mesh mesh = test::make_mesh(test::random_with_borders(seed));
   while (true) {

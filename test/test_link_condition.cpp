@@ -176,7 +176,7 @@ TEST_CASE("A doubled face is not contracted") {
 
 TEST_CASE(
     "The condition holds for exactly those edges of which the contraction keeps the topology") {
-  const std::uint64_t seed = GENERATE(range(0, 12));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 12));
   CAPTURE(seed);
   const Soup soup = seed < 4 ? test::random_closed(seed) : test::random_with_borders(seed);
   const test::SoupTopology before = test::topology_of(soup);

@@ -118,7 +118,7 @@ QueuedPair random_pair(Random& random, std::size_t vertices) {
 } // namespace
 
 TEST_CASE("The pair queue gives the order of a priority queue") {
-  const std::uint64_t seed = GENERATE(range(0, 5));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 5));
   Random random(seed);
   const std::size_t vertices = 200;
   QueueUnderTest queue(vertices, 4000);

@@ -83,20 +83,20 @@ void require_same_contractions(const Soup& soup, double boundary_weight) {
 } // namespace
 
 TEST_CASE("Closed surfaces are simplified as by brute force") {
-  const std::uint64_t seed = GENERATE(range(0, 12));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 12));
   CAPTURE(seed);
   require_same_contractions(test::random_closed(seed), 100);
 }
 
 TEST_CASE("Surfaces with borders are simplified as by brute force") {
-  const std::uint64_t seed = GENERATE(range(0, 12));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 12));
   const double boundary_weight = GENERATE(100.0, 1.0, 0.0);
   CAPTURE(seed, boundary_weight);
   require_same_contractions(test::random_with_borders(seed), boundary_weight);
 }
 
 TEST_CASE("Flat surfaces are simplified as by brute force") {
-  const std::uint64_t seed = GENERATE(range(0, 6));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   CAPTURE(seed);
   const Soup noisy = test::with_holes(test::with_noise(test::grid(9, 8), seed, 0.03), seed, 12);
   require_same_contractions(test::mapped(noisy,

@@ -115,7 +115,7 @@ TEST_CASE("A soup gets to every number of faces") {
 
 TEST_CASE("AnyOf stops at the first of its targets, AllOf at the last") {
   const Mesh input = test::make_mesh(open_surface());
-  for (std::size_t faces : {11, 30, 57}) {
+  for (const auto faces : std::array<std::size_t, 3>{11, 30, 57}) {
     Mesh any = input, all = input;
     simplify(any, AnyOf{FaceCount{faces}, VertexCount{25}});
     simplify(all, AllOf{FaceCount{faces}, VertexCount{25}});
@@ -242,7 +242,7 @@ TEST_CASE("An empty mesh meets every target") {
 TEMPLATE_TEST_CASE("Surfaces that lie on a line up to rounding reach their targets", "", Quadric,
                    MemorylessQuadric) {
   test::Random random(1);
-  for (int line = 0; line < 24; ++line) {
+  for (std::size_t line = 0; line < 24; ++line) {
     CAPTURE(line);
     const double offset = std::array{0.0, 1.0, 1e3, 1e7}.at(line % 4);
     const auto random_vector = [&](double size) {

@@ -98,7 +98,7 @@ TEST_CASE("A vertex of which all faces have died has none after the next walk") 
 }
 
 TEST_CASE("Random merges and deaths leave the same corners as in plain sets") {
-  const std::uint64_t seed = GENERATE(range(0, 20));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 20));
   Random random(seed);
   const Index vertices = 12;
   std::vector<Triangle> triangles;

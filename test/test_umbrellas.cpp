@@ -213,7 +213,7 @@ TEST_CASE("A Möbius strip is cut once") {
 }
 
 TEST_CASE("Any triangles become a halfedge mesh with the fewest duplicates") {
-  const std::uint64_t seed = GENERATE(range(0, 40));
+  const auto seed = GENERATE(range<std::uint64_t>(0, 40));
   test::Random random(seed);
   const Index vertices = 7;
   std::vector<Triangle> triangles;

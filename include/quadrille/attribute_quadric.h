@@ -115,9 +115,9 @@ struct AttributeQuadric {
                                   std::to_string(importance) + " is not above 0 and finite");
     if (weights)
       for (double weight : weights->coordinates)
-        if (!(weight > 0))
+        if (!(weight > 0) || !std::isfinite(weight))
           throw std::invalid_argument("quadrille::AttributeQuadric: an attribute's weight is " +
-                                      std::to_string(weight) + ", not above 0");
+                                      std::to_string(weight) + ", not above 0 and finite");
   }
 
 private:

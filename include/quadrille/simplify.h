@@ -8,6 +8,7 @@
 #include <quadrille/internal/arguments.h>
 #include <quadrille/internal/meshes.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
@@ -29,6 +30,7 @@ namespace quadrille {
 /// - a PlacementPolicy: where the vertex goes; Placement{} by default
 /// - a PairPolicy: which pairs there are; EdgePairs{} by default
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
+/// - GreedyOrder or RelaxedOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - Topology: kept, or free; kept by default, free with pairs that are not edges
 ///

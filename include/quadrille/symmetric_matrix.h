@@ -142,7 +142,7 @@ template <>
 class Factorization<3> {
 public:
   explicit constexpr Factorization(const SymmetricMatrix<3>& a) {
-    const double least_pivot = 1e-12 * a.trace();
+    const double least_pivot = least_relative_pivot * a.trace();
     const double d0 = a(0, 0);
     if (!(d0 > least_pivot))
       return; // singular, or not a number
@@ -172,6 +172,8 @@ public:
     const double x1 = y1 * inverse1_ - l21_ * x2;
     return {{y0 * inverse0_ - l10_ * x1 - l20_ * x2, x1, x2}};
   }
+
+  static constexpr double least_relative_pivot = 1e-12;
 
 private:
   double l10_ = 0, l20_ = 0, l21_ = 0;

@@ -50,11 +50,16 @@ public:
     return pairs;
   }
 
-  /// Throws std::invalid_argument for a threshold that is negative or not finite.
+  /// Throws std::invalid_argument for a threshold that is negative or not finite, and for a limit
+  /// that is negative or not a number.
   void validate() const {
     if (!(t_ >= 0) || !std::isfinite(t_))
       throw std::invalid_argument("quadrille::ThresholdPairs: the threshold " + std::to_string(t_) +
                                   " is not a distance");
+    if (!(max_pairs_per_vertex_ >= 0))
+      throw std::invalid_argument("quadrille::ThresholdPairs: the limit of " +
+                                  std::to_string(max_pairs_per_vertex_) +
+                                  " pairs a vertex is no number of pairs");
   }
 
   /// Calls emit(i, j) for each pair of points i < j closer than t, ordered by i, then by j. Throws

@@ -6,6 +6,7 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
@@ -27,7 +28,7 @@
 
 namespace quadrille::internal {
 
-enum class Kind { cost, placement, pairs, stop, filter, topology, named_parameters, unknown };
+enum class Kind { cost, placement, pairs, stop, order, filter, topology, named_parameters, unknown };
 
 template <class T>
 struct IsNamedParameters : std::false_type {};
@@ -52,6 +53,8 @@ constexpr Kind kind_of() {
     return Kind::named_parameters;
   else if constexpr (std::same_as<T, Topology>)
     return Kind::topology;
+  else if constexpr (std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder>)
+    return Kind::order;
   else if constexpr (LooksLikeCost<T>)
     return CostPolicy<T> ? Kind::cost : Kind::unknown;
   else if constexpr (FilterPolicy<T, Cost>)
@@ -159,9 +162,11 @@ concept Fitting =
     CostPolicy<CostOf<Cost, Arguments...>> && ArgumentOfSimplify<Unknown<Cost, Arguments...>> &&
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
-template <class Cost, class Placement, class Pairs, class Stop, class Visitor, class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Visitor, std::optional<Topology>, std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Visitor, Filters...>;
+template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
+          class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, std::optional<Topology>,
+         std::tuple<Filters...>)
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Filters...>;
 
 /// All policies of a call, checked for fitting together.
 template <class DefaultCost, class DefaultPlacement, class... Arguments>
@@ -175,6 +180,8 @@ auto pick_policies(const Arguments&... arguments) {
                 "simplify takes one pair policy: pass only one.");
   static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
                 "simplify takes one stop policy: combine several with AnyOf or AllOf.");
+  static_assert(count_of<Kind::order, Cost, Arguments...> <= 1,
+                "simplify takes one order: pass only one.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
@@ -187,7 +194,7 @@ auto pick_policies(const Arguments&... arguments) {
                 "simplify<EdgeLength, MidpointPlacement>(mesh).");
   const auto named = pick_named(arguments...);
   const Visitor no_visitor;
-  const auto& visitor = CGAL::parameters::choose_parameter(
+  const auto visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter_reference(named, CGAL::internal_np::visitor), no_visitor);
   std::optional<Topology> topology;
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
@@ -196,12 +203,14 @@ auto pick_policies(const Arguments&... arguments) {
                     placement,
                     pick<Kind::pairs, Cost, EdgePairs>(arguments...),
                     pick<Kind::stop, Cost, FaceRatio>(arguments...),
+                    pick<Kind::order, Cost, GreedyOrder>(arguments...),
                     visitor,
                     topology,
                     pick_filters<Cost>(arguments...)};
   validate(policies.cost);
   validate(policies.pairs);
   validate(policies.stop);
+  validate(policies.order);
   return policies;
 }
 

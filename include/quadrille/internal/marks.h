@@ -26,6 +26,12 @@ public:
 
   bool is_marked(Index vertex) const { return mark_[vertex] >= base_; }
   bool is_marked_with(Index vertex, Index number) const { return mark_[vertex] == base_ + number; }
+  /// Marks a vertex with 0; false if it was marked before.
+  bool insert(Index vertex) {
+    const bool is_new = mark_[vertex] < base_;
+    mark_[vertex] = std::max(mark_[vertex], base_);
+    return is_new;
+  }
   Index operator[](Index vertex) const { return mark_[vertex] - base_; } ///< of a marked vertex
   void set(Index vertex, Index number = 0) {
     mark_[vertex] = base_ + number;

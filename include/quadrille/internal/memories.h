@@ -7,6 +7,7 @@
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,17 +26,18 @@ public:
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
   template <class IsInterior>
-  static std::vector<Memory>
-  compute(const Cost& cost, const std::vector<Position>& positions, TriangleComplex& complex,
-          Marks& marks, const std::vector<VertexPair>& creases, IsInterior is_interior) {
-    InitialMemories memories(cost, positions, complex);
+  static void compute(std::vector<Memory>& result, const Cost& cost,
+                      const std::vector<Position>& positions, TriangleComplex& complex,
+                      Marks& marks, const std::vector<VertexPair>& creases,
+                      IsInterior is_interior) {
+    std::fill(result.begin(), result.end(), Memory{});
+    InitialMemories memories(cost, positions, complex, result);
     memories.add_faces();
     if constexpr (has_boundaries || has_creases)
       memories.add_edges(marks, is_interior);
     if constexpr (has_creases)
       for (const auto& [v, w] : creases)
         memories.add_crease(v, w);
-    return std::move(memories.memories_);
   }
 
 private:
@@ -48,8 +50,8 @@ private:
   };
 
   InitialMemories(const Cost& cost, const std::vector<Position>& positions,
-                  TriangleComplex& complex)
-      : cost_(cost), positions_(positions), complex_(complex), memories_(positions.size()) {}
+                  TriangleComplex& complex, std::vector<Memory>& memories)
+      : cost_(cost), positions_(positions), complex_(complex), memories_(memories) {}
 
   void add_faces() {
     for (Index face = 0; face < complex_.face_capacity(); ++face)
@@ -121,7 +123,7 @@ private:
   const Cost& cost_;
   const std::vector<Position>& positions_;
   TriangleComplex& complex_;
-  std::vector<Memory> memories_;
+  std::vector<Memory>& memories_;
 };
 
 } // namespace quadrille::internal

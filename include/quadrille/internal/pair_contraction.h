@@ -9,10 +9,14 @@
 #include <quadrille/internal/pair_lists.h>
 #include <quadrille/internal/pair_selection.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/topology_count.h>
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/internal/two_quadrics.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
@@ -46,25 +50,22 @@ public:
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, policies.cost)),
-        complex_(input.positions.size(), take_triangles(input)), marks_(input.positions.size()),
-        pairs_(select_pairs(policies.pairs, input, complex_, marks_)),
+        complex_(input.positions.size(), take_triangles(input)), scratch_(input.positions.size()),
+        pairs_(select_pairs(policies.pairs, input, complex_, scratch_.marks)),
         is_topology_kept_(keeps_topology(input)), positions_(std::move(input.positions)),
         is_fixed_(std::move(input.is_fixed)), squared_reach_(positions_.size(), 0),
-        is_moved_(positions_.size(), false), merged_into_(positions_.size(), none) {
+        is_moved_(positions_.size(), 0), creases_(std::move(input.creases)), merged_into_(positions_.size(), none) {
     scale_.apply(positions_);
     if (!is_topology_kept_ || input.has_doubled_faces)
       for (Index v = 0; v < positions_.size(); ++v)
-        drop_doubled_faces(v);
+        drop_doubled_faces_at(v);
     if (is_topology_kept_)
-      link_condition_ = LinkCondition(complex_, marks_);
+      link_condition_ = LinkCondition(complex_, scratch_.marks);
     else
       initial_components_ = count_components(complex_);
     start_status();
-    memories_ =
-        InitialMemories<Cost>::compute(policies_.cost, positions_, complex_, marks_, input.creases,
-                                       [this](Index v) { return is_interior(v); });
-    if constexpr (asks_for_current<Cost>)
-      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex_, marks_);
+    memories_.resize(positions_.size());
+    remember();
     start_reach();
   }
 
@@ -78,31 +79,44 @@ public:
   void prefetch_faces(Index v) const { complex_.prefetch_faces(v); }
 
   /// Where the pair goes and what that costs.
-  Candidate evaluate(Index a, Index b) {
+  Candidate evaluate(Index a, Index b) const {
     const Pair pair = view(a, b);
     const Position target = target_of(a, b, pair);
     return {pair, target, policies_.cost(pair, target)};
   }
 
-  /// Only what it costs.
-  double cost_of(Index a, Index b) {
-    const Pair pair = view(a, b);
-    return policies_.cost(pair, target_of(a, b, pair));
+  /// What the pairs of a vertex and each of its partners in the scratch cost, in its `costs`; 0 for
+  /// what is below, or no number.
+  void evaluate_all(Scratch& scratch, Index v) const {
+    const std::vector<Index>& partners = scratch.partners;
+    scratch.costs.resize(partners.size());
+    std::size_t i = 0;
+    if constexpr (has_fast_costs)
+      if (is_fixed_.empty())
+        for (; i + 1 < partners.size(); i += 2)
+          evaluate_two(v, &partners[i], &scratch.costs[i]);
+    for (; i < partners.size(); ++i)
+      scratch.costs[i] = as_key(cost_of(v, partners[i]));
   }
 
-  /// Why this contraction must not be done, if so. The star of the pair is gathered by the way.
-  std::optional<Rejection> rejection(Index a, Index b, const Candidate& candidate) {
-    star_.gather(complex_, a, b);
-    for (const auto* faces : {&star_.first, &star_.second})
+  /// Gathers the star of a pair, for the three functions that follow.
+  void gather(Scratch& scratch, Index a, Index b) {
+    scratch.star.gather(complex_, a, b);
+    for (const auto* faces : {&scratch.star.first, &scratch.star.second})
       for (const StarFace& f : *faces)
         prefetch_memory(f.second);
+  }
+
+  /// Why this contraction must not be done, if so.
+  std::optional<Rejection> rejection(Scratch& scratch, Index a, Index b,
+                                     const Candidate& candidate) const {
     if (is_fixed(a) && is_fixed(b))
       return Rejection::constraint;
     if (!is_finite(candidate.target) || !std::isfinite(candidate.cost))
       return Rejection::position;
-    if (is_topology_kept_ && !link_condition_.holds(star_, a, b, marks_))
+    if (is_topology_kept_ && !link_condition_.holds(scratch.star, a, b, scratch.marks))
       return Rejection::topology;
-    const ContractionView<dimension> contraction(star_, positions_, candidate.pair.first,
+    const ContractionView<dimension> contraction(scratch.star, positions_, candidate.pair.first,
                                                  candidate.pair.second, candidate.target);
     std::optional<Rejection> cause;
     std::apply([&](const auto&... filter) { (refuses(filter, contraction, cause) || ...); },
@@ -110,82 +124,108 @@ public:
     return cause;
   }
 
-  /// Would the contraction whose star was gathered last go beyond the target of the stop policy,
-  /// where another one might not?
-  bool overshoots() const {
+  /// Would the contraction go beyond the target of the stop policy, where another one might not?
+  bool overshoots(const Scratch& scratch) const {
     if (is_closed())
       return false; // each contraction takes two faces
     Status after = status_;
-    after.faces -= star_.shared.size();
+    after.faces -= scratch.star.shared.size();
     --after.vertices;
     return is_passed(policies_.stop, after);
   }
 
-  /// Contracts the pair whose star was gathered last, and returns the vertex that is left: an end
-  /// that keeps its place, else the first.
-  Index contract(Index a, Index b, const Candidate& candidate) {
-    const bool b_stays =
-        !is_fixed(a) && (is_fixed(b) || (candidate.target == candidate.pair.second &&
-                                         candidate.target != candidate.pair.first));
-    const Index kept = b_stays ? b : a, gone = b_stays ? a : b;
-    non_edge_contractions_ += star_.shared.empty();
+  /// Contracts the pair and returns the vertex that is left: an end that keeps its place, else the
+  /// first. What has changed is tallied, to be counted.
+  Index contract(Scratch& scratch, Index a, Index b, const Candidate& candidate) {
+    const auto [kept, gone] = choose(a, b, candidate);
     if constexpr (asks_for_current<Cost>)
-      current_.forget(star_, a, b, policies_.cost, positions_);
+      current_.forget(scratch.star, a, b, policies_.cost, positions_);
     complex_.merge(kept, gone);
-    for (const StarFace& f : star_.shared)
-      complex_.kill(f.face);
-    pairs_.merge(kept, gone);
-    merged_into_[gone] = kept;
-    --status_.vertices;
-    place(kept, candidate);
-    if (is_topology_kept_)
-      link_condition_.merge(kept, gone);
-    else
-      drop_leftovers(kept);
+    kill_shared(scratch);
+    move(scratch, kept, gone, candidate);
+    if (!is_topology_kept_)
+      drop_bare(scratch, kept);
     if constexpr (asks_for_current<Cost>)
-      update_current(kept);
-    update_reach(kept);
-    status_.faces = complex_.live_faces();
-    ++status_.contractions;
+      update_current(scratch, kept);
     return kept;
   }
 
-  /// Calls visit(w) once for each vertex w that makes a pair with v.
-  template <class Visit>
-  void for_each_partner(Index v, Visit visit) {
-    constexpr Index by_edge = 0, by_list = 1;
-    marks_.clear();
-    marks_.set(v, by_list);
-    if constexpr (includes_edges<typename Policies::Pairs>)
-      complex_.for_each_corner(v, [&](Index face, Index) {
-        for (Index w : complex_.vertices(face)) {
-          if (marks_.is_marked(w))
-            continue;
-          marks_.set(w, by_edge);
-          visit(w);
-        }
+  /// The same, for any number of pairs that have no end in common; then end_pass() is called.
+  /// Pairs whose stars have no vertex in common may be contracted at the same time.
+  void contract_in_pass(Scratch& scratch, Index a, Index b, const Candidate& candidate) {
+    const auto [kept, gone] = choose(a, b, candidate);
+    complex_.relabel(kept, gone);
+    kill_shared(scratch);
+    move(scratch, kept, gone, candidate);
+  }
+
+  /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true.
+  void end_pass(bool refresh) {
+    complex_.build_lists();
+    if (!is_topology_kept_)
+      status_.vertices = count_vertices();
+    if (refresh) {
+      for (auto& [v, w] : creases_)
+        v = image(v), w = image(w);
+      std::erase_if(creases_, [](const auto& crease) { return crease[0] == crease[1]; });
+      remember();
+    } else if constexpr (asks_for_current<Cost>) {
+      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex_, scratch_.marks);
+    }
+  }
+
+  /// Adds what contractions have changed to the status, and forgets it.
+  void count(Tally& tally) {
+    status_.faces -= tally.faces;
+    status_.vertices -= tally.vertices;
+    status_.contractions += tally.contractions;
+    total_.non_edge_contractions += tally.non_edge_contractions;
+    total_.error = std::max(total_.error, tally.error);
+    for (std::size_t cause = 0; cause < rejection_causes; ++cause)
+      total_.rejections[cause] += tally.rejections[cause];
+    tally = {};
+  }
+
+  /// The vertices that make a pair with v, each once. Valid until the scratch is used again.
+  const std::vector<Index>& partners(Scratch& scratch, Index v) {
+    Marks& marks = scratch.marks;
+    std::vector<Index>& partners = scratch.partners;
+    partners.clear();
+    marks.clear();
+    marks.insert(v);
+    if constexpr (includes_edges<typename Policies::Pairs>) {
+      partners.resize(2 * complex_.degree_bound(v) + 1);
+      std::size_t count = 0; // no branch: whether a vertex has been met before is hard to guess
+      complex_.for_each_corner(v, [&](Index face, Index i) {
+        const StarFace f = PairStar::star_face(complex_, face, i);
+        partners[count] = f.second;
+        count += marks.insert(f.second);
+        partners[count] = f.third;
+        count += marks.insert(f.third);
       });
-    if (pairs_.size() == 0)
-      return;
-    pairs_.for_each_partner(v, [&](Index w) {
-      if (!complex_.has_faces(w) || marks_.is_marked_with(w, by_list))
-        return false; // a leftover, or a pair that has become the same as another
-      if (!marks_.is_marked(w))
-        visit(w);
-      marks_.set(w, by_list);
-      return true;
-    });
+      partners.resize(count);
+    }
+    if (pairs_.size() > 0)
+      add_listed_partners(scratch, v);
+    return partners;
   }
 
   std::size_t pair_count() const {
     return pairs_.size() +
-           (includes_edges<typename Policies::Pairs> ? 3 * complex_.live_faces() / 2 : 0);
+           (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
   }
+  bool has_other_pairs() const { return pairs_.size() > 0; } // than edges
 
   /// Tells the status of the contraction that comes next.
-  void announce(const Candidate& candidate) {
+  void announce(const Candidate& candidate) { status_.next_error = error(candidate); }
+
+  /// Does the stop policy say so?
+  bool is_enough() const { return policies_.stop(status_); }
+
+  /// Of a contraction, as a distance in the mesh's units.
+  double error(const Candidate& candidate) const {
     const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
-    status_.next_error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+    return scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
   }
 
   /// Tells what became of the surface.
@@ -193,8 +233,10 @@ public:
     report.faces_after = status_.faces;
     report.vertices_after = status_.vertices;
     report.contractions = status_.contractions;
-    report.non_edge_contractions = non_edge_contractions_;
-    const TopologyCount count = count_topology(complex_, marks_);
+    report.non_edge_contractions = total_.non_edge_contractions;
+    report.rejections = total_.rejections;
+    report.error = total_.error;
+    const TopologyCount count = count_topology(complex_, scratch_.marks);
     report.components_after = count.components;
     report.components_before = is_topology_kept_ ? count.components : initial_components_;
     report.non_manifold_edges = count.non_manifold_edges;
@@ -206,6 +248,8 @@ public:
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
 
+  Scratch& scratch() { return scratch_; }
+
   std::size_t vertex_capacity() const { return positions_.size(); }
   /// What a vertex of the beginning has become part of.
   Index image(Index v) const {
@@ -215,7 +259,9 @@ public:
   }
   /// Had the surface no border, nor will it have one?
   bool is_closed() const { return is_topology_kept_ && link_condition_.is_closed(); }
-  bool is_moved(Index v) const { return is_moved_[v]; }
+  bool is_moved(Index v) const { return is_moved_[v] != 0; }
+  bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
+  bool is_topology_kept() const { return is_topology_kept_; }
   /// Of a vertex, in the units of the mesh and its attributes.
   Position position(Index v) const { return scale_.position_of_mesh(positions_[v]); }
   /// What a vertex remembers, as vertex_quadric_map tells it.
@@ -253,13 +299,35 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
+  static constexpr bool has_fast_costs =
+      QUADRILLE_HAS_LANES && std::same_as<Cost, Quadric> &&
+      std::same_as<typename Policies::Placement, OptimalPlacement>;
+
+  static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
+
+  double cost_of(Index a, Index b) const {
+    const Pair pair = view(std::min(a, b), std::max(a, b));
+    return policies_.cost(pair, target_of(std::min(a, b), std::max(a, b), pair));
+  }
+
+  void evaluate_two(Index v, const Index* partners, float* costs) const requires has_fast_costs {
+    const Index w0 = partners[0], w1 = partners[1];
+    const Lanes reach = {std::max(squared_reach_[v], squared_reach_[w0]),
+                         std::max(squared_reach_[v], squared_reach_[w1])};
+    const Lanes values =
+        least_values(memories_[v], {&memories_[w0], &memories_[w1]},
+                     {positions_[w0] - positions_[v], positions_[w1] - positions_[v]}, reach);
+    for (int i = 0; i < 2; ++i)
+      costs[i] = as_key(std::isnan(values[i]) ? cost_of(v, partners[i]) : values[i]);
+  }
+
   Position target_of(Index a, Index b, const Pair& pair) const {
     if (is_fixed(a) || is_fixed(b))
       return is_fixed(a) ? pair.first : pair.second;
     return policies_.placement(policies_.cost, pair);
   }
 
-  Pair view(Index a, Index b) {
+  Pair view(Index a, Index b) const {
     Pair pair{positions_[a], positions_[b],
               sum_about_first(memories_[a], memories_[b], positions_[b] - positions_[a]),
               std::max(squared_reach_[a], squared_reach_[b])};
@@ -271,7 +339,7 @@ private:
 
   // What both ends see now, about the first: the faces of the edge, and the edge itself if it is on
   // the boundary.
-  auto shared(Index a, Index b) requires asks_for_current<Cost> {
+  auto shared(Index a, Index b) const requires asks_for_current<Cost> {
     const Cost& cost = policies_.cost;
     typename Cost::Current sum{};
     std::size_t faces = 0;
@@ -291,16 +359,17 @@ private:
 
   // Inside the surface the faces of the star are exchanged one by one. Constraint planes of
   // boundary edges lean on faces, so vertices that may have any are summed up anew.
-  void update_current(Index kept) requires asks_for_current<Cost> {
+  void update_current(const Scratch& scratch, Index kept) requires asks_for_current<Cost> {
     current_.learn(kept, policies_.cost, positions_, complex_);
     const auto renew = [&](Index v) {
       if (!is_interior(v))
-        current_.recompute(v, policies_.cost, positions_, complex_, marks_);
+        current_.recompute(v, policies_.cost, positions_, complex_, scratch_.marks);
     };
     if (is_closed())
       return;
     renew(kept);
-    for (const auto* faces : {&star_.first, &star_.second, &star_.shared})
+    const PairStar& star = scratch.star;
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
         for (Index v : {f.second, f.third})
           if (complex_.has_faces(v))
@@ -309,8 +378,6 @@ private:
 
   // Known to be inside the surface: without the link condition nothing is.
   bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
-
-  bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
 
   template <class Filter, class Contraction>
   static bool refuses(const Filter& filter, const Contraction& contraction,
@@ -324,57 +391,120 @@ private:
     return true;
   }
 
+  void add_listed_partners(Scratch& scratch, Index v) {
+    constexpr Index by_list = 1;
+    Marks& marks = scratch.marks;
+    marks.set(v, by_list);
+    pairs_.for_each_partner(v, [&](Index w) {
+      if (!complex_.has_faces(w) || marks.is_marked_with(w, by_list))
+        return false; // a leftover, or a pair that has become the same as another
+      if (!marks.is_marked(w))
+        scratch.partners.push_back(w);
+      marks.set(w, by_list);
+      return true;
+    });
+  }
+
   void start_status() {
     status_.faces = status_.initial_faces = complex_.live_faces();
-    for (Index v = 0; v < positions_.size(); ++v)
-      status_.vertices += complex_.has_faces(v);
-    status_.initial_vertices = status_.vertices;
+    status_.vertices = status_.initial_vertices = count_vertices();
     status_.diagonal = scale_.diagonal();
   }
 
-  void place(Index kept, const Candidate& candidate) {
-    is_moved_[kept] = is_moved_[kept] || candidate.target != positions_[kept];
+  std::size_t count_vertices() const {
+    std::size_t count = 0;
+    for (Index v = 0; v < positions_.size(); ++v)
+      count += complex_.has_faces(v);
+    return count;
+  }
+
+  // Vertices remember the surface as it is now.
+  void remember() {
+    InitialMemories<Cost>::compute(memories_, policies_.cost, positions_, complex_, scratch_.marks,
+                                   creases_, [this](Index v) { return is_interior(v); });
+    if constexpr (asks_for_current<Cost>)
+      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex_, scratch_.marks);
+  }
+
+  // Which end is kept, and which is gone.
+  std::pair<Index, Index> choose(Index a, Index b, const Candidate& candidate) const {
+    const bool b_stays =
+        !is_fixed(a) && (is_fixed(b) || (candidate.target == candidate.pair.second &&
+                                         candidate.target != candidate.pair.first));
+    return b_stays ? std::pair(b, a) : std::pair(a, b);
+  }
+
+  void kill_shared(Scratch& scratch) {
+    for (const StarFace& f : scratch.star.shared)
+      complex_.kill(f.face);
+    scratch.tally.faces += scratch.star.shared.size();
+    scratch.tally.non_edge_contractions += scratch.star.shared.empty();
+  }
+
+  // All of a contraction but the faces.
+  void move(Scratch& scratch, Index kept, Index gone, const Candidate& candidate) {
+    pairs_.merge(kept, gone);
+    merged_into_[gone] = kept;
+    is_moved_[kept] |= candidate.target != positions_[kept];
     positions_[kept] = candidate.target;
     memories_[kept] = candidate.pair.memory;
     move_origin(memories_[kept], candidate.target - candidate.pair.first);
+    if (is_topology_kept_)
+      link_condition_.merge(kept, gone);
+    else
+      drop_doubled_faces(scratch);
+    update_reach(scratch.star, kept);
+    ++scratch.tally.contractions;
+    ++scratch.tally.vertices;
+    scratch.tally.error = std::max(scratch.tally.error, error(candidate));
   }
 
-  // What contractions that change the topology leave behind: doubled faces, vertices without a
-  // face.
-  void drop_leftovers(Index kept) {
-    drop_doubled_faces(kept);
-    for (const StarFace& f : star_.shared)
-      for (Index v : {f.second, f.third})
-        drop_if_bare(v);
-    drop_if_bare(kept);
+  // Of the faces that a contraction has changed, those that are doubled now.
+  void drop_doubled_faces(Scratch& scratch) {
+    scratch.faces = scratch.star.first;
+    scratch.faces.insert(scratch.faces.end(), scratch.star.second.begin(),
+                         scratch.star.second.end());
+    drop_doubled_of(scratch);
   }
 
-  // Of faces with the same three vertices the first is left.
-  void drop_doubled_faces(Index v) {
-    const auto is_same = [](const StarFace& a, const StarFace& b) {
-      return a.second == b.second && a.third == b.third;
-    };
-    doubles_.clear();
+  void drop_doubled_faces_at(Index v) {
+    scratch_.faces.clear();
     complex_.for_each_corner(v, [&](Index face, Index i) {
-      StarFace f = PairStar::star_face(complex_, face, i);
+      scratch_.faces.push_back(PairStar::star_face(complex_, face, i));
+    });
+    drop_doubled_of(scratch_);
+    scratch_.tally = {};
+  }
+
+  // Of faces at one vertex with the same two others, the first is left.
+  void drop_doubled_of(Scratch& scratch) {
+    std::vector<StarFace>& faces = scratch.faces;
+    for (StarFace& f : faces)
       if (f.third < f.second)
         std::swap(f.second, f.third);
-      doubles_.push_back(f);
-    });
-    std::sort(doubles_.begin(), doubles_.end(), [](const StarFace& a, const StarFace& b) {
+    std::sort(faces.begin(), faces.end(), [](const StarFace& a, const StarFace& b) {
       return std::tie(a.second, a.third, a.face) < std::tie(b.second, b.third, b.face);
     });
-    for (std::size_t i = 1; i < doubles_.size(); ++i)
-      if (is_same(doubles_[i - 1], doubles_[i]))
-        complex_.kill(doubles_[i].face);
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (faces[i - 1].second == faces[i].second && faces[i - 1].third == faces[i].third) {
+        complex_.kill(faces[i].face);
+        ++scratch.tally.faces;
+      }
   }
 
-  void drop_if_bare(Index v) {
+  // A vertex whose last face is gone is gone too.
+  void drop_bare(Scratch& scratch, Index kept) {
+    for (const StarFace& f : scratch.star.shared)
+      for (Index v : {f.second, f.third})
+        drop_if_bare(scratch, v);
+    drop_if_bare(scratch, kept);
+  }
+
+  void drop_if_bare(Scratch& scratch, Index v) {
     if (!complex_.has_faces(v))
       return;
     complex_.for_each_corner(v, [](Index, Index) {});
-    if (!complex_.has_faces(v))
-      --status_.vertices;
+    scratch.tally.vertices += !complex_.has_faces(v);
   }
 
   void start_reach() {
@@ -391,9 +521,9 @@ private:
 
   // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
   // that can change while the pair waits in the queue.
-  void update_reach(Index kept) {
+  void update_reach(const PairStar& star, Index kept) {
     squared_reach_[kept] = 0;
-    for (const auto* faces : {&star_.first, &star_.second})
+    for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
         for (Index w : {f.second, f.third})
           lengthen_reach(kept, w);
@@ -407,7 +537,7 @@ private:
   const Policies& policies_;
   Scale<dimension> scale_;
   TriangleComplex complex_;
-  Marks marks_;
+  Scratch scratch_;
   PairLists pairs_; // those of the policy that are not edges
   bool is_topology_kept_;
   LinkCondition link_condition_;
@@ -416,12 +546,11 @@ private:
   std::vector<Memory> memories_;
   [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
   std::vector<float> squared_reach_;
-  std::vector<bool> is_moved_;
+  std::vector<unsigned char> is_moved_; // no bits: threads write to it
+  std::vector<std::array<Index, 2>> creases_; // edges that the user named
   std::vector<Index> merged_into_; // of each vertex that is gone
-  PairStar star_;
-  std::vector<StarFace> doubles_;
   Status status_;
-  std::size_t non_edge_contractions_ = 0;
+  Tally total_;
   std::size_t initial_components_ = 0;
 };
 

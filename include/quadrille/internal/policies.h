@@ -40,19 +40,21 @@ struct PairOf {
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named.
-template <class Cost_, class Placement_, class Pairs_, class Stop_, class Visitor_,
+template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
           class... Filters>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
   using Pairs = Pairs_;
   using Stop = Stop_;
+  using Order = Order_;
   using Visitor = Visitor_;
 
   Cost cost;
   Placement placement;
   Pairs pairs;
   Stop stop;
+  Order order;
   Visitor visitor;
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;

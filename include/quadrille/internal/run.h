@@ -1,14 +1,17 @@
 #ifndef QUADRILLE_INTERNAL_RUN_H
 #define QUADRILLE_INTERNAL_RUN_H
 
-#include <quadrille/internal/greedy_order.h>
+#include <quadrille/internal/greedy_loop.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/relaxed_passes.h>
 #include <quadrille/internal/result.h>
 #include <quadrille/internal/spatial_order.h>
+#include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <chrono>
+#include <concepts>
 #include <utility>
 
 namespace quadrille::internal {
@@ -26,6 +29,23 @@ private:
   Clock::time_point last_ = Clock::now();
 };
 
+/// The loop, in the order that was asked for.
+template <class Policies>
+void contract(PairContraction<Policies>& surface, Report& report, StopWatch& watch) {
+  if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
+    report.seconds.prepare = watch.lap();
+    const bool is_cancelled = !RelaxedPasses<Policies>(surface, surface.policies().order).run();
+    if (is_cancelled || surface.is_enough()) {
+      report.stop = is_cancelled ? StopReason::cancelled : StopReason::target_met;
+      return;
+    }
+  }
+  GreedyLoop<Policies> loop(surface, report);
+  if constexpr (std::same_as<typename Policies::Order, GreedyOrder>)
+    report.seconds.prepare = watch.lap();
+  loop.run();
+}
+
 /// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter;
 /// `tell(key, v, result)` is called for each vertex that is left, with its key in the user's maps.
 template <class Adapter, class Policies, class Read, class Tell>
@@ -40,11 +60,7 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   const SpatialOrder spatial_order =
       ignores_indices<typename Policies::Pairs> ? SpatialOrder(input) : SpatialOrder();
   PairContraction<Policies> surface(std::move(input), policies);
-  {
-    GreedyOrder<Policies> order(surface, report);
-    report.seconds.prepare = watch.lap();
-    order.run();
-  }
+  contract(surface, report, watch);
   surface.complete(report);
   report.seconds.contract = watch.lap();
 

@@ -56,9 +56,9 @@ public:
         surface.fix(v);
   }
 
-  /// Rewrites points, triangles and attributes. The new points and triangles are built apart, so
-  /// the soup stays as it was if that throws. Calls tell(new index, v, result) for each point v
-  /// that is left.
+  /// Rewrites points, triangles and attributes. The new points and triangles are built apart, and
+  /// attributes are put back, so the soup stays as it was if that throws. Calls
+  /// tell(new index, v, result) for each point v that is left.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     Points points;
@@ -124,14 +124,23 @@ private:
   // needed.
   template <class Result>
   void write_attributes(const Result& result, const std::vector<Index>& new_index) {
-    if constexpr (Attributes::size > 0)
-      for (Index v = 0; v < result.vertex_count(); ++v) {
-        if (new_index[v] == none)
-          continue;
-        attributes_.put_raw(std::size_t{new_index[v]}, attributes_.raw(std::size_t{v}));
-        if (result.is_moved(v))
-          attributes_.write(std::size_t{new_index[v]}, attributes_of(result.position(v)));
+    if constexpr (Attributes::size > 0) {
+      std::vector<AttributeValue<Attributes>> overwritten;
+      try {
+        for (Index v = 0; v < result.vertex_count(); ++v) {
+          if (new_index[v] == none)
+            continue;
+          overwritten.push_back(attributes_.raw(std::size_t{new_index[v]}));
+          attributes_.put_raw(std::size_t{new_index[v]}, attributes_.raw(std::size_t{v}));
+          if (result.is_moved(v))
+            attributes_.write(std::size_t{new_index[v]}, attributes_of(result.position(v)));
+        }
+      } catch (...) {
+        for (std::size_t v = 0; v < overwritten.size(); ++v)
+          attributes_.put_raw(v, overwritten[v]);
+        throw;
       }
+    }
   }
 
   Points& points_;

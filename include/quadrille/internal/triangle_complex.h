@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 #define QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +47,11 @@ public:
 
   std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
-  std::size_t live_faces() const { return live_faces_; }
+  /// Counts them.
+  std::size_t live_faces() const {
+    return static_cast<std::size_t>(
+        std::count_if(faces_.begin(), faces_.end(), [](const Triangle& f) { return f[0] != none; }));
+  }
 
   bool is_dead(Index face) const { return faces_[face][0] == none; }
   const Triangle& vertices(Index face) const { return faces_[face]; }
@@ -72,10 +77,16 @@ public:
     list.size = live;
   }
 
-  void kill(Index face) {
-    faces_[face] = {none, none, none};
-    --live_faces_;
+  /// The same without dropping anything.
+  template <class Visit>
+  void for_each_corner(Index vertex, Visit visit) const {
+    const List& list = lists_[vertex];
+    for (Index i = 0; i < list.size; ++i)
+      if (const Index corner = pool_[list.begin + i]; !is_dead(corner >> 2))
+        visit(corner >> 2, corner & 3);
   }
+
+  void kill(Index face) { faces_[face] = {none, none, none}; }
 
   /// Moves all faces of `gone` to `kept`. The caller kills those that hold both.
   void merge(Index kept, Index gone) {
@@ -92,6 +103,16 @@ public:
     lists_[kept] = {begin, static_cast<Index>(pool_.size() - begin)};
     lists_[gone].size = 0;
   }
+
+  /// The same, but the faces do not come into the list of `kept` before build_lists() is called.
+  /// Writes to nothing but these faces and the list of `gone`.
+  void relabel(Index kept, Index gone) {
+    for_each_corner(gone, [&](Index face, Index i) { faces_[face][i] = kept; });
+    lists_[gone].size = 0;
+  }
+
+  /// Builds all lists anew, in linear time, each in the order of its faces.
+  void build_lists();
 
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
   /// where its corners are, the corners, the faces.
@@ -110,17 +131,13 @@ private:
     Index begin, size; // in the pool
   };
 
-  // Linear in the number of faces. Leaves room at the end of the pool.
-  void build_lists();
-
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
   std::vector<List> lists_; // of each vertex
-  std::size_t live_faces_ = 0;
 };
 
 inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles)
-    : faces_(std::move(triangles)), lists_(vertex_count), live_faces_(faces_.size()) {
+    : faces_(std::move(triangles)), lists_(vertex_count) {
   check_size(vertex_count, faces_.size());
   for (Index face = 0; face < faces_.size(); ++face) {
     const auto [a, b, c] = faces_[face];

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_GREEDY_ORDER_H
-#define QUADRILLE_INTERNAL_GREEDY_ORDER_H
+#ifndef QUADRILLE_INTERNAL_GREEDY_LOOP_H
+#define QUADRILLE_INTERNAL_GREEDY_LOOP_H
 
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/pair_queue.h>
@@ -22,40 +22,38 @@ namespace quadrille::internal {
 /// A contraction changes the costs of the pairs at its vertex and of no others. A pair that is
 /// refused waits until a vertex next to it has moved.
 template <class Policies>
-class GreedyOrder {
+class GreedyLoop {
 public:
-  GreedyOrder(PairContraction<Policies>& surface, Report& report)
-      : surface_(surface), report_(report), stamp_(surface.vertex_capacity(), 0),
+  GreedyLoop(PairContraction<Policies>& surface, Report& report)
+      : surface_(surface), scratch_(surface.scratch()), report_(report), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
     for (Index v = 0; v < stamp_.size(); ++v)
       if (surface_.complex().has_faces(v))
-        surface_.for_each_partner(v, [&](Index w) {
-          if (v < w)
-            push(v, w);
-        });
+        push_pairs_above(v);
   }
 
   void run() {
     while (const std::optional<QueuedPair> next = next_pair()) {
       const Candidate candidate = surface_.evaluate(next->first, next->second);
-      if (static_cast<float>(candidate.cost) > next->cost && !is_last_resort_) {
-        push(next->first, next->second); // its neighbourhood has made it dearer
+      if (has_become_dearer(candidate, *next)) {
+        push(next->first, next->second, static_cast<float>(candidate.cost));
         continue;
       }
       surface_.announce(candidate);
-      if (const auto cause = surface_.rejection(next->first, next->second, candidate))
+      surface_.gather(scratch_, next->first, next->second);
+      if (const auto cause = surface_.rejection(scratch_, next->first, next->second, candidate))
         park(*next, *cause);
-      else if (is_enough())
+      else if (surface_.is_enough())
         return finish(StopReason::target_met);
-      else if (surface_.overshoots() && !is_last_resort_)
+      else if (surface_.overshoots(scratch_) && !is_last_resort_)
         keep_as_last_resort(*next);
       else
         contract(*next, candidate);
       if (is_cancelled())
         return finish(StopReason::cancelled);
     }
-    finish(is_enough()           ? StopReason::target_met
+    finish(surface_.is_enough()           ? StopReason::target_met
            : parked_.size() == 0 ? StopReason::no_pair_left
                                  : StopReason::all_pairs_rejected);
   }
@@ -75,10 +73,26 @@ private:
     return [this](const QueuedPair& pair) { return is_outdated(pair); };
   }
 
-  void push(Index v, Index w) {
+  void push(Index v, Index w, float cost) {
     const auto [first, second] = std::minmax(v, w);
-    const auto cost = static_cast<float>(surface_.cost_of(first, second));
-    queue_.push({std::max(0.0f, cost), first, second, time_}, outdated()); // no number counts as 0
+    queue_.push({cost, first, second, time_}, outdated());
+  }
+
+  void push_pairs_above(Index v) {
+    std::vector<Index>& partners = scratch_.partners;
+    surface_.partners(scratch_, v);
+    std::erase_if(partners, [&](Index w) { return w < v; });
+    surface_.evaluate_all(scratch_, v);
+    for (std::size_t i = 0; i < partners.size(); ++i)
+      push(v, partners[i], scratch_.costs[i]);
+  }
+
+  // A cost that looks at the surface as it is can change while a pair waits.
+  bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
+    if constexpr (asks_for_current<typename Policies::Cost>)
+      return static_cast<float>(candidate.cost) > pair.cost && !is_last_resort_;
+    else
+      return false;
   }
 
   // When the queue is empty, the cheapest of the pairs that would go beyond the target.
@@ -110,13 +124,13 @@ private:
   }
 
   void park(const QueuedPair& pair, Rejection cause) {
-    ++report_.rejections[static_cast<std::size_t>(cause)];
+    ++scratch_.tally.rejections[static_cast<std::size_t>(cause)];
     parked_.park(pair);
   }
 
   void contract(const QueuedPair& pair, const Candidate& candidate) {
-    const Index kept = surface_.contract(pair.first, pair.second, candidate);
-    report_.error = std::max(report_.error, surface_.status().next_error);
+    const Index kept = surface_.contract(scratch_, pair.first, pair.second, candidate);
+    surface_.count(scratch_.tally);
     ++time_;
     stamp_[pair.first] = stamp_[pair.second] = dead;
     stamp_[kept] = time_;
@@ -124,24 +138,28 @@ private:
       parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
     if (!surface_.complex().has_faces(kept))
       return;
-    surface_.for_each_partner(kept, [&](Index w) {
-      push(kept, w);
-      parked_.release(w, [&](const QueuedPair& p) {
+    surface_.partners(scratch_, kept);
+    surface_.evaluate_all(scratch_, kept);
+    for (std::size_t i = 0; i < scratch_.partners.size(); ++i) {
+      push(kept, scratch_.partners[i], scratch_.costs[i]);
+      parked_.release(scratch_.partners[i], [&](const QueuedPair& p) {
         if (!is_outdated(p))
           queue_.push(p, outdated());
       });
-    });
+    }
   }
-
-  bool is_enough() const { return surface_.policies().stop(surface_.status()); }
 
   bool is_cancelled() const {
     return time_ % 256 == 0 && !surface_.policies().visitor.proceed(surface_.status());
   }
 
-  void finish(StopReason reason) { report_.stop = reason; }
+  void finish(StopReason reason) {
+    surface_.count(scratch_.tally);
+    report_.stop = reason;
+  }
 
   PairContraction<Policies>& surface_;
+  Scratch& scratch_;
   Report& report_;
   std::vector<std::uint32_t> stamp_; // of each vertex: when it was last contracted
   std::uint32_t time_ = 0;           // contractions so far
@@ -153,4 +171,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_GREEDY_ORDER_H
+#endif // QUADRILLE_INTERNAL_GREEDY_LOOP_H

@@ -1,0 +1,40 @@
+#ifndef QUADRILLE_INTERNAL_PARALLEL_H
+#define QUADRILLE_INTERNAL_PARALLEL_H
+
+#ifdef QUADRILLE_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// Calls task(i, worker) for i from 0 to n − 1, at most `threads` at a time; no two calls at a time
+/// have the same worker, a number below `threads`.
+template <class Task>
+void parallel_for(unsigned threads, std::size_t n, const Task& task) {
+#ifdef QUADRILLE_WITH_TBB
+  if (threads > 1 && n > 1) {
+    tbb::task_arena arena(static_cast<int>(threads));
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, n, 1),
+          [&](const tbb::blocked_range<std::size_t>& range) {
+            const int worker = tbb::this_task_arena::current_thread_index();
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+              task(i, static_cast<std::size_t>(worker));
+          },
+          tbb::simple_partitioner{});
+    });
+    return;
+  }
+#endif
+  static_cast<void>(threads);
+  for (std::size_t i = 0; i < n; ++i)
+    task(i, 0);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PARALLEL_H

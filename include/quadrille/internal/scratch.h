@@ -1,0 +1,37 @@
+#ifndef QUADRILLE_INTERNAL_SCRATCH_H
+#define QUADRILLE_INTERNAL_SCRATCH_H
+
+#include <quadrille/internal/marks.h>
+#include <quadrille/internal/star.h>
+#include <quadrille/report.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What contractions have done since they were last counted.
+struct Tally {
+  std::size_t faces = 0, vertices = 0; // that are gone
+  std::size_t contractions = 0, non_edge_contractions = 0;
+  std::array<std::size_t, rejection_causes> rejections{};
+  double error = 0; // the greatest
+};
+
+/// What the steps of a contraction need beside the surface. Threads that work on parts of a surface
+/// with no vertex in common have one each.
+struct Scratch {
+  explicit Scratch(std::size_t vertices) : marks(vertices) {}
+
+  Marks marks;
+  PairStar star; // of the pair that was gathered last
+  std::vector<StarFace> faces;
+  std::vector<Index> partners; // of a vertex
+  std::vector<float> costs;    // of the pairs with these
+  Tally tally;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_SCRATCH_H

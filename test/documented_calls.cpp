@@ -1,0 +1,19 @@
+// What the calls in the documents speak of; documented_calls.sh makes the included file of them.
+#include <CGAL/IO/Color.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <array>
+#include <cstddef>
+#include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
+#include <vector>
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Colors = Mesh::Property_map<Mesh::Vertex_index, CGAL::IO::Color>;
+
+void documented_calls(Mesh& mesh, std::vector<Point>& points,
+                      std::vector<std::array<std::size_t, 3>>& triangles, const Colors& colors) {
+  using namespace quadrille;
+#include "documented_calls.inc"
+}

@@ -1,0 +1,65 @@
+// The number of threads does not show in the result.
+#include "meshes.h"
+#include "soups.h"
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace quadrille;
+using test::Mesh;
+using test::Soup;
+
+Mesh read_model(const std::string& name) {
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
+    throw std::runtime_error(name + ".off cannot be read");
+  return mesh;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "", Quadric,
+                   MemorylessQuadric) {
+  for (const char* name : {"bunny00", "refined_elephant", "nefertiti"}) {
+    const Mesh input = read_model(name);
+    for (bool refresh : {false, true}) {
+      Soup of_one;
+      std::size_t rejections = 0;
+      for (unsigned threads : {1, 2, 3, 8}) {
+        CAPTURE(name, refresh, threads);
+        Mesh mesh = input;
+        const Report report = simplify<TestType, OptimalPlacement>(
+            mesh, FaceRatio{0.1}, RelaxedOrder{.refresh = refresh, .threads = threads});
+        const Soup soup = test::to_soup(mesh);
+        if (threads == 1) {
+          of_one = soup;
+          rejections = report.rejected(Rejection::normal_flip);
+        }
+        REQUIRE(soup.points == of_one.points);
+        REQUIRE(soup.triangles == of_one.triangles);
+        REQUIRE(report.rejected(Rejection::normal_flip) == rejections);
+      }
+    }
+  }
+}
+
+TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was") {
+  struct Throwing {
+    bool allows(const auto&) const { throw std::runtime_error("no"); }
+  };
+  Mesh mesh = read_model("bunny00");
+  const Soup before = test::to_soup(mesh);
+  CHECK_THROWS_WITH((simplify<Quadric, OptimalPlacement>(mesh, RelaxedOrder{.threads = 2},
+                                                         Throwing{})),
+                    "no");
+  const Soup after = test::to_soup(mesh);
+  CHECK(after.points == before.points);
+  CHECK(after.triangles == before.triangles);
+}

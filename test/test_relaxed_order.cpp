@@ -1,0 +1,180 @@
+// Passes hold to the same promises as greedy order, and come close to its error.
+#include "meshes.h"
+#include "soups.h"
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <quadrille/distance.h>
+#include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
+
+#include <catch2/catch.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Mesh;
+using test::Soup;
+using test::SoupTopology;
+
+Mesh read_model(const std::string& name) {
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
+    throw std::runtime_error(name + ".off cannot be read");
+  return mesh;
+}
+
+const std::vector<RelaxedOrder> orders{{}, {.share = 1}, {.share = 0.1, .refresh = true}};
+
+struct CountTurned {
+  std::size_t* count;
+  bool allows(const auto& contraction) const {
+    for (const auto& face : contraction.faces())
+      *count += dot(double_area_vector(face.before, face.second, face.third),
+                    double_area_vector(face.after, face.second, face.third)) < 0;
+    return true;
+  }
+};
+
+template <class Cost, class Order>
+double error_of(const Mesh& input, std::size_t faces, const Order& order) {
+  Mesh mesh = input;
+  simplify<Cost, OptimalPlacement>(mesh, FaceCount{faces}, order);
+  return surface_distance(input, mesh, 20'000).rms;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Passes keep the topology, meet the target and turn no face", "", Quadric,
+                   MemorylessQuadric) {
+  std::vector<std::pair<std::string, Mesh>> models;
+  for (const char* name : {"bunny00", "cow", "lion-head", "nefertiti"})
+    models.emplace_back(name, read_model(name));
+  models.emplace_back("plate", test::make_mesh(test::plate_with_holes(9, 8)));
+  models.emplace_back("noise", test::make_mesh(test::random_closed(7)));
+  for (const auto& [name, input] : models) {
+    const SoupTopology before = test::topology_of(test::to_soup(input));
+    for (const RelaxedOrder& order : orders)
+      for (double ratio : {0.5, 0.1, 0.0}) {
+        const auto target =
+            static_cast<std::size_t>(ratio * static_cast<double>(input.number_of_faces()));
+        Mesh mesh = input;
+        std::size_t turned = 0;
+        const Report report = simplify<TestType, OptimalPlacement>(mesh, FaceCount{target}, order,
+                                                                   CountTurned{&turned});
+        INFO(name << " to " << target << ", share " << order.share << ": " << report);
+        REQUIRE(test::is_valid_triangle_mesh(mesh));
+        const SoupTopology after = test::topology_of(test::to_soup(mesh));
+        REQUIRE(after.is_manifold);
+        REQUIRE_FALSE(after.has_doubled_faces);
+        REQUIRE(is_same_topology(before, after));
+        REQUIRE(turned == 0);
+        REQUIRE(report.faces_after == mesh.number_of_faces());
+        REQUIRE(report.vertices_after == mesh.number_of_vertices());
+        REQUIRE(report.contractions == report.vertices_before - report.vertices_after);
+        if (ratio > 0)
+          REQUIRE(mesh.number_of_faces() == (before.is_closed() ? target / 2 * 2 : target));
+        else
+          REQUIRE(report.stop == StopReason::all_pairs_rejected);
+      }
+  }
+}
+
+TEST_CASE("Passes come close to the error of greedy order, refreshed ones to less") {
+  const Mesh input = read_model("bunny00");
+  const double greedy = error_of<Quadric>(input, 7540, GreedyOrder{});
+  const double relaxed = error_of<Quadric>(input, 7540, RelaxedOrder{});
+  const double refreshed = error_of<Quadric>(input, 7540, RelaxedOrder{.share = 0.1, .refresh = true});
+  CAPTURE(greedy, relaxed, refreshed);
+  CHECK(relaxed < 1.05 * greedy);
+  CHECK(relaxed > 0.9 * greedy);
+  CHECK(refreshed < 0.85 * greedy);
+}
+
+TEST_CASE("Passes hold to constraints") {
+  Mesh mesh = test::make_mesh(test::with_noise(test::sphere(5), 1, 0.01));
+  const auto is_constrained =
+      mesh.add_property_map<Mesh::Vertex_index, bool>("v:constrained", false).first;
+  std::vector<std::pair<Mesh::Vertex_index, test::Point>> places;
+  for (Mesh::Vertex_index v : mesh.vertices())
+    if (v.idx() % 10 == 0) {
+      is_constrained[v] = true;
+      places.emplace_back(v, mesh.point(v));
+    }
+  const Report report = simplify<Quadric, OptimalPlacement>(
+      mesh, FaceCount{2500}, RelaxedOrder{},
+      CGAL::parameters::vertex_is_constrained_map(is_constrained));
+  CHECK(report.faces_after == 2500);
+  for (const auto& [v, place] : places) {
+    REQUIRE_FALSE(mesh.is_removed(v));
+    REQUIRE(mesh.point(v) == place);
+  }
+}
+
+TEST_CASE("Passes take no pair at which the stop policy would stop") {
+  const Mesh input = read_model("bunny00");
+  const double limit = 1e-4;
+  Mesh greedy = input, relaxed = input;
+  const Report g = simplify<Quadric, OptimalPlacement>(greedy, ErrorLimit{limit});
+  const Report r = simplify<Quadric, OptimalPlacement>(relaxed, ErrorLimit{limit}, RelaxedOrder{});
+  CHECK(r.error <= limit);
+  CHECK(r.stop == StopReason::target_met);
+  CHECK(static_cast<double>(r.faces_after) < 1.1 * static_cast<double>(g.faces_after));
+}
+
+TEST_CASE("Passes join the parts of a soup, and leave nothing degenerate") {
+  Soup soup = test::joined(test::sphere(5), test::sphere(5), {{2.01, 0, 0}});
+  const Report report = simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles,
+                                                            FaceCount{1000}, ThresholdPairs{0.1},
+                                                            RelaxedOrder{});
+  INFO(report);
+  CHECK(report.non_edge_contractions > 0);
+  CHECK(report.components_before == 2);
+  CHECK(report.components_after == 1);
+  CHECK(report.faces_after <= 1000);
+  CHECK(report.faces_after >= 996);
+  CHECK(soup.triangles.size() == report.faces_after);
+  CHECK(soup.points.size() == report.vertices_after);
+  CHECK(test::count_degenerate_faces(soup) == 0);
+  CHECK_FALSE(test::topology_of(soup).has_doubled_faces);
+}
+
+TEST_CASE("A visitor cancels between passes and leaves a valid mesh") {
+  struct Cancel : Visitor {
+    bool proceed(const Status& status) const { return status.contractions == 0; }
+  };
+  Mesh mesh = read_model("bunny00");
+  const Report report = simplify<Quadric, OptimalPlacement>(
+      mesh, FaceCount{1000}, RelaxedOrder{}, CGAL::parameters::visitor(Cancel{}));
+  CHECK(report.stop == StopReason::cancelled);
+  CHECK(report.contractions > 0);
+  CHECK(report.faces_after > 1000);
+  CHECK(test::is_valid_triangle_mesh(mesh));
+}
+
+TEST_CASE("The same passes twice give the same mesh, bit for bit") {
+  const Mesh input = read_model("bunny00");
+  Mesh first = input, second = input;
+  simplify<Quadric, OptimalPlacement>(first, FaceCount{5000}, RelaxedOrder{});
+  simplify<Quadric, OptimalPlacement>(second, FaceCount{5000}, RelaxedOrder{});
+  const Soup a = test::to_soup(first), b = test::to_soup(second);
+  CHECK(a.points == b.points);
+  CHECK(a.triangles == b.triangles);
+}
+
+TEST_CASE("An order that makes no sense is refused") {
+  Mesh mesh = test::make_mesh(test::sphere(2));
+  const auto with = [&](const RelaxedOrder& order) {
+    simplify<Quadric, OptimalPlacement>(mesh, order);
+  };
+  CHECK_THROWS_WITH(with({.share = 0}), Catch::Contains("the share 0.000000 is not in (0, 1]"));
+  CHECK_THROWS_WITH(with({.share = 1.5}), Catch::Contains("the share 1.500000 is not in (0, 1]"));
+  CHECK_THROWS_WITH(with({.threads = 0}), Catch::Contains("0 threads"));
+#ifndef QUADRILLE_WITH_TBB
+  CHECK_THROWS_WITH(with({.threads = 2}), Catch::Contains("2 threads need oneTBB"));
+#endif
+}
