@@ -23,6 +23,10 @@ Mesh read_model(const std::string& name) {
   return mesh;
 }
 
+struct Throwing {
+  bool allows(const auto&) const { throw std::runtime_error("no"); }
+};
+
 } // namespace
 
 TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "", Quadric,
@@ -51,9 +55,6 @@ TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "",
 }
 
 TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was") {
-  struct Throwing {
-    bool allows(const auto&) const { throw std::runtime_error("no"); }
-  };
   Mesh mesh = read_model("bunny00");
   const Soup before = test::to_soup(mesh);
   CHECK_THROWS_WITH((simplify<Quadric, OptimalPlacement>(mesh, RelaxedOrder{.threads = 2},

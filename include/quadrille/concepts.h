@@ -89,8 +89,9 @@ concept PlacementPolicy = std::copy_constructible<P> &&
 /// Checked: `pairs(surface, emit)` is a call that returns nothing; `surface` is a SurfaceView,
 /// `emit`, an EmitPair, selects a pair: `emit(i, j)`. With `static constexpr bool includes_edges =
 /// true` in the policy every edge is a pair as well, now and later; without it only the emitted
-/// pairs and what becomes of them are. Not checked: the indices are those of vertices
-/// (std::out_of_range otherwise).
+/// pairs and what becomes of them are. With `static constexpr bool ignores_indices = true` the
+/// points of a large surface may come in another order than the user's. Not checked: the indices
+/// are those of vertices (std::out_of_range otherwise).
 ///
 /// The least model: `struct None { void operator()(const SurfaceView&, auto&&) const {} };`
 ///

@@ -26,6 +26,7 @@ using EmitPair = std::function<void(std::size_t, std::size_t)>;
 struct EdgePairs {
   /// Every edge is a pair at any time, and there is nothing more to select.
   static constexpr bool includes_edges = true;
+  static constexpr bool ignores_indices = true;
 
   void operator()(const SurfaceView& /*surface*/, const EmitPair& /*emit*/) const {}
 };

@@ -36,6 +36,7 @@ namespace quadrille {
 class ThresholdPairs {
 public:
   static constexpr bool includes_edges = true;
+  static constexpr bool ignores_indices = true;
 
   /// t is in the mesh's units, at least 0 and finite. A vertex can have O(n) others within t, so
   /// a number of pairs above `max_pairs_per_vertex` times that of vertices is refused.

@@ -105,6 +105,12 @@ inline constexpr bool includes_edges = requires {
   requires Pairs::includes_edges;
 };
 
+/// Does a pair policy look at points and not at their indices? Then they may be renumbered.
+template <class Pairs>
+inline constexpr bool ignores_indices = requires {
+  requires Pairs::ignores_indices;
+};
+
 template <class Policy>
 void validate(const Policy& policy) {
   if constexpr (requires { policy.validate(); })

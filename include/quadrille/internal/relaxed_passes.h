@@ -31,15 +31,15 @@ public:
   /// Passes as long as they pay. False if the visitor said so.
   bool run() {
     for (;;) {
-      const std::size_t vertices = surface_.status().vertices;
+      const Status before = surface_.status();
+      const std::size_t least = std::max(least_contractions, before.vertices / least_part);
       const std::size_t quota = allowed_contractions();
-      if (quota < vertices / least_part)
+      if (quota < least)
         return true;
-      const std::size_t before = surface_.status().contractions;
       pass(quota);
       if (!surface_.policies().visitor.proceed(surface_.status()))
         return false;
-      if (surface_.status().contractions - before < vertices / least_part)
+      if (surface_.status().contractions - before.contractions < least)
         return true;
     }
   }
@@ -52,7 +52,8 @@ private:
     Index first, second;
   };
 
-  static constexpr std::size_t least_part = 32;    // a pass of less does not pay
+  // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
+  static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096;  // vertices
   static constexpr std::size_t faces_per_contraction = 2;
   static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done

@@ -3,11 +3,11 @@
 
 #include <quadrille/internal/greedy_loop.h>
 #include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/policies.h>
 #include <quadrille/internal/relaxed_passes.h>
 #include <quadrille/internal/result.h>
 #include <quadrille/internal/spatial_order.h>
 #include <quadrille/order.h>
-#include <quadrille/pairs.h>
 #include <quadrille/report.h>
 
 #include <chrono>
@@ -58,7 +58,7 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   report.seconds.read = watch.lap();
 
   const SpatialOrder spatial_order =
-      std::same_as<typename Policies::Pairs, EdgePairs> ? SpatialOrder(input) : SpatialOrder();
+      ignores_indices<typename Policies::Pairs> ? SpatialOrder(input) : SpatialOrder();
   PairContraction<Policies> surface(std::move(input), policies);
   contract(surface, report, watch);
   surface.complete(report);

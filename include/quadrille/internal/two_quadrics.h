@@ -75,8 +75,8 @@ inline Lanes least_values(const QuadricForm<3>& first,
   const auto is_within = (x * x + y * y + z * z <= squared_reach) |
                          (ex * ex + ey * ey + ez * ez <= squared_reach);
   const Lanes value = c + (gx * x + gy * y + gz * z); // Ax = −g
-  const Lanes none = {__builtin_nan(""), __builtin_nan("")};
-  return is_regular & is_within ? value : none;
+  const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
+  return is_regular & is_within ? value : no_number;
 }
 
 #endif

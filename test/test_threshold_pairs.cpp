@@ -1,0 +1,229 @@
+// Pairs closer than a threshold: which they are, and what becomes of them.
+#include "on_all.h"
+
+#include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace quadrille;
+using namespace test;
+
+namespace {
+
+using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+IndexPairs emitted(const ThresholdPairs& pairs, const Soup& soup) {
+  IndexPairs all;
+  pairs(SurfaceView{soup.points, soup.triangles},
+        [&](std::size_t i, std::size_t j) { all.emplace_back(i, j); });
+  return all;
+}
+
+IndexPairs closer_than(double t, const Soup& soup) {
+  IndexPairs all;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    for (std::size_t j = i + 1; j < soup.points.size(); ++j)
+      if (squared_distance(soup.points[i], soup.points[j]) < t * t)
+        all.emplace_back(i, j);
+  return all;
+}
+
+bool is_identical(const Soup& a, const Soup& b) {
+  return a.points == b.points && a.triangles == b.triangles;
+}
+
+// Vertices and faces in an order of chance.
+Soup shuffled(Soup soup, std::uint64_t seed) {
+  Random random(seed);
+  const auto shuffle = [&](auto& values) {
+    for (std::size_t i = values.size(); i > 1; --i)
+      std::swap(values[i - 1], values[random.below(i)]);
+  };
+  std::vector<std::uint32_t> number(soup.points.size());
+  std::iota(number.begin(), number.end(), 0);
+  shuffle(number);
+  Soup result = soup;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    result.points[number[v]] = soup.points[v];
+  for (Triangle& t : result.triangles)
+    for (std::uint32_t& v : t)
+      v = number[v];
+  shuffle(result.triangles);
+  return result;
+}
+
+Soup two_tetrahedra(double distance) {
+  return joined(tetrahedron(), tetrahedron(), {{1 + distance, 0, 0}});
+}
+
+} // namespace
+
+TEST_CASE("With t = 0 the result is that of EdgePairs, to the bit") {
+  const std::uint64_t seed = GENERATE(range(0, 6));
+  for (const Soup& soup : {random_closed(seed), random_with_borders(seed), two_parts()}) {
+    const Result by_edges = OnSoup::run(soup, Quadric{}, EdgePairs{});
+    const Result by_pairs = OnSoup::run(soup, Quadric{}, ThresholdPairs{0});
+    CHECK(is_identical(by_pairs.soup, by_edges.soup));
+    CHECK(by_pairs.report.error == by_edges.report.error);
+    CHECK(by_pairs.report.rejections == by_edges.report.rejections);
+    const Result mesh_by_edges = OnMesh<Mesh>::run(soup, Quadric{}, EdgePairs{});
+    const Result mesh_by_pairs = OnMesh<Mesh>::run(soup, Quadric{}, ThresholdPairs{0});
+    CHECK(is_identical(mesh_by_pairs.soup, mesh_by_edges.soup));
+  }
+}
+
+TEST_CASE("With t = 0 a large flat surface in disorder is simplified as by EdgePairs") {
+  const Soup soup = shuffled(grid(140, 140), 1); // full of pairs that cost the same
+  const Result by_edges = OnSoup::run(soup, Quadric{}, EdgePairs{});
+  const Result by_pairs = OnSoup::run(soup, Quadric{}, ThresholdPairs{0});
+  CHECK(is_identical(by_pairs.soup, by_edges.soup));
+}
+
+TEST_CASE("Pairs are those closer than t: a distance of exactly t does not count") {
+  Soup lattice; // its distances are often exactly 1, 2, 3 and 5 = |(3, 4, 0)|
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 7; ++y)
+      for (int z = 0; z < 2; ++z)
+        lattice.points.push_back({{double(x), double(y), double(z)}});
+  for (const double t : {0.5, 1.0, 2.0, 3.0, 5.0}) {
+    CAPTURE(t);
+    const double more = std::nextafter(t, 10);
+    const IndexPairs expected = closer_than(t, lattice);
+    CHECK(emitted(ThresholdPairs{t}, lattice) == expected);
+    CHECK(emitted(ThresholdPairs{more}, lattice) == closer_than(more, lattice));
+    if (t >= 1)
+      CHECK(closer_than(more, lattice).size() > expected.size());
+  }
+  const Soup scattered = random_closed(3);
+  for (const double t : {0.1, 0.3, 0.8})
+    CHECK(emitted(ThresholdPairs{t}, scattered) == closer_than(t, scattered));
+}
+
+TEST_CASE("Parts exactly t apart stay apart, and join with a larger t") {
+  const auto components = [](double t) {
+    return OnSoup::run(two_tetrahedra(0.5), Quadric{}, FaceCount{6}, ThresholdPairs{t})
+        .report.components_after;
+  };
+  CHECK(components(0.5) == 2);
+  CHECK(components(std::nextafter(0.5, 1)) == 1);
+}
+
+TEST_CASE("A relative t is a fraction of the diagonal of the bounding box") {
+  const Soup soup = two_parts();
+  const double t = 0.07 * diagonal(soup);
+  const IndexPairs relative = emitted(ThresholdPairs::relative(0.07), soup);
+  CHECK(relative == closer_than(t, soup));
+  CHECK(relative.size() > 100);
+  CHECK(is_identical(OnSoup::run(soup, Quadric{}, ThresholdPairs::relative(0.07)).soup,
+                     OnSoup::run(soup, Quadric{}, ThresholdPairs{t}).soup));
+}
+
+TEST_CASE("A threshold that is no distance is refused") {
+  for (const double t :
+       {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(OnSoup::run(tetrahedron(), Quadric{}, ThresholdPairs{t}),
+                    std::invalid_argument);
+}
+
+TEST_CASE("Too many pairs are refused with their number, and nothing is changed") {
+  const Soup soup = two_parts();
+  const std::size_t n = soup.points.size();
+  const std::string all = std::to_string(n * (n - 1) / 2);
+  std::vector<Point> points;
+  for (const auto& p : soup.points)
+    points.push_back(to_point<Point>(p));
+  auto triangles = soup.triangles;
+  const auto before = points;
+  CHECK_THROWS_MATCHES(
+      simplify(points, triangles, ThresholdPairs::relative(2, 5)), std::length_error,
+      Catch::Matchers::Predicate<std::length_error>([&](const auto& error) {
+        return std::string(error.what()).find(' ' + all + ' ') != std::string::npos;
+      }));
+  CHECK(points == before);
+  CHECK(triangles == soup.triangles);
+
+  // The limit is on pairs a vertex, and adjustable.
+  const double per_vertex = double(n - 1) / 2;
+  CHECK_NOTHROW(emitted(ThresholdPairs::relative(2, per_vertex), soup));
+  CHECK_THROWS_AS(emitted(ThresholdPairs::relative(2, std::nextafter(per_vertex, 0)), soup),
+                  std::length_error);
+}
+
+namespace {
+
+// Every pair of the first corners of n triangles, in both directions and twice.
+struct AllFirstCorners {
+  std::size_t n;
+  void operator()(const SurfaceView&, const EmitPair& emit) const {
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (i != j) {
+          emit(3 * i, 3 * j);
+          emit(3 * i, 3 * j);
+        }
+  }
+};
+
+struct CountedMidpoint {
+  std::size_t* count;
+  auto operator()(const auto& cost, const auto& pair) const {
+    ++*count;
+    return MidpointPlacement{}(cost, pair);
+  }
+};
+
+} // namespace
+
+TEST_CASE("No pair is there twice, at the beginning or after contractions") {
+  const std::size_t n = 12;
+  Soup soup;
+  Random random(5);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Position p{{random(0, 1), random(0, 1), random(0, 1)}};
+    soup.points.insert(soup.points.end(), {p, p + Position{{9, 1, 0}}, p + Position{{9, 0, 1}}});
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  std::size_t evaluations = 0;
+  const Result result = OnSoup::run(soup, Quadric{}, CountedMidpoint{&evaluations},
+                                    AllFirstCorners{n}, FaceCount{0}, NormalFlip{180});
+  CHECK(result.report.contractions == n - 1);
+  CHECK(result.report.non_edge_contractions == n - 1);
+  CHECK(result.report.stop == StopReason::no_pair_left);
+
+  // All n(n − 1)/2 pairs once; then each contraction looks at its pair again, and of k vertices
+  // that are left the new one makes a pair with k − 1.
+  CHECK(evaluations == n * (n - 1));
+}
+
+TEST_CASE("Neither degenerate nor doubled faces are ever left") {
+  const std::uint64_t seed = GENERATE(0, 1, 2);
+  Soup soup = joined(random_closed(seed), random_with_borders(seed + 1), {{0.3, 0.2, 0.1}});
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Triangle t = soup.triangles[7 * i];
+    soup.triangles.push_back({t[2], t[1], t[0]}); // the other way round
+    soup.triangles.push_back(t);
+    soup.triangles.push_back({t[0], t[1], t[1]});
+  }
+  const double t = 0.1 * diagonal(soup);
+  for (std::size_t faces = 0; faces < soup.triangles.size(); faces += 9) {
+    CAPTURE(faces);
+    REQUIRE(is_clean(OnSoup::run(soup, Quadric{}, FaceCount{faces}, ThresholdPairs{t}).soup));
+    REQUIRE(is_clean(OnSoup::run(soup, Quadric{}, FaceCount{faces}).soup));
+    REQUIRE(is_clean(
+        OnSoup::run(soup, MemorylessQuadric{}, FaceCount{faces}, ThresholdPairs{t}, NormalFlip{180})
+            .soup));
+  }
+}
