@@ -86,7 +86,7 @@ struct Call {
   double boundary_weight = 100;
   double crease_degrees = 180;
   quadrille::Weighting weighting = quadrille::Weighting::by_area;
-  std::optional<double> threshold; ///< of ThresholdPairs; EdgePairs without it
+  double threshold = 0; ///< of the ThresholdPairs of a soup; a mesh has EdgePairs
   AnyStop stop;
   std::optional<quadrille::RelaxedOrder> relaxed; ///< GreedyOrder without it
   quadrille::Topology topology = quadrille::Topology::free;

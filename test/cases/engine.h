@@ -52,19 +52,14 @@ private:
 };
 
 // Calls simplify(policy...) with the policies of a call.
-template <class Simplify>
-quadrille::Report with_policies(const Call& call, Simplify simplify) {
-  const auto with_order = [&](const auto& pairs, const auto& order) {
+template <class Pairs, class Simplify>
+quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify simplify) {
+  const auto with_order = [&](const auto& order) {
     return simplify(AnyPlacement{call.placement}, pairs, call.stop, order, call.topology,
                     quadrille::NormalFlip(call.flip_degrees), quadrille::TriangleShape(call.shape),
                     quadrille::HighestDegree(call.degree));
   };
-  const auto with_pairs = [&](const auto& pairs) {
-    return call.relaxed ? with_order(pairs, *call.relaxed)
-                        : with_order(pairs, quadrille::GreedyOrder{});
-  };
-  return call.threshold ? with_pairs(quadrille::ThresholdPairs(*call.threshold, 1000))
-                        : with_pairs(quadrille::EdgePairs{});
+  return call.relaxed ? with_order(*call.relaxed) : with_order(quadrille::GreedyOrder{});
 }
 
 template <class Cost>
@@ -74,7 +69,8 @@ void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost) {
   const CancelAt visitor(input.call.cancel_at);
   const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor)
                          .vertex_color_map(CGAL::make_property_map(outcome.colors));
-  outcome.report = with_policies(input.call, [&](const auto&... policy) {
+  const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
+  outcome.report = with_policies(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(outcome.points, outcome.triangles, cost, policy..., named);
   });
 }
@@ -97,7 +93,7 @@ void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
   const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed)
                          .edge_is_constrained_map(is_kept).visitor(visitor)
                          .vertex_color_map(colors);
-  outcome.report = with_policies(input.call, [&](const auto&... policy) {
+  outcome.report = with_policies(input.call, quadrille::EdgePairs{}, [&](const auto&... policy) {
     return quadrille::simplify(mesh, cost, policy..., named);
   });
   if (!is_valid_triangle_mesh(mesh))

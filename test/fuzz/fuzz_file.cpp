@@ -68,7 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (is_single || mesh.points.empty())
       return 0;
     const IndexedMesh again = read(format, path, written, Weld::loose_faces);
-    require(again.triangles.size() == mesh.triangles.size(), "other triangles were written");
+    require(again.triangles.size() == mesh.triangles.size() || !again.remarks.empty(),
+            "other triangles were written");
   } catch (const std::runtime_error& error) { // refused, in one line
     require(std::string(error.what()).find('\n') == std::string::npos, "more than one line");
   }
