@@ -68,6 +68,18 @@ TEST_CASE("A face must not lose its area, and one without area may do as it like
   }
 }
 
+TEST_CASE("A triangle has a normal unless its points lie on a line up to rounding") {
+  const auto has_normal = [](double height, double offset) {
+    const Point p{{offset, offset, offset}};
+    return squared_length(normal_vector(p, p + Point{{1, 0, 0}}, p + Point{{0.5, height, 0}})) > 0;
+  };
+  CHECK(has_normal(0x1p-10, 0));
+  CHECK(has_normal(0x1p-10, 0x1p40)); // of two bits
+  CHECK(has_normal(0x1p-40, 0));
+  CHECK_FALSE(has_normal(0x1p-40, 0x1p12)); // one bit: as good as none
+  CHECK_FALSE(has_normal(0, 0));
+}
+
 TEST_CASE("One face that turns is enough for a refusal") {
   Contraction contraction = turned(10);
   contraction.all.push_back(turned(100).all.front());

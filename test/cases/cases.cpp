@@ -103,9 +103,9 @@ Soup make_base(Bytes& bytes, int size) {
   case 7:
     return joined(sphere(1), sphere(1), {{1 + bytes.byte() / 128.0, 0, 0}});
   case 8:
-    return random_closed(bytes.byte());
+    return with_flipped_edges(torus(n + 1, n + 2), bytes.byte(), 8);
   case 9:
-    return random_with_borders(bytes.byte());
+    return with_holes(with_flipped_edges(grid(n, n), bytes.byte(), 8), bytes.byte(), 3);
   case 10:
     return joined(tetrahedron(), cube(1), {{2, 0, 0}});
   default:
@@ -454,6 +454,26 @@ bool is_bad(const Case& input) {
 }
 
 } // namespace
+
+Case shrunk(Case input) {
+  const auto is_sound = [](const Case& c) {
+    if (!c.is_mesh)
+      return true;
+    const SoupTopology topology = topology_of(c.soup);
+    return topology.is_manifold && topology.is_oriented;
+  };
+  for (std::size_t part = input.soup.triangles.size(); part > 0; part /= 2)
+    for (std::size_t begin = 0; begin + part <= input.soup.triangles.size();) {
+      Case smaller = input;
+      const auto from = smaller.soup.triangles.begin() + static_cast<std::ptrdiff_t>(begin);
+      smaller.soup.triangles.erase(from, from + static_cast<std::ptrdiff_t>(part));
+      if (is_sound(smaller) && !violation(smaller).empty())
+        input = std::move(smaller);
+      else
+        begin += part;
+    }
+  return input;
+}
 
 std::string violation(const Case& input) {
   Outcome outcome;

@@ -127,6 +127,9 @@ void simplify(const Case& input, Outcome& outcome);
 /// Simplifies and looks at the result: what is wrong with it, or nothing.
 std::string violation(const Case& input);
 
+/// A case with as few faces as easily found for which something is wrong still.
+Case shrunk(Case input);
+
 } // namespace test
 
 #endif // QUADRILLE_TEST_CASES_CASES_H
