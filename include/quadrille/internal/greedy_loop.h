@@ -25,7 +25,8 @@ template <class Policies>
 class GreedyLoop {
 public:
   GreedyLoop(PairContraction<Policies>& surface, Report& report)
-      : surface_(surface), scratch_(surface.scratch()), report_(report), stamp_(surface.vertex_capacity(), 0),
+      : surface_(surface), scratch_(surface.scratch()), report_(report),
+        stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
     for (Index v = 0; v < stamp_.size(); ++v)
@@ -53,7 +54,7 @@ public:
       if (is_cancelled())
         return finish(StopReason::cancelled);
     }
-    finish(surface_.is_enough()           ? StopReason::target_met
+    finish(surface_.is_enough()  ? StopReason::target_met
            : parked_.size() == 0 ? StopReason::no_pair_left
                                  : StopReason::all_pairs_rejected);
   }

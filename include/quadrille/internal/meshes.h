@@ -59,10 +59,12 @@ inline constexpr bool is_given =
 template <class NamedParameters>
 auto teller(const NamedParameters& named) {
   const auto quadrics = CGAL::parameters::get_parameter(named, parameters::vertex_quadric);
-  return [quadrics](const auto& key, Index v, const auto& result) {
-    if constexpr (is_given<decltype(quadrics)>)
+  if constexpr (is_given<decltype(quadrics)>)
+    return [quadrics](const auto& key, Index v, const auto& result) {
       put(quadrics, key, result.mean_quadric(v));
-  };
+    };
+  else
+    return [](const auto&...) {};
 }
 
 template <class Mesh, class Policies, class NamedParameters>

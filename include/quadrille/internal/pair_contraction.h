@@ -54,7 +54,8 @@ public:
         pairs_(select_pairs(policies.pairs, input, complex_, scratch_.marks)),
         is_topology_kept_(keeps_topology(input)), positions_(std::move(input.positions)),
         is_fixed_(std::move(input.is_fixed)), squared_reach_(positions_.size(), 0),
-        is_moved_(positions_.size(), 0), creases_(std::move(input.creases)), merged_into_(positions_.size(), none) {
+        is_moved_(positions_.size(), 0), creases_(std::move(input.creases)),
+        merged_into_(positions_.size(), none) {
     scale_.apply(positions_);
     if (!is_topology_kept_ || input.has_doubled_faces)
       for (Index v = 0; v < positions_.size(); ++v)
@@ -211,8 +212,7 @@ public:
   }
 
   std::size_t pair_count() const {
-    return pairs_.size() +
-           (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
+    return pairs_.size() + (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
   }
   bool has_other_pairs() const { return pairs_.size() > 0; } // than edges
 
@@ -546,9 +546,9 @@ private:
   std::vector<Memory> memories_;
   [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
   std::vector<float> squared_reach_;
-  std::vector<unsigned char> is_moved_; // no bits: threads write to it
+  std::vector<unsigned char> is_moved_;       // no bits: threads write to it
   std::vector<std::array<Index, 2>> creases_; // edges that the user named
-  std::vector<Index> merged_into_; // of each vertex that is gone
+  std::vector<Index> merged_into_;            // of each vertex that is gone
   Status status_;
   Tally total_;
   std::size_t initial_components_ = 0;

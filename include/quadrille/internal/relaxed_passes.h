@@ -24,7 +24,8 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()), block_(surface.vertex_capacity()) {
+      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()),
+        block_(surface.vertex_capacity()) {
     workers_.assign(order.threads, Scratch(surface.vertex_capacity()));
   }
 
@@ -54,7 +55,7 @@ private:
 
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
-  static constexpr std::size_t block_size = 4096;  // vertices
+  static constexpr std::size_t block_size = 4096; // vertices
   static constexpr std::size_t faces_per_contraction = 2;
   static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done
 
@@ -114,9 +115,9 @@ private:
   void propose(std::size_t quota) {
     const float limit = cost_limit(quota);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      auto& [begin, end, proposals, allowance] = blocks_[block];
+      std::vector<Proposal>& proposals = blocks_[block].proposals;
       proposals.clear();
-      for (Index v = begin; v < end; ++v)
+      for (Index v = blocks_[block].begin; v < blocks_[block].end; ++v)
         for_each_pair(workers_[worker], v, [&](const Proposal& proposal) {
           if (proposal.cost <= limit)
             proposals.push_back(proposal);
@@ -269,9 +270,9 @@ private:
   }
 
   struct Block {
-    Index begin, end;                 // vertices
+    Index begin, end; // vertices
     std::vector<Proposal> proposals;
-    std::size_t allowance;            // contractions
+    std::size_t allowance; // contractions
   };
 
   PairContraction<Policies>& surface_;
