@@ -67,7 +67,7 @@ private:
       after.faces -= std::min(after.faces, faces_per_contraction * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
-      after.next_error = 0;
+      after.next_error = after.next_distance = 0;
       return surface_.policies().stop(after);
     };
     std::size_t allowed = 0; // the first `allowed` are, `refused` are not
@@ -252,20 +252,23 @@ private:
   bool contract(Scratch& scratch, const Proposal& proposal) {
     const auto [cost, first, second] = proposal;
     const Candidate candidate = surface_.evaluate(first, second);
-    if (is_stop(candidate))
-      return false;
     if (const auto cause = surface_.rejection(scratch, first, second, candidate)) {
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
       return false;
     }
+    if (is_stop(scratch, proposal, candidate))
+      return false;
     surface_.contract_in_pass(scratch, first, second, candidate);
     is_touched_[first] = is_touched_[second] = 1;
     return true;
   }
 
-  bool is_stop(const Candidate& candidate) const {
+  bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
     Status status = surface_.status();
     status.next_error = surface_.error(candidate);
+    if constexpr (asks_for_distance<typename Policies::Stop>)
+      status.next_distance =
+          surface_.bound_distance(scratch, proposal.first, proposal.second, candidate);
     return surface_.policies().stop(status);
   }
 
