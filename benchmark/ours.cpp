@@ -9,20 +9,28 @@
 namespace bench {
 namespace {
 
-template <class Cost>
-Answer simplify(Mesh& mesh, std::size_t faces) {
-  quadrille::simplify<Cost, quadrille::OptimalPlacement>(mesh, quadrille::FaceCount{faces});
-  return {};
+template <class Cost, class Order>
+auto simplify_in(const Order& order) {
+  return [order](Mesh& mesh, std::size_t faces) {
+    quadrille::simplify<Cost, quadrille::OptimalPlacement>(mesh, quadrille::FaceCount{faces},
+                                                           order);
+    return Answer{};
+  };
 }
 
 } // namespace
 
 std::vector<Contender> our_contenders() {
-  return {{"Quadrille", "Quadric, OptimalPlacement, greedy order, Surface_mesh",
-           simplify<quadrille::Quadric>},
-          {"Quadrille memoryless",
-           "MemorylessQuadric, OptimalPlacement, greedy order, Surface_mesh",
-           simplify<quadrille::MemorylessQuadric>}};
+  using namespace quadrille;
+  return {{"Quadrille", "Quadric, OptimalPlacement, GreedyOrder, Surface_mesh",
+           simplify_in<Quadric>(GreedyOrder{})},
+          {"Quadrille memoryless", "MemorylessQuadric, OptimalPlacement, GreedyOrder, Surface_mesh",
+           simplify_in<MemorylessQuadric>(GreedyOrder{})},
+          {"Quadrille relaxed", "Quadric, OptimalPlacement, RelaxedOrder{}, Surface_mesh",
+           simplify_in<Quadric>(RelaxedOrder{})},
+          {"Quadrille relaxed, refreshed",
+           "Quadric, OptimalPlacement, RelaxedOrder{.share = 0.1, .refresh = true}, Surface_mesh",
+           simplify_in<Quadric>(RelaxedOrder{.share = 0.1, .refresh = true})}};
 }
 
 } // namespace bench

@@ -122,7 +122,9 @@ void add_target(CLI::App& app, Target& target) {
   group
       ->add_option_function<std::size_t>("--vertices", stop_at_vertices, "stop at so many vertices")
       ->check(count());
-  group->add_option_function<double>("--error", stop_at_error, "stop before a larger error")
+  group
+      ->add_option_function<double>("--error", stop_at_error,
+                                    "stay within that distance of the input")
       ->check(number_in(0, std::numeric_limits<double>::infinity(), "a distance"));
 }
 

@@ -134,14 +134,13 @@ TEMPLATE_TEST_CASE("Stops do what they say", "", Mesh, Polyhedron, CellComplex, 
   const auto callable = [](const Status& status) { return status.contractions == 7; };
   CHECK(stopped_by<TestType>(callable).contractions == 7);
 
-  // An error limit stops just before the first contraction with a larger error.
-  const double limit = stopped_by<TestType>(FaceCount{faces - 40}).error;
+  // An error limit takes no contraction that may leave it.
+  const double limit = 0.05 * diagonal;
   const Report at_limit = stopped_by<TestType>(ErrorLimit{limit});
-  CHECK(at_limit.error == limit);
-  CHECK(at_limit.faces_after <= faces - 40);
-  const Report below = stopped_by<TestType>(ErrorLimit{std::nextafter(limit, 0)});
-  CHECK(below.error < limit);
-  CHECK(below.faces_after > faces - 40);
+  CHECK(at_limit.contractions > 0);
+  CHECK(at_limit.distance_bound <= limit);
+  CHECK(at_limit.rejected(Rejection::distance) > 0);
+  CHECK(stopped_by<TestType>(ErrorLimit{limit / 2}).faces_after > at_limit.faces_after);
   const Report relative = stopped_by<TestType>(ErrorLimit::relative(limit / diagonal * (1 + 1e-9)));
   CHECK(relative.faces_after == at_limit.faces_after);
 

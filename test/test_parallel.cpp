@@ -57,9 +57,8 @@ TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "",
 TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was") {
   Mesh mesh = read_model("bunny00");
   const Soup before = test::to_soup(mesh);
-  CHECK_THROWS_WITH((simplify<Quadric, OptimalPlacement>(mesh, RelaxedOrder{.threads = 2},
-                                                         Throwing{})),
-                    "no");
+  CHECK_THROWS_WITH(
+      (simplify<Quadric, OptimalPlacement>(mesh, RelaxedOrder{.threads = 2}, Throwing{})), "no");
   const Soup after = test::to_soup(mesh);
   CHECK(after.points == before.points);
   CHECK(after.triangles == before.triangles);

@@ -106,8 +106,10 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// Checked: `stop(status)` gives a bool; `status` is a Status. Not checked: it stays true.
 ///
-/// Used where there: `stop.is_passed(status)`: is a surface of this status beyond the target and
-/// not just at it? The engine then looks for a pair that meets the target exactly.
+/// Used where there: `S::asks_for_distance`, true for a look at Status::next_distance: a pair that
+/// only this makes the stop policy stop at is refused, and the search goes on.
+/// `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it? The
+/// engine then looks for a pair that meets the target exactly.
 ///
 /// The least model is a lambda: `[](const Status& status) { return status.faces < 1000; }`
 ///

@@ -7,23 +7,23 @@
 
 namespace quadrille {
 
-/// The cheapest pair first, always: the order of the 1997 paper, and the default. Costs are compared
-/// as floats; equal ones by the indices of the vertices.
+/// The cheapest pair first, always: the order of the 1997 paper, and the default. Costs are
+/// compared as floats; equal ones by the indices of the vertices.
 struct GreedyOrder {};
 
 /// Passes over the surface instead of a queue: all pairs are costed, and the cheapest of them
-/// contracted where neither end has been contracted in this pass. Parallel, and close to the error of
-/// GreedyOrder.
+/// contracted where neither end has been contracted in this pass. Parallel, and close to the error
+/// of GreedyOrder.
 ///
 /// Passes end where the target comes near, or where they find little to contract; the rest is done
-/// in greedy order. So targets are met as exactly, and all policies, filters and constraints hold as
-/// well. A pair that the stop policy would stop at is left to the greedy order.
+/// in greedy order. So targets are met as exactly, and all policies, filters and constraints hold
+/// as well. A pair that the stop policy would stop at is left to the greedy order.
 ///
 /// A pass works on blocks of neighbouring vertices, each by itself, and on the pairs between blocks
 /// at its end. The blocks do not depend on the number of threads, so neither does the result.
 struct RelaxedOrder {
-  /// The part of the pairs, the cheapest, that a pass looks at: in (0, 1]. Less is slower and closer
-  /// to greedy order; with `refresh`, 0.1 comes close to MemorylessQuadric in greedy order.
+  /// The part of the pairs, the cheapest, that a pass looks at: in (0, 1]. Less is slower and
+  /// closer to greedy order; with `refresh`, 0.1 comes close to MemorylessQuadric in greedy order.
   double share = 0.5;
 
   /// After each pass, let vertices remember the surface as it is then, instead of all planes that
@@ -34,7 +34,8 @@ struct RelaxedOrder {
   /// QUADRILLE_WITH_TBB. Policies are then called from several threads at a time.
   unsigned threads = 1;
 
-  /// Throws std::invalid_argument for a share outside of (0, 1] and for threads that there can't be.
+  /// Throws std::invalid_argument for a share outside of (0, 1] and for threads that there can't
+  /// be.
   void validate() const {
     if (!(share > 0 && share <= 1))
       throw std::invalid_argument("quadrille::RelaxedOrder: the share " + std::to_string(share) +

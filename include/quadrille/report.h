@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <ostream>
 #include <string_view>
 
@@ -18,6 +19,10 @@ struct Status {
   /// The error of the contraction that comes next, as a distance in the mesh's units: see
   /// Report::error.
   double next_error = 0;
+  /// No point of the surface will be further from the input than that after the contraction that
+  /// comes next, in the mesh's units. Known to a stop policy with `static constexpr bool
+  /// asks_for_distance = true`, 0 for others. See Report::distance_bound.
+  double next_distance = 0;
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
 };
 
@@ -36,10 +41,11 @@ enum class Rejection {
   normal_flip, ///< a face would turn over, or further than the filter allows
   shape,       ///< a good triangle would become a sliver
   degree,      ///< the vertex would have too many edges
+  distance,    ///< the surface would leave the distance that the stop policy allows
   position,    ///< the placement gave a position that is not finite
   filter,      ///< a filter of the user's refused
 };
-inline constexpr std::size_t rejection_causes = 7;
+inline constexpr std::size_t rejection_causes = 8;
 
 constexpr std::string_view to_string(StopReason reason) {
   constexpr std::array<std::string_view, 4> names{"target met", "no pair left",
@@ -49,7 +55,7 @@ constexpr std::string_view to_string(StopReason reason) {
 
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
-      "topology", "constraint", "normal flip", "shape", "degree", "position", "filter"};
+      "topology", "constraint", "normal flip", "shape", "degree", "distance", "position", "filter"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -77,6 +83,13 @@ struct Report {
   /// `surface_distance` of <quadrille/distance.h>.
   double error = 0;
 
+  /// No point of the result is further from the input than that, in the mesh's units: an upper
+  /// bound, up to the rounding of the mesh's own coordinates, and often several times the distance
+  /// that can be measured. Known where a stop policy asks for it, as ErrorLimit does, else
+  /// infinite. It says nothing of the other direction: of the input's points that the result has
+  /// lost.
+  double distance_bound = std::numeric_limits<double>::infinity();
+
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
   std::array<std::size_t, rejection_causes> rejections{};
   std::size_t rejected(Rejection cause) const {
@@ -94,6 +107,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   out << report.faces_before << " -> " << report.faces_after << " faces, " << report.vertices_before
       << " -> " << report.vertices_after << " vertices, " << report.contractions
       << " contractions, stopped: " << to_string(report.stop) << ", error " << report.error;
+  if (report.distance_bound < std::numeric_limits<double>::infinity())
+    out << ", within " << report.distance_bound << " of the input";
   if (report.non_edge_contractions > 0)
     out << ", " << report.non_edge_contractions << " contractions of no edge";
   if (report.components_before != report.components_after)

@@ -85,12 +85,13 @@ private:
   std::array<double, N*(N + 1) / 2> entries_{}; // row by row
 };
 
-/// The factorisation A = LDLᵀ of a symmetric positive definite matrix, with which systems are solved.
+/// The factorisation A = LDLᵀ of a symmetric positive definite matrix, with which systems are
+/// solved.
 ///
 /// A matrix is called singular where a pivot is not above 10⁻¹² of the trace. The trace of a sum of
-/// quadrics is the sum of their weights, so the test is relative: neither scale nor rotation nor the
-/// number of planes moves it. A pivot is at least the smallest eigenvalue, and one of 10⁻¹² of the
-/// trace still leaves four digits of the solution.
+/// quadrics is the sum of their weights, so the test is relative: neither scale nor rotation nor
+/// the number of planes moves it. A pivot is at least the smallest eigenvalue, and one of 10⁻¹² of
+/// the trace still leaves four digits of the solution.
 template <std::size_t N>
 class Factorization {
 public:
@@ -136,8 +137,8 @@ private:
   bool is_singular_ = true;
 };
 
-/// The same in space, in scalars: compilers keep them in registers, where arrays go through memory, and
-/// this is the innermost step of a simplification.
+/// The same in space, in scalars: compilers keep them in registers, where arrays go through memory,
+/// and this is the innermost step of a simplification.
 template <>
 class Factorization<3> {
 public:

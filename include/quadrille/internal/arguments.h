@@ -28,7 +28,17 @@
 
 namespace quadrille::internal {
 
-enum class Kind { cost, placement, pairs, stop, order, filter, topology, named_parameters, unknown };
+enum class Kind {
+  cost,
+  placement,
+  pairs,
+  stop,
+  order,
+  filter,
+  topology,
+  named_parameters,
+  unknown
+};
 
 template <class T>
 struct IsNamedParameters : std::false_type {};

@@ -25,7 +25,8 @@ template <class Policies>
 class GreedyLoop {
 public:
   GreedyLoop(PairContraction<Policies>& surface, Report& report)
-      : surface_(surface), scratch_(surface.scratch()), report_(report), stamp_(surface.vertex_capacity(), 0),
+      : surface_(surface), scratch_(surface.scratch()), report_(report),
+        stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
     for (Index v = 0; v < stamp_.size(); ++v)
@@ -44,6 +45,8 @@ public:
       surface_.gather(scratch_, next->first, next->second);
       if (const auto cause = surface_.rejection(scratch_, next->first, next->second, candidate))
         park(*next, *cause);
+      else if (is_too_far(*next, candidate))
+        park(*next, Rejection::distance);
       else if (surface_.is_enough())
         return finish(StopReason::target_met);
       else if (surface_.overshoots(scratch_) && !is_last_resort_)
@@ -53,9 +56,7 @@ public:
       if (is_cancelled())
         return finish(StopReason::cancelled);
     }
-    finish(surface_.is_enough()           ? StopReason::target_met
-           : parked_.size() == 0 ? StopReason::no_pair_left
-                                 : StopReason::all_pairs_rejected);
+    finish(final_reason());
   }
 
 private:
@@ -118,6 +119,27 @@ private:
         surface_.prefetch_faces(v);
   }
 
+  // Does the stop policy stop at the distance, and at nothing else?
+  bool is_too_far(const QueuedPair& pair, const Candidate& candidate) {
+    if constexpr (asks_for_distance<typename Policies::Stop>) {
+      surface_.announce_distance(0);
+      if (surface_.is_enough())
+        return false;
+      surface_.announce_distance(
+          surface_.bound_distance(scratch_, pair.first, pair.second, candidate));
+      return surface_.is_enough();
+    } else {
+      return false;
+    }
+  }
+
+  StopReason final_reason() {
+    surface_.announce_distance(0);
+    if (surface_.is_enough() || has_met_distance_)
+      return StopReason::target_met;
+    return parked_.size() == 0 ? StopReason::no_pair_left : StopReason::all_pairs_rejected;
+  }
+
   void keep_as_last_resort(const QueuedPair& pair) {
     if (!last_resort_)
       last_resort_ = pair;
@@ -125,6 +147,7 @@ private:
 
   void park(const QueuedPair& pair, Rejection cause) {
     ++scratch_.tally.rejections[static_cast<std::size_t>(cause)];
+    has_met_distance_ |= cause == Rejection::distance;
     parked_.park(pair);
   }
 
@@ -167,6 +190,7 @@ private:
   ParkedPairs parked_;
   std::optional<QueuedPair> last_resort_;
   bool is_last_resort_ = false;
+  bool has_met_distance_ = false;
 };
 
 } // namespace quadrille::internal

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/current_memories.h>
+#include <quadrille/internal/distance_bound.h>
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
@@ -54,7 +55,8 @@ public:
         pairs_(select_pairs(policies.pairs, input, complex_, scratch_.marks)),
         is_topology_kept_(keeps_topology(input)), positions_(std::move(input.positions)),
         is_fixed_(std::move(input.is_fixed)), squared_reach_(positions_.size(), 0),
-        is_moved_(positions_.size(), 0), creases_(std::move(input.creases)), merged_into_(positions_.size(), none) {
+        is_moved_(positions_.size(), 0), creases_(std::move(input.creases)),
+        merged_into_(positions_.size(), none) {
     scale_.apply(positions_);
     if (!is_topology_kept_ || input.has_doubled_faces)
       for (Index v = 0; v < positions_.size(); ++v)
@@ -64,6 +66,8 @@ public:
     else
       initial_components_ = count_components(complex_);
     start_status();
+    if constexpr (asks_for_distance)
+      distances_ = DistanceBounds(complex_.face_capacity());
     memories_.resize(positions_.size());
     remember();
     start_reach();
@@ -211,13 +215,21 @@ public:
   }
 
   std::size_t pair_count() const {
-    return pairs_.size() +
-           (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
+    return pairs_.size() + (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
   }
   bool has_other_pairs() const { return pairs_.size() > 0; } // than edges
 
   /// Tells the status of the contraction that comes next.
   void announce(const Candidate& candidate) { status_.next_error = error(candidate); }
+
+  /// Tells how far from the input the surface may be after the contraction, in the mesh's units.
+  /// The faces will be bound by that.
+  double bound_distance(Scratch& scratch, Index a, Index b, const Candidate& candidate) const {
+    const bool is_inside = is_interior(a) && is_interior(b);
+    return scale_.length_of_mesh(distances_.after(
+        scratch.star, a, b, positions_, space(candidate.target), is_inside, scratch.bounds));
+  }
+  void announce_distance(double distance) { status_.next_distance = distance; }
 
   /// Does the stop policy say so?
   bool is_enough() const { return policies_.stop(status_); }
@@ -236,6 +248,8 @@ public:
     report.non_edge_contractions = total_.non_edge_contractions;
     report.rejections = total_.rejections;
     report.error = total_.error;
+    if constexpr (asks_for_distance)
+      report.distance_bound = scale_.length_of_mesh(greatest_bound());
     const TopologyCount count = count_topology(complex_, scratch_.marks);
     report.components_after = count.components;
     report.components_before = is_topology_kept_ ? count.components : initial_components_;
@@ -299,6 +313,7 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
+  static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
   static constexpr bool has_fast_costs =
       QUADRILLE_HAS_LANES && std::same_as<Cost, Quadric> &&
       std::same_as<typename Policies::Placement, OptimalPlacement>;
@@ -443,6 +458,14 @@ private:
       current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex_, scratch_.marks);
   }
 
+  double greatest_bound() const {
+    float greatest = 0;
+    for (Index face = 0; face < complex_.face_capacity(); ++face)
+      if (!complex_.is_dead(face))
+        greatest = std::max(greatest, distances_[face]);
+    return greatest;
+  }
+
   // Which end is kept, and which is gone.
   std::pair<Index, Index> choose(Index a, Index b, const Candidate& candidate) const {
     const bool b_stays =
@@ -460,6 +483,8 @@ private:
 
   // All of a contraction but the faces.
   void move(Scratch& scratch, Index kept, Index gone, const Candidate& candidate) {
+    if constexpr (asks_for_distance)
+      bound_faces(scratch);
     pairs_.merge(kept, gone);
     merged_into_[gone] = kept;
     is_moved_[kept] |= candidate.target != positions_[kept];
@@ -474,6 +499,13 @@ private:
     ++scratch.tally.contractions;
     ++scratch.tally.vertices;
     scratch.tally.error = std::max(scratch.tally.error, error(candidate));
+  }
+
+  void bound_faces(const Scratch& scratch) {
+    auto bound = scratch.bounds.begin();
+    for (const auto* faces : {&scratch.star.first, &scratch.star.second})
+      for (const StarFace& f : *faces)
+        distances_.set(f.face, *bound++);
   }
 
   // Of the faces that a contraction has changed, those that are doubled now.
@@ -562,10 +594,11 @@ private:
   std::vector<bool> is_fixed_; // empty if none is
   std::vector<Memory> memories_;
   [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
+  DistanceBounds distances_{0}; // of no face where nobody asks
   std::vector<float> squared_reach_;
-  std::vector<unsigned char> is_moved_; // no bits: threads write to it
+  std::vector<unsigned char> is_moved_;       // no bits: threads write to it
   std::vector<std::array<Index, 2>> creases_; // edges that the user named
-  std::vector<Index> merged_into_; // of each vertex that is gone
+  std::vector<Index> merged_into_;            // of each vertex that is gone
   Status status_;
   Tally total_;
   std::size_t initial_components_ = 0;

@@ -99,6 +99,12 @@ bool is_passed(const Stop& stop, const Status& status) {
     return false;
 }
 
+/// Does a stop policy look at Status::next_distance?
+template <class Stop>
+inline constexpr bool asks_for_distance = requires {
+  requires Stop::asks_for_distance;
+};
+
 /// Is every edge a pair at any time, for this pair policy?
 template <class Pairs>
 inline constexpr bool includes_edges = requires {

@@ -24,7 +24,8 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()), block_(surface.vertex_capacity()) {
+      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()),
+        block_(surface.vertex_capacity()) {
     workers_.assign(order.threads, Scratch(surface.vertex_capacity()));
   }
 
@@ -54,7 +55,7 @@ private:
 
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
-  static constexpr std::size_t block_size = 4096;  // vertices
+  static constexpr std::size_t block_size = 4096; // vertices
   static constexpr std::size_t faces_per_contraction = 2;
   static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done
 
@@ -66,7 +67,7 @@ private:
       after.faces -= std::min(after.faces, faces_per_contraction * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
-      after.next_error = 0;
+      after.next_error = after.next_distance = 0;
       return surface_.policies().stop(after);
     };
     std::size_t allowed = 0; // the first `allowed` are, `refused` are not
@@ -114,7 +115,7 @@ private:
   void propose(std::size_t quota) {
     const float limit = cost_limit(quota);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      std::vector<Proposal>& proposals = blocks_[block].proposals; // clang captures no bindings
+      std::vector<Proposal>& proposals = blocks_[block].proposals;
       proposals.clear();
       for (Index v = blocks_[block].begin; v < blocks_[block].end; ++v)
         for_each_pair(workers_[worker], v, [&](const Proposal& proposal) {
@@ -243,8 +244,7 @@ private:
     bool inside = true;
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
-        for (Index v : {f.second, f.third})
-          inside &= block_[v] == block;
+        inside &= (block_[f.second] == block) & (block_[f.third] == block);
     return inside;
   }
 
@@ -252,27 +252,30 @@ private:
   bool contract(Scratch& scratch, const Proposal& proposal) {
     const auto [cost, first, second] = proposal;
     const Candidate candidate = surface_.evaluate(first, second);
-    if (is_stop(candidate))
-      return false;
     if (const auto cause = surface_.rejection(scratch, first, second, candidate)) {
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
       return false;
     }
+    if (is_stop(scratch, proposal, candidate))
+      return false;
     surface_.contract_in_pass(scratch, first, second, candidate);
     is_touched_[first] = is_touched_[second] = 1;
     return true;
   }
 
-  bool is_stop(const Candidate& candidate) const {
+  bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
     Status status = surface_.status();
     status.next_error = surface_.error(candidate);
+    if constexpr (asks_for_distance<typename Policies::Stop>)
+      status.next_distance =
+          surface_.bound_distance(scratch, proposal.first, proposal.second, candidate);
     return surface_.policies().stop(status);
   }
 
   struct Block {
-    Index begin, end;                 // vertices
+    Index begin, end; // vertices
     std::vector<Proposal> proposals;
-    std::size_t allowance;            // contractions
+    std::size_t allowance; // contractions
   };
 
   PairContraction<Policies>& surface_;

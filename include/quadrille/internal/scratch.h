@@ -29,6 +29,7 @@ struct Scratch {
   std::vector<StarFace> faces;
   std::vector<Index> partners; // of a vertex
   std::vector<float> costs;    // of the pairs with these
+  std::vector<float> bounds;   // of the faces that the contraction changes, see DistanceBounds
   Tally tally;
 };
 

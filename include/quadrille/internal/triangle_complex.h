@@ -49,8 +49,8 @@ public:
   std::size_t face_capacity() const { return faces_.size(); }
   /// Counts them.
   std::size_t live_faces() const {
-    return static_cast<std::size_t>(
-        std::count_if(faces_.begin(), faces_.end(), [](const Triangle& f) { return f[0] != none; }));
+    return static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(),
+                                                  [](const Triangle& f) { return f[0] != none; }));
   }
 
   bool is_dead(Index face) const { return faces_[face][0] == none; }

@@ -72,8 +72,8 @@ inline Lanes least_values(const QuadricForm<3>& first,
 
   const Lanes ex = x - dx, ey = y - dy, ez = z - dz;
   const auto is_regular = (a00 > least_pivot) & (pivot1 > least_pivot) & (pivot2 > least_pivot);
-  const auto is_within = (x * x + y * y + z * z <= squared_reach) |
-                         (ex * ex + ey * ey + ez * ez <= squared_reach);
+  const auto is_within =
+      (x * x + y * y + z * z <= squared_reach) | (ex * ex + ey * ey + ez * ez <= squared_reach);
   const Lanes value = c + (gx * x + gy * y + gz * z); // Ax = −g
   const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
   return is_regular & is_within ? value : no_number;

@@ -1,0 +1,93 @@
+// An error limit keeps its word: the result lies within it, measured apart by CGAL.
+#include "meshes.h"
+#include "soups.h"
+
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <quadrille/distance.h>
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Mesh;
+
+Mesh read_model(const std::string& name) {
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
+    throw std::runtime_error(name + ".off cannot be read");
+  return mesh;
+}
+
+struct Model {
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<Model> models() {
+  std::vector<Model> models;
+  for (const char* name : {"cow", "bones", "nefertiti", "blobby_3cc", "mech-holes-shark", "pinion"})
+    models.push_back({name, read_model(name)});
+  models.push_back({"sphere", test::make_mesh(test::sphere(4))});
+  models.push_back({"torus", test::make_mesh(test::torus(40, 20))});
+  models.push_back({"cube", test::make_mesh(test::cube(12))});
+  models.push_back({"noise", test::make_mesh(test::with_noise(test::sphere(4), 1, 0.02))});
+  models.push_back({"holes", test::make_mesh(test::random_with_borders(3))});
+  return models;
+}
+
+// From the result to the input, to a tenth of the limit.
+double distance_to(const Mesh& input, const Mesh& result, double limit) {
+  return CGAL::Polygon_mesh_processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(
+      result, input, limit / 10);
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("No point of the result is further from the input than the limit", "", Quadric,
+                   MemorylessQuadric) {
+  for (const auto& [name, input] : models())
+    for (double fraction : {0.002, 0.02}) {
+      const double limit = fraction * bounding_box_diagonal(input);
+      Mesh mesh = input;
+      const Report report = simplify<TestType, OptimalPlacement>(mesh, ErrorLimit{limit});
+      mesh.collect_garbage();
+      INFO(name << ", limit " << limit << ": " << report);
+      REQUIRE(report.stop == StopReason::target_met);
+      REQUIRE(report.distance_bound <= limit);
+      const double measured = distance_to(input, mesh, limit);
+      CAPTURE(measured);
+      REQUIRE(measured <= report.distance_bound + limit / 10);
+    }
+}
+
+TEST_CASE("Inside of a surface the limit is used, and not only kept") {
+  const Mesh input = test::make_mesh(test::sphere(5));
+  const double limit = 0.005 * bounding_box_diagonal(input);
+  Mesh mesh = input;
+  const Report report = simplify(mesh, ErrorLimit{limit});
+  mesh.collect_garbage();
+  INFO(report);
+  CHECK(report.faces_after < report.faces_before / 3);
+  CHECK(distance_to(input, mesh, limit) > limit / 8);
+}
+
+TEST_CASE("A flat part costs no distance at all") {
+  Mesh mesh = test::make_mesh(test::cube(12));
+  const Report report = simplify(mesh, ErrorLimit{1e-6});
+  CHECK(report.distance_bound <= 1e-6);
+  CHECK(report.faces_after < 100);
+}
+
+TEST_CASE("Without an error limit no bound is known") {
+  Mesh mesh = test::make_mesh(test::sphere(3));
+  CHECK(simplify(mesh, FaceCount{100}).distance_bound == std::numeric_limits<double>::infinity());
+}
