@@ -63,8 +63,8 @@ TEST_CASE("An error limit holds in every order, and is used") {
   const auto check = [&](const auto& order, double limit) {
     test::Mesh mesh = test::make_mesh(input);
     const Report report = simplify<Quadric, OptimalPlacement>(mesh, ErrorLimit(limit), order);
-    CHECK(report.error <= limit);
-    CHECK(report.error > limit / 2);
+    CHECK(report.distance_bound <= limit);
+    CHECK(report.distance_bound > limit / 2);
     CHECK(report.stop == StopReason::target_met);
   };
   for (double limit : {0.0005, 0.002}) {

@@ -303,6 +303,26 @@ std::size_t count_non_manifold_edges(const Soup& soup) {
       std::count_if(faces.begin(), faces.end(), [](const auto& e) { return e.second > 2; }));
 }
 
+double squared_distance_to_segment(const Position& x, const Position& p, const Position& q) {
+  const double length = squared_distance(p, q);
+  const double t = length > 0 ? std::clamp(dot(x - p, q - p) / length, 0.0, 1.0) : 0;
+  return squared_distance(x, p + t * (q - p));
+}
+
+double squared_distance_to_triangle(const Position& x, const Position& p, const Position& q,
+                                    const Position& r) {
+  double least = std::min({squared_distance_to_segment(x, p, q),
+                           squared_distance_to_segment(x, q, r),
+                           squared_distance_to_segment(x, r, p)});
+  const Position n = cross(q - p, r - p);
+  const auto is_left = [&](const Position& a, const Position& b) {
+    return dot(cross(b - a, x - a), n) >= 0;
+  };
+  if (squared_length(n) > 0 && is_left(p, q) && is_left(q, r) && is_left(r, p))
+    least = std::min(least, dot(x - p, n) * dot(x - p, n) / squared_length(n));
+  return least;
+}
+
 /// What is promised of a result, looked at one by one; the first that does not hold is told.
 class Judge {
 public:
@@ -322,6 +342,7 @@ public:
     require_clean();
     require_report();
     require_target();
+    require_distance();
     require_constraints();
     require_topology();
     require_endpoints();
@@ -380,14 +401,40 @@ private:
     status.contractions = report_.contractions;
     const bool is_met = report_.stop == StopReason::target_met;
     if (std::holds_alternative<ErrorLimit>(call_.stop.chosen)) {
-      status.next_error = report_.error;
-      require(!call_.stop(status), "the error is above its limit");
-    } else if (call_.stop.chosen.index() != 6) { // the next error is not known here
+      status.next_distance = report_.distance_bound;
+      require(!call_.stop(status), "the result is beyond the limit");
+    } else if (call_.stop.chosen.index() != 6) { // the next distance is not known here
       require(call_.stop(status) == is_met, "the target and the reason to stop do not agree");
     }
     if (std::holds_alternative<AfterContractions>(call_.stop.chosen) && is_met)
       require(report_.contractions == std::get<AfterContractions>(call_.stop.chosen).count,
               "contractions after the target was met");
+  }
+
+  // At the corners and in the middle of each face.
+  void require_distance() {
+    if (before_.triangles.empty() || before_.triangles.size() * after_.triangles.size() > 20'000)
+      return;
+    const double size = diagonal(before_);
+    if (!(size > 1e-100 && size < 1e100))
+      return; // squares over- or underflow here
+    double far = 0;
+    for (const Position& p : before_.points)
+      far = std::max(far, std::sqrt(squared_length(p)));
+    const double limit = report_.distance_bound * (1 + 1e-6) + 1e-9 * size + 1e-14 * far;
+    const auto require_near = [&](const Position& x) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& [a, b, c] : before_.triangles)
+        nearest = std::min(nearest, squared_distance_to_triangle(x, before_.points[a],
+                                                                 before_.points[b],
+                                                                 before_.points[c]));
+      require(std::sqrt(nearest) <= limit, "the result is further away than distance_bound");
+    };
+    for (const auto& [a, b, c] : after_.triangles) {
+      const Position &p = after_.points[a], &q = after_.points[b], &r = after_.points[c];
+      require_near(p);
+      require_near(1.0 / 3 * (p + q + r));
+    }
   }
 
   void require_constraints() {

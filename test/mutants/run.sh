@@ -21,11 +21,11 @@ mkdir -p "$folder"
 }
 [ "$folder/main.o" -nt test/main.cpp ] || $compile -c test/main.cpp -o "$folder/main.o" || exit 2
 
-# builds_and_passes TEST: a mutant that does not compile is noticed as well.
-builds_and_passes() {
+# passes TEST: sets the verdict if it does not.
+passes() {
   $compile -include "$folder/prelude.h" -Itest -I"$folder/include" "test/test_$1.cpp" \
     "$folder/main.o" -o "$folder/test_$1" 2>"$folder/log" || {
-    verdict="does not compile"
+    verdict="DOES NOT COMPILE"
     return 1
   }
   timeout 120 "$folder/test_$1" --abort >"$folder/log" 2>&1 || {
@@ -52,9 +52,9 @@ while IFS="$(printf '\t')" read -r header code replacement tests; do
   }
   verdict=SURVIVED
   for test in $tests; do
-    builds_and_passes "$test" || break
+    passes "$test" || break
   done
-  [ "$verdict" = SURVIVED ] && survivors=$((survivors + 1))
+  case $verdict in killed*) ;; *) survivors=$((survivors + 1)) ;; esac
   echo "$line: $header: $verdict: $code -> $replacement"
 done <<TSV
 $(cat test/mutants/mutants.tsv)
