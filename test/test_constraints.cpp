@@ -58,6 +58,30 @@ TEST_CASE("A fixed vertex is the last that is left of a surface where topology i
   }
 }
 
+TEST_CASE("A fixed vertex that keeps a face is in nobody's way where topology is free") {
+  // 3---2
+  // | \ |   of the two faces at 3, that of the short edge vanishes
+  // 0-1-+
+  PointSoup soup({{{{0, 0, 0}}, {{0.5, 0, 0.1}}, {{1, 1, 0}}, {{0, 1, 0}}}, {{0, 1, 3}, {1, 2, 3}}});
+  const auto all_but_one = boost::make_function_property_map<std::size_t>(
+      [](std::size_t v) { return v != 1; });
+  const Report report = simplify<EdgeLength, EndpointPlacement>(
+      soup.points, soup.triangles, FaceCount{1},
+      CGAL::parameters::vertex_is_constrained_map(all_but_one));
+  CHECK(report.faces_after == 1);
+  CHECK(report.rejected(Rejection::constraint) == 3); // the pairs that are left
+}
+
+TEST_CASE("A vertex goes with its last face, and is counted") {
+  for (std::size_t faces = 0; faces < 60; ++faces) {
+    PointSoup soup(test::random_with_borders(4));
+    const Report report = simplify<EdgeLength, MidpointPlacement>(
+        soup.points, soup.triangles, FaceCount{faces}, NormalFlip{180});
+    CHECK(report.vertices_after == soup.points.size());
+    CHECK(report.faces_after == soup.triangles.size());
+  }
+}
+
 TEST_CASE("An error limit holds in every order, and is used") {
   const Soup input = test::with_noise(test::grid(30, 30), 3, 0.002);
   const auto check = [&](const auto& order, double limit) {

@@ -253,7 +253,14 @@ std::ostream& operator<<(std::ostream& out, const Case& input) {
 // --- The result ----------------------------------------------------------------------------------
 
 template <class Cost>
-void simplify_with(const Case& input, Outcome& outcome, const Cost& cost);
+void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost);
+template <class Cost>
+void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost);
+
+template <class Cost>
+void simplify_with(const Case& input, Outcome& outcome, const Cost& cost) {
+  input.is_mesh ? simplify_mesh(input, outcome, cost) : simplify_soup(input, outcome, cost);
+}
 
 void simplify(const Case& input, Outcome& outcome) {
   outcome.points.clear();

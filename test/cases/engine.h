@@ -17,13 +17,10 @@
 #include <type_traits>
 
 /// \file
-/// simplify_with<Cost>(input, outcome, cost): every combination of policies that a case may ask
-/// for. Each cost is compiled by itself.
+/// simplify_soup and simplify_mesh: every combination of policies that a case may ask for. Each cost
+/// is compiled by itself.
 
 namespace test {
-
-template <class Cost>
-void simplify_with(const Case& input, Outcome& outcome, const Cost& cost);
 
 namespace detail {
 
@@ -62,15 +59,17 @@ quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify s
   return call.relaxed ? with_order(*call.relaxed) : with_order(quadrille::GreedyOrder{});
 }
 
+} // namespace detail
+
 template <class Cost>
 void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost) {
   const auto is_fixed = boost::make_function_property_map<std::size_t>(
       [&](std::size_t v) -> bool { return input.is_fixed[v]; });
-  const CancelAt visitor(input.call.cancel_at);
+  const detail::CancelAt visitor(input.call.cancel_at);
   const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor)
                          .vertex_color_map(CGAL::make_property_map(outcome.colors));
   const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
-  outcome.report = with_policies(input.call, pairs, [&](const auto&... policy) {
+  outcome.report = detail::with_policies(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(outcome.points, outcome.triangles, cost, policy..., named);
   });
 }
@@ -89,11 +88,11 @@ void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
         const std::uint32_t v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
         return kept.contains({std::min(v, w), std::max(v, w)});
       });
-  const CancelAt visitor(input.call.cancel_at);
+  const detail::CancelAt visitor(input.call.cancel_at);
   const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed)
                          .edge_is_constrained_map(is_kept).visitor(visitor)
                          .vertex_color_map(colors);
-  outcome.report = with_policies(input.call, quadrille::EdgePairs{}, [&](const auto&... policy) {
+  outcome.report = detail::with_policies(input.call, quadrille::EdgePairs{}, [&](const auto&... policy) {
     return quadrille::simplify(mesh, cost, policy..., named);
   });
   if (!is_valid_triangle_mesh(mesh))
@@ -106,14 +105,6 @@ void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
     outcome.colors.push_back(colors[v]);
   }
   outcome.triangles = to_soup(mesh).triangles;
-}
-
-} // namespace detail
-
-template <class Cost>
-void simplify_with(const Case& input, Outcome& outcome, const Cost& cost) {
-  input.is_mesh ? detail::simplify_mesh(input, outcome, cost)
-                : detail::simplify_soup(input, outcome, cost);
 }
 
 } // namespace test

@@ -46,7 +46,7 @@ while IFS="$(printf '\t')" read -r header code replacement tests; do
     my $at = index($_, $code);
     die "no such code\n" if $at < 0;
     substr($_, $at, length $code) = $replacement' "$folder/include/quadrille/$header" || {
-    echo "$line: $header does not hold: $code"
+    printf '%s\n' "$line: $header does not hold: $code"
     survivors=$((survivors + 1))
     continue
   }
@@ -55,7 +55,7 @@ while IFS="$(printf '\t')" read -r header code replacement tests; do
     passes "$test" || break
   done
   case $verdict in killed*) ;; *) survivors=$((survivors + 1)) ;; esac
-  echo "$line: $header: $verdict: $code -> $replacement"
+  printf '%s\n' "$line: $header: $verdict: $code -> $replacement"
 done <<TSV
 $(cat test/mutants/mutants.tsv)
 TSV

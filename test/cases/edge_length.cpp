@@ -1,3 +1,0 @@
-#include "engine.h"
-
-template void test::simplify_with(const Case&, Outcome&, const quadrille::EdgeLength&);
