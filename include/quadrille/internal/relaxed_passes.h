@@ -244,8 +244,10 @@ private:
   bool is_inside(const PairStar& star, std::size_t block) const {
     bool inside = true;
     for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces)
-        inside &= (block_[f.second] == block) & (block_[f.third] == block);
+      for (const StarFace& f : *faces) {
+        inside &= block_[f.second] == block;
+        inside &= block_[f.third] == block;
+      }
     return inside;
   }
 
