@@ -69,6 +69,20 @@ TEMPLATE_TEST_CASE_SIG("A quadric about another point is the same function", "",
   }
 }
 
+TEMPLATE_TEST_CASE_SIG("Sums of quadrics, about one point or two, are sums of their values", "",
+                       ((std::size_t N), N), 3, 6) {
+  Random random(7);
+  for (int i = 0; i < 20; ++i) {
+    const auto away = [&] { // neither a gradient nor a constant of zero
+      return plane_through(random_vector<N>(random), random_direction<N>(random), random(1, 2));
+    };
+    const QuadricForm<N> a = away(), b = away();
+    const Vector<N> d = random_vector<N>(random), x = random_vector<N>(random);
+    CHECK((a + b)(x) == Approx(a(x) + b(x)));
+    CHECK(QuadricForm<N>::sum_about_first(a, b, d)(x) == Approx(a(x) + b(x - d)));
+  }
+}
+
 TEST_CASE("The least value of three planes lies where they meet") {
   // x = 1, y = 2, z = 3 and x + y + z = 6
   QuadricForm<3> form = plane_through<3>({{1, 0, 0}}, {{1, 0, 0}});
@@ -117,24 +131,25 @@ TEST_CASE("A quadric with numbers that are not finite has no minimizer") {
   CHECK_FALSE((QuadricForm<3>::point(1) + QuadricForm<3>::plane({{nan, 0, 0}}, 1)).minimizer());
 }
 
-TEST_CASE("Whether there is a minimizer does not depend on the unit") {
+TEMPLATE_TEST_CASE_SIG("Whether there is a minimizer does not depend on the unit", "",
+                       ((std::size_t N), N), 3, 5) {
   // Powers of two, so that nothing is rounded: lengths times s, weights (areas) times s².
   Random random(5);
   for (int i = 0; i < 50; ++i) {
-    std::vector<Vector<3>> points, normals;
-    for (int k = 0; k < 4; ++k) {
-      points.push_back(random_vector<3>(random));
-      normals.push_back(random_direction<3>(random));
+    std::vector<Vector<N>> points, normals;
+    for (std::size_t k = 0; k < N + 1; ++k) {
+      points.push_back(random_vector<N>(random));
+      normals.push_back(random_direction<N>(random));
     }
     if (i % 2 == 0) // a free direction
-      for (Vector<3>& n : normals)
+      for (Vector<N>& n : normals)
         n[2] = n[0] + n[1];
-    std::optional<Vector<3>> at_one;
+    std::optional<Vector<N>> at_one;
     for (double s : {1.0, 0x1p-60, 0x1p60}) {
-      QuadricForm<3> form;
-      for (std::size_t k = 0; k < 4; ++k)
+      QuadricForm<N> form;
+      for (std::size_t k = 0; k < N + 1; ++k)
         form += plane_through(s * points[k], normals[k], s * s);
-      const std::optional<Vector<3>> x = form.minimizer();
+      const std::optional<Vector<N>> x = form.minimizer();
       if (s == 1)
         at_one = x;
       REQUIRE(x.has_value() == at_one.has_value());

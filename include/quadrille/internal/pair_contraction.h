@@ -114,7 +114,7 @@ public:
   /// Why this contraction must not be done, if so.
   std::optional<Rejection> rejection(Scratch& scratch, Index a, Index b,
                                      const Candidate& candidate) const {
-    if (is_fixed(a) && is_fixed(b))
+    if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(scratch.star, a, b))
       return Rejection::constraint;
     if (!is_finite(candidate.target) || !std::isfinite(candidate.cost))
       return Rejection::position;
@@ -393,6 +393,23 @@ private:
 
   // Known to be inside the surface: without the link condition nothing is.
   bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
+
+  // When topology is free, the faces that vanish may be the last of the pair, or of their third
+  // vertex and its edge to the pair.
+  bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
+    if (is_fixed_.empty() || is_topology_kept_)
+      return false;
+    if (star.first.empty() && star.second.empty() && (is_fixed(a) || is_fixed(b)))
+      return true;
+    const auto is_at = [](Index v) {
+      return [v](const StarFace& f) { return f.second == v || f.third == v; };
+    };
+    return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
+      const Index v = f.second == b ? f.third : f.second;
+      return is_fixed(v) && std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
+             std::none_of(star.second.begin(), star.second.end(), is_at(v));
+    });
+  }
 
   template <class Filter, class Contraction>
   static bool refuses(const Filter& filter, const Contraction& contraction,

@@ -1,0 +1,121 @@
+#ifndef QUADRILLE_TEST_CASES_ENGINE_H
+#define QUADRILLE_TEST_CASES_ENGINE_H
+
+#include "cases.h"
+
+#include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
+
+#include <CGAL/property_map.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <type_traits>
+
+/// \file
+/// simplify_with<Cost>(input, outcome, cost): every combination of policies that a case may ask
+/// for. Each cost is compiled by itself.
+
+namespace test {
+
+template <class Cost>
+void simplify_with(const Case& input, Outcome& outcome, const Cost& cost);
+
+namespace detail {
+
+struct AnyPlacement {
+  PlacementName name;
+
+  auto operator()(const auto& cost, const auto& pair) const
+      -> std::remove_cvref_t<decltype(pair.first)> {
+    if constexpr (requires { cost.minimizer(pair); })
+      if (name == PlacementName::optimal)
+        return quadrille::OptimalPlacement{}(cost, pair);
+    if (name == PlacementName::endpoint)
+      return quadrille::EndpointPlacement{}(cost, pair);
+    return quadrille::MidpointPlacement{}(cost, pair);
+  }
+};
+
+class CancelAt {
+public:
+  explicit CancelAt(std::size_t call) : call_(call) {}
+  bool proceed(const quadrille::Status&) const { return ++calls_ < call_; }
+
+private:
+  std::size_t call_;
+  mutable std::size_t calls_ = 0;
+};
+
+// Calls simplify(policy...) with the policies of a call.
+template <class Pairs, class Simplify>
+quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify simplify) {
+  const auto with_order = [&](const auto& order) {
+    return simplify(AnyPlacement{call.placement}, pairs, call.stop, order, call.topology,
+                    quadrille::NormalFlip(call.flip_degrees), quadrille::TriangleShape(call.shape),
+                    quadrille::HighestDegree(call.degree));
+  };
+  return call.relaxed ? with_order(*call.relaxed) : with_order(quadrille::GreedyOrder{});
+}
+
+template <class Cost>
+void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost) {
+  const auto is_fixed = boost::make_function_property_map<std::size_t>(
+      [&](std::size_t v) -> bool { return input.is_fixed[v]; });
+  const CancelAt visitor(input.call.cancel_at);
+  const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor)
+                         .vertex_color_map(CGAL::make_property_map(outcome.colors));
+  const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
+  outcome.report = with_policies(input.call, pairs, [&](const auto&... policy) {
+    return quadrille::simplify(outcome.points, outcome.triangles, cost, policy..., named);
+  });
+}
+
+template <class Cost>
+void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
+  Mesh mesh = make_mesh(input.soup);
+  auto colors = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("color").first;
+  for (const auto v : mesh.vertices())
+    colors[v] = input.colors[v];
+  const auto is_fixed = boost::make_function_property_map<Mesh::Vertex_index>(
+      [&](Mesh::Vertex_index v) -> bool { return input.is_fixed[v]; });
+  const std::set<std::array<std::uint32_t, 2>> kept(input.kept.begin(), input.kept.end());
+  const auto is_kept =
+      boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) {
+        const std::uint32_t v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+        return kept.contains({std::min(v, w), std::max(v, w)});
+      });
+  const CancelAt visitor(input.call.cancel_at);
+  const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed)
+                         .edge_is_constrained_map(is_kept).visitor(visitor)
+                         .vertex_color_map(colors);
+  outcome.report = with_policies(input.call, quadrille::EdgePairs{}, [&](const auto&... policy) {
+    return quadrille::simplify(mesh, cost, policy..., named);
+  });
+  if (!is_valid_triangle_mesh(mesh))
+    throw std::logic_error("the mesh is not valid");
+  mesh.collect_garbage();
+  outcome.points.clear();
+  outcome.colors.clear();
+  for (const auto v : mesh.vertices()) {
+    outcome.points.push_back(mesh.point(v));
+    outcome.colors.push_back(colors[v]);
+  }
+  outcome.triangles = to_soup(mesh).triangles;
+}
+
+} // namespace detail
+
+template <class Cost>
+void simplify_with(const Case& input, Outcome& outcome, const Cost& cost) {
+  input.is_mesh ? detail::simplify_mesh(input, outcome, cost)
+                : detail::simplify_soup(input, outcome, cost);
+}
+
+} // namespace test
+
+#endif // QUADRILLE_TEST_CASES_ENGINE_H

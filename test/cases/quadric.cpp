@@ -1,0 +1,3 @@
+#include "engine.h"
+
+template void test::simplify_with(const Case&, Outcome&, const quadrille::Quadric&);

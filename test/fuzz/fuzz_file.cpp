@@ -1,0 +1,77 @@
+// Bytes are a file, the first of them its format: it is refused with an exception, or read, and
+// then simplified, written and read again.
+#include "../../examples/mesh_io.h"
+
+#include <quadrille/simplify.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace quadrille_examples;
+
+void require(bool holds, const char* what) {
+  if (holds)
+    return;
+  std::cerr << what << '\n';
+  std::abort();
+}
+
+bool is_finite(const Point& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+void require_valid(const IndexedMesh& mesh) {
+  require(std::all_of(mesh.points.begin(), mesh.points.end(), is_finite), "not finite");
+  require(mesh.colors.empty() || mesh.colors.size() == mesh.points.size(), "colours");
+  require(mesh.texture_coordinates.empty() ||
+              mesh.texture_coordinates.size() == mesh.points.size(),
+          "texture coordinates");
+  for (const auto& [a, b, c] : mesh.triangles) {
+    require(std::max({a, b, c}) < mesh.points.size(), "an index of no point");
+    require(a != b && b != c && c != a, "a face with two equal corners");
+  }
+}
+
+IndexedMesh read(const MeshFormat& format, const std::filesystem::path& path, std::string content,
+                 Weld weld) {
+  IndexedMesh mesh = Assembly(format.read({path, std::move(content)}), path).mesh(weld);
+  require_valid(mesh);
+  return mesh;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::array names{"a.off", "a.obj", "a.ply", "a.stl", "a.ts"};
+  if (size < 2) // empty files are refused before they are parsed
+    return 0;
+  const std::filesystem::path path = names[data[0] % names.size()];
+  const Weld weld = data[0] / names.size() % 2 == 0 ? Weld::loose_faces : Weld::always;
+  const MeshFormat& format = mesh_format(path);
+  try {
+    IndexedMesh mesh = read(format, path, std::string(data + 1, data + size), weld);
+    mesh.colors.clear(); // what is dropped here keeps its numbers there
+    mesh.texture_coordinates.clear();
+    quadrille::simplify(mesh.points, mesh.triangles);
+    require_valid(mesh);
+    const std::string written = format.encode(mesh);
+    const bool is_single = path.extension() == ".stl";
+    if (is_single || mesh.points.empty())
+      return 0;
+    const IndexedMesh again = read(format, path, written, Weld::loose_faces);
+    require(again.triangles.size() == mesh.triangles.size() || !again.remarks.empty(),
+            "other triangles were written");
+  } catch (const std::runtime_error& error) { // refused, in one line
+    require(std::string(error.what()).find('\n') == std::string::npos, "more than one line");
+  }
+  return 0;
+}

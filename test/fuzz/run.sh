@@ -1,0 +1,21 @@
+#!/bin/sh
+# Builds the fuzzers and runs each for so many seconds. A new corpus grows in build/fuzz/corpus; what
+# fails is written to build/fuzz as crash-*, to be given to the program that found it.
+#   sh test/fuzz/run.sh SECONDS [FUZZER...]
+set -eu
+export LC_ALL=C
+
+seconds=${1:?"usage: sh test/fuzz/run.sh SECONDS [FUZZER...]"}
+shift
+[ $# -gt 0 ] || set -- fuzz_soup fuzz_file
+
+cd -- "$(dirname -- "$0")/../.."
+cmake --preset fuzz
+cmake --build --preset fuzz --parallel 2 --target "$@"
+
+cd build/fuzz
+for fuzzer in "$@"; do
+  mkdir -p "corpus/$fuzzer"
+  "test/fuzz/$fuzzer" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
+    -print_final_stats=1 "corpus/$fuzzer" "../../test/fuzz/corpus/$fuzzer"
+done

@@ -1,0 +1,160 @@
+// What a memoryless cost says of a pair, through any number of contractions, is what its faces say.
+#include "soups.h"
+
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using internal::Index;
+using test::Soup;
+
+// Half of the extent is 2^20 and more: the engine's unit is the mesh's then.
+Soup large(const Soup& soup) {
+  return test::mapped(soup, [&](const test::Position& p) {
+    return 0x1p22 / test::diagonal(soup) * p;
+  });
+}
+
+internal::SurfaceInput<3> input_of(const Soup& soup) {
+  internal::SurfaceInput<3> input;
+  input.positions = soup.points;
+  input.triangles = soup.triangles;
+  return input;
+}
+
+template <class Surface>
+Soup soup_of(const Surface& surface) {
+  Soup soup;
+  for (Index v = 0; v < surface.vertex_capacity(); ++v)
+    soup.points.push_back(surface.position(v));
+  for (Index face = 0; face < surface.complex().face_capacity(); ++face)
+    if (!surface.complex().is_dead(face))
+      soup.triangles.push_back(surface.complex().vertices(face));
+  return soup;
+}
+
+bool has(const test::Triangle& t, Index v) {
+  return std::find(t.begin(), t.end(), v) != t.end();
+}
+
+// The area-weighted sum of squared distances of x to the planes of the faces at a or b, each once,
+// with the point quadrics and the constraint planes beside them.
+double cost_of(const Soup& soup, Index a, Index b, const Vector<3>& x, double boundary_weight) {
+  double sum = 0;
+  const auto shares_edge = [&](const test::Triangle& t, Index v, Index w) {
+    return std::count_if(soup.triangles.begin(), soup.triangles.end(), [&](const auto& other) {
+             return has(other, v) && has(other, w);
+           }) == 1 && has(t, v) && has(t, w);
+  };
+  for (const test::Triangle& t : soup.triangles) {
+    if (!has(t, a) && !has(t, b))
+      continue;
+    const Vector<3>& p = soup.points[t[0]];
+    const Vector<3> normal = double_area_vector(p, soup.points[t[1]], soup.points[t[2]]);
+    const double twice_area = std::sqrt(squared_length(normal));
+    const double distance = dot(normal, x - p) / twice_area;
+    const Vector<3>& own = soup.points[has(t, b) ? b : a];
+    sum += twice_area / 2 * (distance * distance + 1e-9 * squared_distance(x, own));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index v = t[i], w = t[(i + 1) % 3];
+      if (!shares_edge(t, v, w) || (v != a && v != b && w != a && w != b))
+        continue;
+      const Vector<3> along = soup.points[w] - soup.points[v];
+      const Vector<3> across = cross(along, normal);
+      const double offset = dot(across, x - soup.points[v]);
+      sum += boundary_weight * squared_length(along) * offset * offset / squared_length(across);
+    }
+  }
+  return sum;
+}
+
+// Checks the cost of every pair, contracts one, and so on. Returns how many contractions it did.
+template <class Surface>
+std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps) {
+  test::Random random(seed);
+  internal::Scratch& scratch = surface.scratch();
+  std::size_t contractions = 0;
+  for (int step = 0; step < steps; ++step) {
+    const Soup soup = soup_of(surface);
+    for (Index v = 0; v < surface.vertex_capacity(); ++v) {
+      if (!surface.complex().has_faces(v))
+        continue;
+      for (Index w : std::vector<Index>(surface.partners(scratch, v))) {
+        if (w < v)
+          continue;
+        const auto candidate = surface.evaluate(v, w);
+        CAPTURE(seed, step, v, w);
+        REQUIRE(candidate.cost ==
+                Approx(cost_of(soup, v, w, candidate.target, 100)).epsilon(1e-6));
+      }
+    }
+    for (int attempt = 0; attempt < 100; ++attempt) {
+      const test::Triangle t = soup.triangles[random.below(soup.triangles.size())];
+      const auto [a, b] = std::minmax(t[0], t[1]);
+      const auto candidate = surface.evaluate(a, b);
+      surface.gather(scratch, a, b);
+      if (surface.rejection(scratch, a, b, candidate))
+        continue;
+      surface.contract(scratch, a, b, candidate);
+      surface.count(scratch.tally);
+      ++contractions;
+      break;
+    }
+  }
+  return contractions;
+}
+
+template <class... Arguments>
+void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) {
+  const auto policies =
+      internal::pick_policies<MemorylessQuadric, OptimalPlacement>(arguments...);
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input_of(large(soup)),
+                                                                            policies);
+  CHECK(contract_and_compare(surface, seed, 12) > 8);
+}
+
+} // namespace
+
+TEST_CASE("The current memories of a closed surface are those of its faces") {
+  for (std::uint64_t seed = 0; seed < 3; ++seed)
+    check(test::random_closed(seed), seed);
+}
+
+TEST_CASE("The current memories of a surface with borders are those of its faces and borders") {
+  for (std::uint64_t seed = 0; seed < 3; ++seed)
+    check(test::random_with_borders(seed), seed);
+}
+
+TEST_CASE("Current memories follow where topology is free") {
+  check(test::random_with_borders(4), 4, Topology::free);
+}
+
+TEST_CASE("A memoryless position of least cost keeps the volume") {
+  const Soup soup = large(test::with_noise(test::sphere(2), 1, 0.02));
+  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input_of(soup),
+                                                                            policies);
+  const double before = test::volume(soup);
+  internal::Scratch& scratch = surface.scratch();
+  for (Index v = 0; v < 40; v += 3) {
+    if (!surface.complex().has_faces(v))
+      continue;
+    const Index w = surface.partners(scratch, v).front();
+    const auto candidate = surface.evaluate(std::min(v, w), std::max(v, w));
+    surface.gather(scratch, std::min(v, w), std::max(v, w));
+    if (surface.rejection(scratch, std::min(v, w), std::max(v, w), candidate))
+      continue;
+    surface.contract(scratch, std::min(v, w), std::max(v, w), candidate);
+    CHECK(test::volume(soup_of(surface)) == Approx(before).epsilon(1e-9));
+  }
+}

@@ -1,0 +1,165 @@
+// The result does not depend on the unit, the place, the direction or the numbering of the input.
+#include "meshes.h"
+#include "soups.h"
+
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Position;
+using test::Soup;
+
+struct Surface {
+  std::string name;
+  Soup soup;
+};
+
+std::vector<Surface> surfaces() {
+  return {{"sphere", test::random_closed(0)},
+          {"torus", test::random_closed(1)},
+          {"genus 2", test::random_closed(2)},
+          {"sheet", test::random_with_borders(3)},
+          {"with holes", test::random_with_borders(4)}};
+}
+
+template <class Cost, class M = test::Mesh>
+Soup simplified(const Soup& soup, Report* report = nullptr) {
+  M mesh = test::make_mesh<M>(soup);
+  const Report told = simplify<Cost, OptimalPlacement>(mesh, FaceRatio{0.25});
+  if (report)
+    *report = told;
+  return test::to_soup(mesh);
+}
+
+// The greatest distance of corresponding points, or infinity if the triangles are others.
+double difference(const Soup& a, const Soup& b) {
+  if (a.triangles != b.triangles || a.points.size() != b.points.size())
+    return std::numeric_limits<double>::infinity();
+  double squared = 0;
+  for (std::size_t v = 0; v < a.points.size(); ++v)
+    squared = std::max(squared, squared_distance(a.points[v], b.points[v]));
+  return std::sqrt(squared);
+}
+
+// Simplifying and then mapping gives what mapping and then simplifying does, up to `tolerance` of
+// the diagonal.
+template <class Cost, class Map>
+void check(const Soup& soup, Map map, double tolerance) {
+  const Soup mapped_first = simplified<Cost>(test::mapped(soup, map));
+  const Soup mapped_last = test::mapped(simplified<Cost>(soup), map);
+  const double limit = tolerance > 0 ? tolerance * test::diagonal(mapped_last) : 0;
+  CHECK(difference(mapped_first, mapped_last) <= limit);
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("The unit does not matter, and not at all if it is a power of two", "", Quadric,
+                   MemorylessQuadric) {
+  for (const auto& [name, soup] : surfaces()) {
+    CAPTURE(name);
+    for (double scale : {1e-8, 1e-5, 1e-3, 0.1, 3.0, 1e3, 1e5, 1e8}) {
+      CAPTURE(scale);
+      check<TestType>(soup, [&](const Position& p) { return scale * p; }, 1e-9);
+    }
+    for (int exponent : {-900, -300, -26, -1, 1, 26, 300, 900}) {
+      CAPTURE(exponent);
+      const double scale = std::ldexp(1.0, exponent);
+      check<TestType>(soup, [&](const Position& p) { return scale * p; }, 0);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("The error follows the unit", "", Quadric, MemorylessQuadric) {
+  for (const auto& [name, soup] : surfaces()) {
+    CAPTURE(name);
+    Report report, large_report;
+    simplified<TestType>(soup, &report);
+    simplified<TestType>(test::mapped(soup, [](const Position& p) { return 0x1p30 * p; }),
+                         &large_report);
+    CHECK(report.error > 0);
+    CHECK(large_report.error == 0x1p30 * report.error);
+  }
+}
+
+TEMPLATE_TEST_CASE("The place does not matter, as far as doubles hold the input", "", Quadric,
+                   MemorylessQuadric) {
+  for (const auto& [name, soup] : surfaces()) {
+    CAPTURE(name);
+    for (double factor : {1.0, 1e3, 1e6}) {
+      CAPTURE(factor);
+      const double d = factor * test::diagonal(soup);
+      const Position offset{{d, -0.7 * d, 0.4 * d}};
+      // The same surface near zero: what is left of it there, moved back without rounding.
+      const Soup held = test::mapped(soup, [&](const Position& p) { return (p + offset) - offset; });
+      check<TestType>(held, [&](const Position& p) { return p + offset; }, 1e-15 * factor + 1e-9);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("The direction does not matter", "", Quadric, MemorylessQuadric) {
+  for (const auto& [name, soup] : surfaces()) {
+    CAPTURE(name);
+    const auto turn = [](const Position& p) { return test::tilted(Soup{{p}, {}}).points.front(); };
+    check<TestType>(soup, turn, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{-p[0], p[1], p[2]}}; }, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{p[0], p[1], -p[2]}}; }, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{p[1], p[2], p[0]}}; }, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{p[1], p[0], p[2]}}; }, 1e-9);
+  }
+}
+
+TEMPLATE_TEST_CASE("The numbers of vertices and faces do not matter", "", Quadric,
+                   MemorylessQuadric) {
+  for (const auto& [name, soup] : surfaces()) {
+    CAPTURE(name);
+    const Soup expected = simplified<TestType>(soup);
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      CAPTURE(seed);
+      test::Random random(seed);
+      std::vector<std::uint32_t> number(soup.points.size());
+      std::iota(number.begin(), number.end(), 0);
+      for (std::size_t i = number.size(); i > 1; --i)
+        std::swap(number[i - 1], number[random.below(i)]);
+      Soup other = soup;
+      for (std::size_t v = 0; v < number.size(); ++v)
+        other.points[number[v]] = soup.points[v];
+      for (test::Triangle& t : other.triangles) {
+        t = {number[t[0]], number[t[1]], number[t[2]]};
+        std::rotate(t.begin(), t.begin() + random.below(3), t.end());
+      }
+      for (std::size_t i = other.triangles.size(); i > 1; --i)
+        std::swap(other.triangles[i - 1], other.triangles[random.below(i)]);
+      // A memoryless cost counts the point quadrics of the shared faces, 10⁻⁹, at the higher end.
+      CHECK(test::is_same_surface(simplified<TestType>(other), expected,
+                                  1e-7 * test::diagonal(soup)));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("With points of floats the result is the nearest floats of that with doubles", "",
+                   Quadric, MemorylessQuadric) {
+  using Floats = CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>;
+  for (const auto& [name, soup] : surfaces())
+    for (double offset : {0.0, 1000.0}) {
+      CAPTURE(name, offset);
+      const Soup input = test::as_floats(test::mapped(soup, [&](const Position& p) {
+        return p + Position{{offset, offset, -offset}};
+      }));
+      const Soup of_doubles = test::as_floats(simplified<TestType>(input));
+      CHECK(difference(simplified<TestType, Floats>(input), of_doubles) == 0);
+    }
+}
