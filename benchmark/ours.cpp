@@ -28,7 +28,7 @@ std::vector<Contender> our_contenders() {
            simplify_in<MemorylessQuadric>(GreedyOrder{})},
           {"Quadrille relaxed", "Quadric, OptimalPlacement, RelaxedOrder{}, Surface_mesh",
            simplify_in<Quadric>(RelaxedOrder{})},
-          {"Quadrille relaxed, refreshed",
+          {"Quadrille relaxed refreshed",
            "Quadric, OptimalPlacement, RelaxedOrder{.share = 0.1, .refresh = true}, Surface_mesh",
            simplify_in<Quadric>(RelaxedOrder{.share = 0.1, .refresh = true})}};
 }

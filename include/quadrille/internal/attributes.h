@@ -70,10 +70,10 @@ public:
 private:
   template <class V>
   static decltype(auto) component(V& value, std::size_t i) {
-    if constexpr (requires { value[i]; })
+    if constexpr (requires { typename std::remove_cvref_t<V>::R; })
+      return value[static_cast<int>(i)]; // a point or vector of a CGAL kernel
+    else if constexpr (requires { value[i]; })
       return value[i];
-    else if constexpr (requires(int k) { value[k]; })
-      return value[static_cast<int>(i)];
     else
       return value;
   }

@@ -56,12 +56,13 @@ private:
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices
-  static constexpr std::size_t faces_per_contraction = 2;
   static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done
 
   // As many as the stop policy, asked before each, would let pass in a row.
   std::size_t allowed_contractions() const {
     const Status now = surface_.status();
+    // Where topology is free, doubled faces go too.
+    const std::size_t faces_per_contraction = surface_.is_topology_kept() ? 2 : 4;
     const auto is_enough_after = [&](std::size_t contractions) {
       Status after = now;
       after.faces -= std::min(after.faces, faces_per_contraction * contractions);
@@ -243,8 +244,10 @@ private:
   bool is_inside(const PairStar& star, std::size_t block) const {
     bool inside = true;
     for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces)
-        inside &= (block_[f.second] == block) & (block_[f.third] == block);
+      for (const StarFace& f : *faces) {
+        inside &= block_[f.second] == block;
+        inside &= block_[f.third] == block;
+      }
     return inside;
   }
 

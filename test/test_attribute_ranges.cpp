@@ -1,0 +1,111 @@
+// What is written back stays in the range of its type: colours, integers, normals.
+#include "meshes.h"
+#include "soups.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Point;
+using test::Position;
+using test::Soup;
+
+std::vector<Point> points_of(const Soup& soup) {
+  std::vector<Point> points;
+  for (const Position& p : soup.points)
+    points.push_back(test::to_point<Point>(p));
+  return points;
+}
+
+// A wavy sheet, of which half is of one colour and half of another: the best colour of a vertex at
+// the step lies beyond both.
+Soup wavy_sheet() {
+  return test::mapped(test::grid(40, 40), [](const Position& p) {
+    return Position{{p[0], p[1], 0.05 * std::sin(9 * p[0]) * std::cos(7 * p[1])}};
+  });
+}
+
+template <class T>
+std::vector<std::array<T, 3>> two_colors(const std::vector<Point>& points, T low, T high) {
+  std::vector<std::array<T, 3>> colors;
+  for (const Point& p : points) {
+    const bool is_left = p.x() + 0.3 * std::sin(20 * p.y()) < 0.5;
+    colors.push_back({is_left ? low : high, is_left ? high : low, low});
+  }
+  return colors;
+}
+
+} // namespace
+
+TEST_CASE("Colours stay between the least and the greatest") {
+  Soup soup = wavy_sheet();
+  std::vector<Point> points = points_of(soup);
+  auto colors = two_colors(points, 0.0, 1.0);
+  simplify<ColorQuadric, OptimalPlacement>(
+      points, soup.triangles, FaceRatio{0.05},
+      CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+  std::size_t at_the_end = 0;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (double x : colors[v]) {
+      CHECK(x >= 0);
+      CHECK(x <= 1);
+      at_the_end += x == 1;
+    }
+  CHECK(at_the_end > 0);
+}
+
+TEST_CASE("Colours of eight bits do not wrap around") {
+  Soup soup = wavy_sheet();
+  std::vector<Point> points = points_of(soup);
+  std::vector<Point> same = points;
+  auto triangles = soup.triangles;
+  auto bytes = two_colors<std::uint8_t>(points, 0, 255);
+  auto numbers = two_colors<double>(points, 0, 255);
+  const auto run = [](auto& p, auto& t, auto& c) {
+    simplify<ColorQuadric, OptimalPlacement>(
+        p, t, FaceRatio{0.05}, CGAL::parameters::vertex_color_map(CGAL::make_property_map(c)));
+  };
+  run(points, soup.triangles, bytes);
+  run(same, triangles, numbers);
+  REQUIRE(points.size() == same.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(std::abs(bytes[v][i] - numbers[v][i]) <= 0.5);
+}
+
+TEST_CASE("Numbers without a kind keep to the range of their type alone") {
+  Soup soup = wavy_sheet();
+  std::vector<Point> points = points_of(soup);
+  auto values = two_colors<std::int8_t>(points, -128, 127);
+  simplify<AttributeQuadric<3>, OptimalPlacement>(
+      points, soup.triangles, FaceRatio{0.05},
+      quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(values)));
+  std::size_t wrong = 0; // the third attribute is the same everywhere
+  for (std::size_t v = 0; v < points.size(); ++v)
+    wrong += values[v][2] > -120;
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("Normals have length 1") {
+  Soup soup = test::sphere(5);
+  std::vector<Point> points = points_of(soup);
+  std::vector<CGAL::Simple_cartesian<double>::Vector_3> normals;
+  for (const Point& p : points)
+    normals.push_back(p - CGAL::ORIGIN);
+  simplify<NormalQuadric, OptimalPlacement>(
+      points, soup.triangles, FaceRatio{0.05},
+      CGAL::parameters::vertex_normal_map(CGAL::make_property_map(normals)));
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    CHECK(normals[v].squared_length() == Approx(1).epsilon(1e-12));
+    CHECK(normals[v] * (points[v] - CGAL::ORIGIN) > 0.99);
+  }
+}
