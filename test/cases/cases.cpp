@@ -423,7 +423,7 @@ private:
     if (before_.triangles.empty() || before_.triangles.size() * after_.triangles.size() > 20'000)
       return;
     const double size = diagonal(before_);
-    if (!(size > 1e-100 && size < 1e100))
+    if (!(size > 1e-60 && size < 1e60))
       return; // squares over- or underflow here
     double far = 0;
     for (const Position& p : before_.points)
