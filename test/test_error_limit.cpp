@@ -80,6 +80,20 @@ TEST_CASE("Inside of a surface the limit is used, and not only kept") {
   CHECK(distance_to(input, mesh, limit) > limit / 8);
 }
 
+TEST_CASE("Where topology is free what contractions add up to is bounded, too") {
+  for (const Mesh& input : {read_model("cow"), test::make_mesh(test::sphere(4))}) {
+    const double limit = 0.2 * bounding_box_diagonal(input);
+    Mesh mesh = input;
+    const Report report =
+        simplify(mesh, ErrorLimit{limit}, EdgeLength{}, MidpointPlacement{}, Topology::free);
+    mesh.collect_garbage();
+    INFO(report);
+    CHECK(report.contractions > 100);
+    CHECK(report.distance_bound <= limit);
+    CHECK(distance_to(input, mesh, limit) <= report.distance_bound + limit / 10);
+  }
+}
+
 TEST_CASE("A flat part costs no distance at all") {
   Mesh mesh = test::make_mesh(test::cube(12));
   const Report report = simplify(mesh, ErrorLimit{1e-6});
