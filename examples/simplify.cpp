@@ -198,9 +198,15 @@ Cost with_boundary_weight(Cost cost, const Options& options) {
 
 quadrille::Report simplify(IndexedMesh& mesh, const Options& options, const auto& cost,
                            const auto&... named) {
-  return quadrille::simplify(mesh.points, mesh.triangles, cost, placement(options),
-                             quadrille::ThresholdPairs(options.pairs_closer_than), options.target,
-                             topology(options), named...);
+  const auto until = [&](const auto& stop) {
+    return quadrille::simplify(mesh.points, mesh.triangles, cost, placement(options),
+                               quadrille::ThresholdPairs(options.pairs_closer_than), stop,
+                               topology(options), named...);
+  };
+  // It asks for distances that other targets need not pay for.
+  if (const auto* limit = std::get_if<quadrille::ErrorLimit>(&options.target.chosen))
+    return until(*limit);
+  return until(options.target);
 }
 
 quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
