@@ -28,7 +28,7 @@ using namespace test;
 TEMPLATE_TEST_CASE("A constrained edge stays, with its ends", "", Mesh, Polyhedron, CellComplex,
                    PolyMesh, TriMesh) {
   using Traits = boost::graph_traits<TestType>;
-  const std::uint64_t seed = GENERATE(0, 1, 2);
+  const std::uint64_t seed = GENERATE(0u, 1u, 2u);
   TestType mesh = convert<TestType>(as_floats(random_with_borders(seed)));
   const auto points = get(CGAL::vertex_point, mesh);
   const auto ends = [&](const auto& e) {

@@ -100,7 +100,7 @@ TEST_CASE("An error limit holds in every order, and is used") {
 
 TEST_CASE("Passes meet a number of faces, and leave a mesh") {
   const Soup input = test::with_noise(test::torus(40, 30), 3, 0.02);
-  for (std::size_t faces : {2300, 2000, 1402, 800, 300}) {
+  for (std::size_t faces : {2300u, 2000u, 1402u, 800u, 300u}) {
     test::Mesh mesh = test::make_mesh(input);
     const Report report =
         simplify<Quadric, OptimalPlacement>(mesh, FaceCount{faces}, RelaxedOrder{.share = 1});

@@ -36,7 +36,7 @@ TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "",
     for (bool refresh : {false, true}) {
       Soup of_one;
       std::size_t rejections = 0;
-      for (unsigned threads : {1, 2, 3, 8}) {
+      for (unsigned threads : {1u, 2u, 3u, 8u}) {
         CAPTURE(name, refresh, threads);
         Mesh mesh = input;
         const Report report = simplify<TestType, OptimalPlacement>(

@@ -42,7 +42,7 @@ public:
       for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) {
         corners[k] = mesh.point(v);
         for (std::size_t i = 0; i < N; ++i)
-          values[k][i] = static_cast<double>(get(attributes, v)[static_cast<int>(i)]);
+          values[k][i] = static_cast<double>(get(attributes, v)[i]);
         ++k;
       }
       triangles_.emplace_back(corners[0], corners[1], corners[2]);
