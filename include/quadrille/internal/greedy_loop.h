@@ -24,17 +24,27 @@ namespace quadrille::internal {
 template <class Policies>
 class GreedyLoop {
 public:
-  GreedyLoop(PairContraction<Policies>& surface, Report& report)
-      : surface_(surface), scratch_(surface.scratch()), report_(report),
-        stamp_(surface.vertex_capacity(), 0),
+  explicit GreedyLoop(PairContraction<Policies>& surface)
+      : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
     for (Index v = 0; v < stamp_.size(); ++v)
-      if (surface_.complex().has_faces(v))
-        push_pairs_above(v);
+      surface_.for_each_pair_above(scratch_, v, [&](Index w, float cost) { push(v, w, cost); });
   }
 
-  void run() {
+  /// Why it has ended.
+  StopReason run() {
+    const StopReason reason = contract_pairs();
+    surface_.count(scratch_.tally);
+    return reason;
+  }
+
+private:
+  using Candidate = typename PairContraction<Policies>::Candidate;
+
+  static constexpr std::uint32_t dead = ~std::uint32_t{0};
+
+  StopReason contract_pairs() {
     while (const std::optional<QueuedPair> next = next_pair()) {
       const Candidate candidate = surface_.evaluate(next->first, next->second);
       if (has_become_dearer(candidate, *next)) {
@@ -48,21 +58,16 @@ public:
       else if (is_too_far(*next, candidate))
         park(*next, Rejection::distance);
       else if (surface_.is_enough())
-        return finish(StopReason::target_met);
+        return StopReason::target_met;
       else if (surface_.overshoots(scratch_) && !is_last_resort_)
         keep_as_last_resort(*next);
       else
         contract(*next, candidate);
       if (is_cancelled())
-        return finish(StopReason::cancelled);
+        return StopReason::cancelled;
     }
-    finish(final_reason());
+    return final_reason();
   }
-
-private:
-  using Candidate = typename PairContraction<Policies>::Candidate;
-
-  static constexpr std::uint32_t dead = ~std::uint32_t{0};
 
   bool is_outdated(const QueuedPair& pair) const {
     return pair.stamp < stamp_[pair.first] || pair.stamp < stamp_[pair.second];
@@ -79,15 +84,6 @@ private:
     queue_.push({cost, first, second, time_}, outdated());
   }
 
-  void push_pairs_above(Index v) {
-    std::vector<Index>& partners = scratch_.partners;
-    surface_.partners(scratch_, v);
-    std::erase_if(partners, [&](Index w) { return w < v; });
-    surface_.evaluate_all(scratch_, v);
-    for (std::size_t i = 0; i < partners.size(); ++i)
-      push(v, partners[i], scratch_.costs[i]);
-  }
-
   // A cost that looks at the surface as it is can change while a pair waits.
   bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
     if constexpr (asks_for_current<typename Policies::Cost>)
@@ -98,25 +94,12 @@ private:
 
   // When the queue is empty, the cheapest of the pairs that would go beyond the target.
   std::optional<QueuedPair> next_pair() {
-    prefetch();
+    surface_.prefetch([&](std::size_t ahead) { return queue_.peek(ahead); }); // they lie anywhere
     std::optional<QueuedPair> next = queue_.pop(outdated());
     while (next && is_bare(*next))
       next = queue_.pop(outdated());
     is_last_resort_ = !next && last_resort_;
     return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
-  }
-
-  // The pairs of the open bucket lie anywhere on the surface.
-  void prefetch() const {
-    if (const QueuedPair* last = queue_.peek(12))
-      for (Index v : {last->first, last->second})
-        surface_.prefetch(v);
-    if (const QueuedPair* later = queue_.peek(8))
-      for (Index v : {later->first, later->second})
-        surface_.prefetch_corners(v);
-    if (const QueuedPair* soon = queue_.peek(4))
-      for (Index v : {soon->first, soon->second})
-        surface_.prefetch_faces(v);
   }
 
   // Does the stop policy stop at the distance, and at nothing else?
@@ -176,14 +159,8 @@ private:
     return time_ % 256 == 0 && !surface_.policies().visitor.proceed(surface_.status());
   }
 
-  void finish(StopReason reason) {
-    surface_.count(scratch_.tally);
-    report_.stop = reason;
-  }
-
   PairContraction<Policies>& surface_;
   Scratch& scratch_;
-  Report& report_;
   std::vector<std::uint32_t> stamp_; // of each vertex: when it was last contracted
   std::uint32_t time_ = 0;           // contractions so far
   PairQueue queue_;

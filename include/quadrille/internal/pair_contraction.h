@@ -42,11 +42,12 @@ public:
   using Memory = typename Cost::Memory;
   using Pair = PairOf<Cost>;
 
-  /// A pair with the place of its contraction and the cost of that.
+  /// A pair with the place of its contraction, the cost of that, and the error as a distance in the
+  /// mesh's units.
   struct Candidate {
     Pair pair;
     Position target;
-    double cost;
+    double cost, error;
   };
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
@@ -73,20 +74,31 @@ public:
     start_reach();
   }
 
-  /// Asks for what evaluating a pair of this vertex will read, and then for its faces.
-  void prefetch(Index v) const {
-    complex_.prefetch(v);
-    __builtin_prefetch(&positions_[v]);
-    prefetch_memory(v);
+  /// Asks for what contracting the pairs that come next will read, one thing after the other: what
+  /// costs look at and where the corners of a vertex are, the corners, the faces. peek(n) points to
+  /// the pair that comes n pairs later, or nowhere.
+  template <class Peek>
+  void prefetch(Peek peek) const {
+    if (const auto* last = peek(12))
+      for (Index v : {last->first, last->second}) {
+        complex_.prefetch(v);
+        __builtin_prefetch(&positions_[v]);
+        prefetch_memory(v);
+      }
+    if (const auto* later = peek(8))
+      for (Index v : {later->first, later->second})
+        complex_.prefetch_corners(v);
+    if (const auto* soon = peek(4))
+      for (Index v : {soon->first, soon->second})
+        complex_.prefetch_faces(v);
   }
-  void prefetch_corners(Index v) const { complex_.prefetch_corners(v); }
-  void prefetch_faces(Index v) const { complex_.prefetch_faces(v); }
 
   /// Where the pair goes and what that costs.
   Candidate evaluate(Index a, Index b) const {
     const Pair pair = view(a, b);
     const Position target = target_of(a, b, pair);
-    return {pair, target, policies_.cost(pair, target)};
+    const double cost = policies_.cost(pair, target);
+    return {pair, target, cost, error_of(pair, cost)};
   }
 
   /// What the pairs of a vertex and each of its partners in the scratch cost, in its `costs`; 0 for
@@ -214,13 +226,30 @@ public:
     return partners;
   }
 
+  /// Calls visit(w, cost) for each pair of v with a vertex w of a higher number.
+  template <class Visit>
+  void for_each_pair_above(Scratch& scratch, Index v, Visit visit) {
+    if (!complex_.has_faces(v))
+      return;
+    partners(scratch, v);
+    std::size_t above = 0; // no branch here either
+    for (Index w : scratch.partners) {
+      scratch.partners[above] = w;
+      above += v < w;
+    }
+    scratch.partners.resize(above);
+    evaluate_all(scratch, v);
+    for (std::size_t i = 0; i < above; ++i)
+      visit(scratch.partners[i], scratch.costs[i]);
+  }
+
   std::size_t pair_count() const {
     return pairs_.size() + (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
   }
   bool has_other_pairs() const { return pairs_.size() > 0; } // than edges
 
   /// Tells the status of the contraction that comes next.
-  void announce(const Candidate& candidate) { status_.next_error = error(candidate); }
+  void announce(const Candidate& candidate) { status_.next_error = candidate.error; }
 
   /// Tells how far from the input the surface may be after the contraction, in the mesh's units.
   /// The faces will be bound by that.
@@ -233,12 +262,6 @@ public:
 
   /// Does the stop policy say so?
   bool is_enough() const { return policies_.stop(status_); }
-
-  /// Of a contraction, as a distance in the mesh's units.
-  double error(const Candidate& candidate) const {
-    const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
-    return scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
-  }
 
   /// Tells what became of the surface.
   void complete(Report& report) {
@@ -315,8 +338,12 @@ private:
 
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
   static constexpr bool has_fast_costs =
-      QUADRILLE_HAS_LANES && std::same_as<Cost, Quadric> &&
-      std::same_as<typename Policies::Placement, OptimalPlacement>;
+      std::same_as<Cost, Quadric> && std::same_as<typename Policies::Placement, OptimalPlacement>;
+
+  double error_of(const Pair& pair, double cost) const {
+    const double squared = squared_error(policies_.cost, pair, cost);
+    return scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+  }
 
   static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
 
@@ -498,7 +525,7 @@ private:
     update_reach(scratch.star, kept);
     ++scratch.tally.contractions;
     ++scratch.tally.vertices;
-    scratch.tally.error = std::max(scratch.tally.error, error(candidate));
+    scratch.tally.error = std::max(scratch.tally.error, candidate.error);
   }
 
   void bound_faces(const Scratch& scratch) {

@@ -55,7 +55,7 @@ private:
 
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
-  static constexpr std::size_t block_size = 4096; // vertices
+  static constexpr std::size_t block_size = 4096;         // vertices
   static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done
 
   // As many as the stop policy, asked before each, would let pass in a row.
@@ -119,9 +119,9 @@ private:
       std::vector<Proposal>& proposals = blocks_[block].proposals;
       proposals.clear();
       for (Index v = blocks_[block].begin; v < blocks_[block].end; ++v)
-        for_each_pair(workers_[worker], v, [&](const Proposal& proposal) {
-          if (proposal.cost <= limit)
-            proposals.push_back(proposal);
+        surface_.for_each_pair_above(workers_[worker], v, [&](Index w, float cost) {
+          if (cost <= limit)
+            proposals.push_back({cost, v, w});
         });
       sort(proposals);
     });
@@ -149,31 +149,14 @@ private:
     }
   }
 
-  // Each pair comes up at its lower end.
-  template <class Visit>
-  void for_each_pair(Scratch& scratch, Index v, Visit visit) {
-    if (!surface_.complex().has_faces(v))
-      return;
-    surface_.partners(scratch, v);
-    std::vector<Index>& partners = scratch.partners;
-    std::size_t count = 0;
-    for (Index w : partners) {
-      partners[count] = w;
-      count += v < w;
-    }
-    partners.resize(count);
-    surface_.evaluate_all(scratch, v);
-    for (std::size_t i = 0; i < count; ++i)
-      visit({scratch.costs[i], v, partners[i]});
-  }
-
   // The share of the pairs that costs no more, from a sample of the vertices; less at the end, when
   // there are few contractions to go.
   float cost_limit(std::size_t quota) {
     constexpr Index step = 16;
     costs_.clear();
     for (Index v = 0; v < block_.size(); v += step)
-      for_each_pair(workers_.front(), v, [&](const Proposal& p) { costs_.push_back(p.cost); });
+      surface_.for_each_pair_above(workers_.front(), v,
+                                   [&](Index, float cost) { costs_.push_back(cost); });
     const std::size_t rank =
         std::min(static_cast<std::size_t>(order_.share * static_cast<double>(costs_.size())),
                  pairs_per_contraction * quota / step);
@@ -223,14 +206,9 @@ private:
 
   // The proposals of a block lie anywhere in it.
   void prefetch(std::span<const Proposal> proposals, std::size_t i) const {
-    if (i + 12 >= proposals.size())
-      return;
-    for (Index v : {proposals[i + 12].first, proposals[i + 12].second})
-      surface_.prefetch(v);
-    for (Index v : {proposals[i + 8].first, proposals[i + 8].second})
-      surface_.prefetch_corners(v);
-    for (Index v : {proposals[i + 4].first, proposals[i + 4].second})
-      surface_.prefetch_faces(v);
+    surface_.prefetch([&](std::size_t ahead) {
+      return i + ahead < proposals.size() ? &proposals[i + ahead] : nullptr;
+    });
   }
 
   bool is_touched(const Proposal& proposal) const {
@@ -268,7 +246,7 @@ private:
 
   bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
     Status status = surface_.status();
-    status.next_error = surface_.error(candidate);
+    status.next_error = candidate.error;
     if constexpr (asks_for_distance<typename Policies::Stop>)
       status.next_distance =
           surface_.bound_distance(scratch, proposal.first, proposal.second, candidate);

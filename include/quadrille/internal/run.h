@@ -40,10 +40,10 @@ void contract(PairContraction<Policies>& surface, Report& report, StopWatch& wat
       return;
     }
   }
-  GreedyLoop<Policies> loop(surface, report);
+  GreedyLoop<Policies> loop(surface);
   if constexpr (std::same_as<typename Policies::Order, GreedyOrder>)
     report.seconds.prepare = watch.lap();
-  loop.run();
+  report.stop = loop.run();
 }
 
 /// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter;

@@ -7,15 +7,7 @@
 
 #include <array>
 
-#if defined(__GNUC__) // and clang
-#define QUADRILLE_HAS_LANES 1
-#else
-#define QUADRILLE_HAS_LANES 0
-#endif
-
 namespace quadrille::internal {
-
-#if QUADRILLE_HAS_LANES
 
 /// Two doubles that are computed with at once, with what every 64-bit machine has for that.
 using Lanes = double __attribute__((vector_size(16)));
@@ -78,8 +70,6 @@ inline Lanes least_values(const QuadricForm<3>& first,
   const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
   return is_regular & is_within ? value : no_number;
 }
-
-#endif
 
 } // namespace quadrille::internal
 
