@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -16,6 +17,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 /// \file
@@ -37,6 +39,29 @@ template <class P>
 Position to_position(const P& p) {
   return {{CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])}};
 }
+
+/// A model of Debian's libcgal-demo, by its name.
+inline Mesh read_model(const std::string& name) {
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
+    throw std::runtime_error(name + ".off cannot be read");
+  return mesh;
+}
+
+inline std::vector<Point> points_of(const Soup& soup) {
+  std::vector<Point> points;
+  for (const Position& p : soup.points)
+    points.push_back(to_point<Point>(p));
+  return points;
+}
+
+/// A soup as `simplify` takes it.
+struct PointSoup {
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+
+  explicit PointSoup(const Soup& soup) : points(points_of(soup)), triangles(soup.triangles) {}
+};
 
 /// A manifold and oriented soup as a mesh: vertex i is point i, face i is triangle i.
 template <class M>

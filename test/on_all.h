@@ -87,9 +87,7 @@ struct OnSoup {
   template <class Cost, class... Policies>
   static Result run(const Soup& soup, const Cost& cost, const Policies&... policies) {
     constexpr std::size_t n = Cost::dimension - 3;
-    std::vector<Point> points;
-    for (const auto& p : soup.points)
-      points.push_back(to_point<Point>(p));
+    std::vector<Point> points = points_of(soup);
     Result result;
     result.soup.triangles = soup.triangles;
     if constexpr (n == 0) {

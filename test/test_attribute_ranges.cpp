@@ -16,15 +16,9 @@ namespace {
 
 using namespace quadrille;
 using test::Point;
+using test::points_of;
 using test::Position;
 using test::Soup;
-
-std::vector<Point> points_of(const Soup& soup) {
-  std::vector<Point> points;
-  for (const Position& p : soup.points)
-    points.push_back(test::to_point<Point>(p));
-  return points;
-}
 
 // A wavy sheet, of which half is of one colour and half of another: the best colour of a vertex at
 // the step lies beyond both.

@@ -77,8 +77,7 @@ using Triangles = std::vector<std::array<std::size_t, 3>>;
 
 PointSoup<Triangles> point_soup(const Soup& soup) {
   PointSoup<Triangles> result;
-  for (const Position& p : soup.points)
-    result.points.push_back(test::to_point<Point>(p));
+  result.points = test::points_of(soup);
   for (const auto& [a, b, c] : soup.triangles)
     result.triangles.push_back({a, b, c});
   return result;

@@ -94,9 +94,7 @@ TEMPLATE_TEST_CASE("A constrained vertex stays where it is", "", Mesh, Polyhedro
 
 TEST_CASE("A constrained point of a soup stays where it is") {
   const Soup soup = two_parts();
-  std::vector<Point> points;
-  for (const auto& p : soup.points)
-    points.push_back(to_point<Point>(p));
+  std::vector<Point> points = points_of(soup);
   const auto input = points;
   auto triangles = soup.triangles;
   const auto is_constrained = [](std::size_t v) { return v % 9 == 0; };

@@ -2,7 +2,6 @@
 
 #include "meshes.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,17 +24,10 @@ struct Model {
   Mesh mesh;
 };
 
-Model read_model(const std::string& name) {
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
-    throw std::runtime_error(name + ".off cannot be read");
-  return {name, mesh};
-}
-
 std::vector<Model> read_models(const std::vector<std::string>& names) {
   std::vector<Model> models;
   for (const std::string& name : names)
-    models.push_back(read_model(name));
+    models.push_back({name, test::read_model(name)});
   return models;
 }
 

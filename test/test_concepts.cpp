@@ -358,9 +358,7 @@ Run simplified_mesh(const Soup& soup, const auto&... arguments) {
 
 template <class Cost = Quadric, class Placement = OptimalPlacement>
 Run simplified_soup(Soup soup, const auto&... arguments) {
-  std::vector<Point> points;
-  for (const Position& p : soup.points)
-    points.push_back(to_point<Point>(p));
+  std::vector<Point> points = test::points_of(soup);
   const Report report = simplify<Cost, Placement>(points, soup.triangles, arguments...);
   soup.points.clear();
   for (const Point& p : points)

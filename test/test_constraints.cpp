@@ -15,18 +15,12 @@ namespace {
 
 using namespace quadrille;
 using test::Point;
+using test::PointSoup;
 using test::Soup;
 
-struct PointSoup {
-  std::vector<Point> points;
-  std::vector<test::Triangle> triangles;
-
-  explicit PointSoup(const Soup& soup) : triangles(soup.triangles) {
-    for (const test::Position& p : soup.points)
-      points.push_back(test::to_point<Point>(p));
-  }
-  bool has(const Point& p) const { return std::count(points.begin(), points.end(), p) == 1; }
-};
+bool has(const PointSoup& soup, const Point& p) {
+  return std::count(soup.points.begin(), soup.points.end(), p) == 1;
+}
 
 auto only(std::size_t v) {
   return CGAL::parameters::vertex_is_constrained_map(
@@ -43,7 +37,7 @@ TEST_CASE("The last face of a fixed vertex stays where topology is free") {
         simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles, FaceCount{0}, only(v));
     CHECK(report.faces_after == 1);
     CHECK(report.rejected(Rejection::constraint) > 0);
-    CHECK(soup.has(fixed));
+    CHECK(has(soup, fixed));
   }
 }
 
@@ -54,7 +48,7 @@ TEST_CASE("A fixed vertex is the last that is left of a surface where topology i
     simplify<EdgeLength, MidpointPlacement>(soup.points, soup.triangles, FaceCount{0},
                                             NormalFlip{180}, only(v));
     CHECK(soup.triangles.size() == 1);
-    CHECK(soup.has(fixed));
+    CHECK(has(soup, fixed));
   }
 }
 
@@ -62,9 +56,10 @@ TEST_CASE("A fixed vertex that keeps a face is in nobody's way where topology is
   // 3---2
   // | \ |   of the two faces at 3, that of the short edge vanishes
   // 0-1-+
-  PointSoup soup({{{{0, 0, 0}}, {{0.5, 0, 0.1}}, {{1, 1, 0}}, {{0, 1, 0}}}, {{0, 1, 3}, {1, 2, 3}}});
-  const auto all_but_one = boost::make_function_property_map<std::size_t>(
-      [](std::size_t v) { return v != 1; });
+  PointSoup soup(
+      {{{{0, 0, 0}}, {{0.5, 0, 0.1}}, {{1, 1, 0}}, {{0, 1, 0}}}, {{0, 1, 3}, {1, 2, 3}}});
+  const auto all_but_one =
+      boost::make_function_property_map<std::size_t>([](std::size_t v) { return v != 1; });
   const Report report = simplify<EdgeLength, EndpointPlacement>(
       soup.points, soup.triangles, FaceCount{1},
       CGAL::parameters::vertex_is_constrained_map(all_but_one));

@@ -3,14 +3,12 @@
 #include "soups.h"
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <quadrille/distance.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
 
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +17,7 @@ namespace {
 
 using namespace quadrille;
 using test::Mesh;
-
-Mesh read_model(const std::string& name) {
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
-    throw std::runtime_error(name + ".off cannot be read");
-  return mesh;
-}
+using test::read_model;
 
 struct Model {
   std::string name;

@@ -2,7 +2,6 @@
 #include "meshes.h"
 #include "soups.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
@@ -14,14 +13,8 @@ namespace {
 
 using namespace quadrille;
 using test::Mesh;
+using test::read_model;
 using test::Soup;
-
-Mesh read_model(const std::string& name) {
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
-    throw std::runtime_error(name + ".off cannot be read");
-  return mesh;
-}
 
 struct Throwing {
   bool allows(const auto&) const { throw std::runtime_error("no"); }

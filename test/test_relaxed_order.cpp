@@ -2,14 +2,12 @@
 #include "meshes.h"
 #include "soups.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <quadrille/distance.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>
 
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,15 +16,9 @@ namespace {
 
 using namespace quadrille;
 using test::Mesh;
+using test::read_model;
 using test::Soup;
 using test::SoupTopology;
-
-Mesh read_model(const std::string& name) {
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
-    throw std::runtime_error(name + ".off cannot be read");
-  return mesh;
-}
 
 const std::vector<RelaxedOrder> orders{{}, {.share = 1}, {.share = 0.1, .refresh = true}};
 
@@ -130,9 +122,7 @@ TEST_CASE("Passes take no pair at which the stop policy would stop") {
 
 TEST_CASE("Passes join the parts of a soup, and leave nothing degenerate") {
   Soup soup = test::joined(test::cube(24), test::cube(24), {{1.01, 0, 0}});
-  std::vector<test::Point> points;
-  for (const test::Position& p : soup.points)
-    points.push_back(test::to_point<test::Point>(p));
+  std::vector<test::Point> points = test::points_of(soup);
   const Report report = simplify<Quadric, OptimalPlacement>(points, soup.triangles, FaceCount{16},
                                                             ThresholdPairs{0.02}, RelaxedOrder{});
   INFO(report);

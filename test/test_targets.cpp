@@ -21,18 +21,9 @@ namespace {
 using namespace quadrille;
 using test::Mesh;
 using test::Point;
+using test::PointSoup;
 using test::Position;
 using test::Soup;
-
-struct PointSoup {
-  std::vector<Point> points;
-  std::vector<test::Triangle> triangles;
-
-  explicit PointSoup(const Soup& soup) : triangles(soup.triangles) {
-    for (const Position& p : soup.points)
-      points.push_back(test::to_point<Point>(p));
-  }
-};
 
 template <class... Arguments>
 Report simplify_soup(PointSoup& soup, const Arguments&... arguments) {

@@ -142,9 +142,7 @@ TEST_CASE("Too many pairs are refused with their number, and nothing is changed"
   const Soup soup = two_parts();
   const std::size_t n = soup.points.size();
   const std::string all = std::to_string(n * (n - 1) / 2);
-  std::vector<Point> points;
-  for (const auto& p : soup.points)
-    points.push_back(to_point<Point>(p));
+  std::vector<Point> points = points_of(soup);
   auto triangles = soup.triangles;
   const auto before = points;
   CHECK_THROWS_MATCHES(
