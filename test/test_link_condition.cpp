@@ -133,6 +133,11 @@ TEST_CASE("A tube of three faces around does not close") {
 
 TEST_CASE("Vertices are inside, on the border, or singular") {
   CHECK(kind(test::tetrahedron().triangles, 0) == VertexKind::interior);
+  std::vector<Triangle> turned = test::tetrahedron().triangles;
+  std::swap(turned[0][0], turned[0][1]);
+  for (Index v = 0; v < 4; ++v)
+    CHECK((kind(turned, v) == VertexKind::unoriented) ==
+          (std::count(turned[0].begin(), turned[0].end(), v) == 1));
   CHECK(kind(test::triangle().triangles, 0) == VertexKind::boundary);
   //  1---2
   //   \ /

@@ -84,7 +84,6 @@ TEMPLATE_TEST_CASE_SIG("Sums of quadrics, about one point or two, are sums of th
   }
 }
 
-#if QUADRILLE_HAS_LANES
 TEST_CASE("Two sums of quadrics at a time have the least values of each") {
   Random random(8);
   for (int i = 0; i < 20; ++i) {
@@ -94,17 +93,16 @@ TEST_CASE("Two sums of quadrics at a time have the least values of each") {
         form += plane_through(random_vector<3>(random), random_direction<3>(random));
       return form;
     };
-    const QuadricForm<3> first = away(), second = away(), third = away();
+    const QuadricForm<3> first = away(), second = away(), third = away(), fourth = away();
     const Vector<3> d = random_vector<3>(random), e = random_vector<3>(random);
-    const auto values = quadrille::internal::least_values(first, {&second, &third}, {d, e},
-                                                          quadrille::internal::Lanes{1e9, 1e9});
-    const auto to_second = QuadricForm<3>::sum_about_first(first, second, d);
-    const auto to_third = QuadricForm<3>::sum_about_first(first, third, e);
-    CHECK(values[0] == Approx(to_second(*to_second.minimizer())));
-    CHECK(values[1] == Approx(to_third(*to_third.minimizer())));
+    const auto values = quadrille::internal::least_values(
+        {&first, &second}, {&third, &fourth}, {d, e}, quadrille::internal::Lanes{1e9, 1e9});
+    const auto left = QuadricForm<3>::sum_about_first(first, third, d);
+    const auto right = QuadricForm<3>::sum_about_first(second, fourth, e);
+    CHECK(values[0] == Approx(left(*left.minimizer())));
+    CHECK(values[1] == Approx(right(*right.minimizer())));
   }
 }
-#endif
 
 TEST_CASE("The least value of three planes lies where they meet") {
   // x = 1, y = 2, z = 3 and x + y + z = 6

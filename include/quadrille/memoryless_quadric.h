@@ -39,17 +39,20 @@ struct MemorylessQuadric {
 
   /// What the faces around a vertex say now, about the vertex, through which all their planes go.
   struct Current {
-    SymmetricMatrix<3> matrix;
-    Vector<3> doubled_area; ///< the sum of their doubled area vectors
+    SymmetricMatrix<3> matrix; ///< of the planes
+    Vector<3> doubled_area;    ///< the sum of their doubled area vectors
+    double area = 0;           ///< of the faces: the weight of their point quadrics
 
     Current& operator+=(const Current& other) {
       matrix += other.matrix;
       doubled_area += other.doubled_area;
+      area += other.area;
       return *this;
     }
     Current& operator-=(const Current& other) {
       matrix -= other.matrix;
       doubled_area -= other.doubled_area;
+      area -= other.area;
       return *this;
     }
   };
@@ -59,13 +62,11 @@ struct MemorylessQuadric {
     const double length = std::sqrt(squared_length(normal));
     if (!(length > 0))
       return {};
-    Current current{SymmetricMatrix<3>::outer_product(normal, 0.5 / length), normal};
-    current.matrix.add_to_diagonal(Quadric::shape_weight * 0.5 * length);
-    return current;
+    return {SymmetricMatrix<3>::outer_product(normal, 0.5 / length), normal, 0.5 * length};
   }
 
   Current current_boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    return {Quadric::constraint_plane(p, q, r, boundary_weight).matrix(), {}};
+    return {Quadric::constraint_plane(p, q, r, boundary_weight).matrix(), {}, 0};
   }
 
   /// All of a pair, about its first end: the quadric, and the plane that keeps the volume.
@@ -75,16 +76,18 @@ struct MemorylessQuadric {
     double offset = 0; ///< normal · x = offset keeps the volume
   };
 
-  /// Joins what the two ends say, `to_second` apart, and takes out what they share.
+  /// Joins what the two ends say, `to_second` apart, and takes out what they share. The point
+  /// quadrics of shared faces (see Quadric) lie at both ends, with half of their weight.
   PairCurrent join(const Current& first, const Current& second, const Current& shared,
                    const Vector<3>& to_second) const {
-    PairCurrent pair{QuadricForm<3>(second.matrix), first.doubled_area + second.doubled_area,
-                     dot(second.doubled_area, to_second)};
-    pair.quadric.move_origin(-1.0 * to_second);
-    pair.quadric.matrix() += first.matrix;
-    pair.quadric.matrix() -= shared.matrix;
-    pair.normal -= shared.doubled_area;
-    return pair;
+    QuadricForm<3> quadric(second.matrix);
+    quadric += QuadricForm<3>::point(Quadric::shape_weight * (second.area - 0.5 * shared.area));
+    quadric.move_origin(-1.0 * to_second);
+    quadric += QuadricForm<3>::point(Quadric::shape_weight * (first.area - 0.5 * shared.area));
+    quadric.matrix() += first.matrix;
+    quadric.matrix() -= shared.matrix;
+    return {quadric, first.doubled_area + second.doubled_area - shared.doubled_area,
+            dot(second.doubled_area, to_second)};
   }
 
   double operator()(const auto& pair, const Vector<3>& x) const {
@@ -93,7 +96,7 @@ struct MemorylessQuadric {
 
   std::optional<Vector<3>> minimizer(const auto& pair) const {
     const PairCurrent& current = pair.current;
-    auto x = current.quadric.minimizer_on_plane(current.normal, current.offset);
+    std::optional<Vector<3>> x = current.quadric.minimizer_on_plane(current.normal, current.offset);
     if (x)
       *x += pair.first;
     return x;

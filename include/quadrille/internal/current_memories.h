@@ -9,10 +9,72 @@
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
 
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// What both ends of a pair see, about the first: the faces of the edge, and the edge itself if it
+/// is on the boundary.
+template <class Cost>
+class SharedCurrent {
+public:
+  void add(const typename Cost::Current& face, Index opposite) {
+    sum_ += face;
+    opposite_ = opposite;
+    ++faces_;
+  }
+
+  template <class Positions>
+  typename Cost::Current sum(Index a, Index b, const Cost& cost, const Positions& positions) const {
+    if (faces_ != 1)
+      return sum_;
+    auto sum = cost.current_boundary(positions[a], positions[b], positions[opposite_]);
+    return sum += sum_;
+  }
+
+private:
+  typename Cost::Current sum_{};
+  std::size_t faces_ = 0;
+  Index opposite_ = none;
+};
+
+/// What the faces around a vertex say, one by one: for its pairs, each of which shares some.
+template <class Cost>
+class CurrentStar {
+public:
+  static constexpr std::size_t most_faces = 16;
+
+  /// The vertex has at most most_faces.
+  template <class Positions>
+  CurrentStar(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex)
+      : v_(v) {
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex, face, i);
+      second_[size_] = f.second;
+      third_[size_] = f.third;
+      faces_[size_++] = cost.current_face(positions[v], positions[f.second], positions[f.third]);
+    });
+  }
+
+  /// See SharedCurrent.
+  template <class Positions>
+  typename Cost::Current shared_with(Index w, const Cost& cost, const Positions& positions) const {
+    SharedCurrent<Cost> shared;
+    for (std::size_t i = 0; i < size_; ++i)
+      if (second_[i] == w || third_[i] == w)
+        shared.add(faces_[i], second_[i] == w ? third_[i] : second_[i]);
+    return shared.sum(v_, w, cost, positions);
+  }
+
+private:
+  Index v_;
+  std::size_t size_ = 0;
+  std::array<Index, most_faces> second_, third_;
+  std::array<typename Cost::Current, most_faces> faces_;
+};
 
 /// What each vertex knows of the surface as it is now, for a cost that asks for that: the sum over
 /// its faces and boundary edges, kept up to date through contractions.
@@ -32,6 +94,21 @@ public:
   }
 
   const Current& operator[](Index v) const { return current_[v]; }
+
+  /// See SharedCurrent.
+  static Current shared(Index a, Index b, const Cost& cost, const Positions& positions,
+                        const TriangleComplex& complex) {
+    if (complex.degree_bound(b) < complex.degree_bound(a))
+      std::swap(a, b); // all planes of what they share go through both
+    SharedCurrent<Cost> shared;
+    complex.for_each_corner(a, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex, face, i);
+      if (f.second == b || f.third == b)
+        shared.add(cost.current_face(positions[a], positions[f.second], positions[f.third]),
+                   f.second == b ? f.third : f.second);
+    });
+    return shared.sum(a, b, cost, positions);
+  }
 
   /// Takes the faces that a contraction changes or removes out of the vertices around it.
   void forget(const PairStar& star, Index a, Index b, const Cost& cost,

@@ -28,8 +28,8 @@ public:
       : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
-    for (Index v = 0; v < stamp_.size(); ++v)
-      surface_.for_each_pair_above(scratch_, v, [&](Index w, float cost) { push(v, w, cost); });
+    surface_.for_each_pair_above(scratch_, 0, static_cast<Index>(stamp_.size()),
+                                 [&](Index v, Index w, float cost) { push(v, w, cost); });
   }
 
   /// Why it has ended.
@@ -144,15 +144,13 @@ private:
       parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
     if (!surface_.complex().has_faces(kept))
       return;
-    surface_.partners(scratch_, kept);
-    surface_.evaluate_all(scratch_, kept);
-    for (std::size_t i = 0; i < scratch_.partners.size(); ++i) {
-      push(kept, scratch_.partners[i], scratch_.costs[i]);
-      parked_.release(scratch_.partners[i], [&](const QueuedPair& p) {
+    surface_.for_each_pair(scratch_, kept, [&](Index partner, float cost) {
+      push(kept, partner, cost);
+      parked_.release(partner, [&](const QueuedPair& p) {
         if (!is_outdated(p))
           queue_.push(p, outdated());
       });
-    }
+    });
   }
 
   bool is_cancelled() const {

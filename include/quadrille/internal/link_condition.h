@@ -13,8 +13,9 @@
 
 namespace quadrille::internal {
 
-/// How the faces lie around a vertex.
-enum class VertexKind : std::uint8_t { interior, boundary, singular };
+/// How the faces lie around a vertex: all round and each in the same sense, all round in senses
+/// that differ, along a path, or otherwise.
+enum class VertexKind : std::uint8_t { interior, unoriented, boundary, singular };
 
 /// Classifies vertices by their links: that of an interior vertex is one cycle, that of a boundary
 /// vertex one path.
@@ -72,7 +73,7 @@ private:
       return VertexKind::interior; // it takes part in nothing
     if (ends > 2 || walk(start) != star_.size())
       return VertexKind::singular;
-    return ends == 0 ? VertexKind::interior : VertexKind::boundary;
+    return ends == 0 ? VertexKind::unoriented : VertexKind::boundary;
   }
 
   void number_link(Marks& marks) {
@@ -129,7 +130,7 @@ public:
     VertexClassifier classify;
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
       kind_[v] = classify(complex, v, marks);
-      is_closed_ = is_closed_ && kind_[v] == Kind::interior;
+      is_closed_ = is_closed_ && is_interior(v);
     }
   }
 
@@ -163,14 +164,15 @@ public:
       if (marks.is_marked_with(f.second, in_both) && marks.is_marked_with(f.third, in_both) &&
           has_link_edge(star.second, f.second, f.third))
         return false; // a common edge: the two would become a doubled face
-    return kind_[a] == Kind::interior || kind_[b] == Kind::interior ||
-           is_along_boundary(star, a, b);
+    return is_interior(a) || is_interior(b) || is_along_boundary(star, a, b);
   }
 
   /// Is every vertex inside the surface?
   bool is_closed() const { return is_closed_; }
 
-  bool is_interior(Index v) const { return kind_[v] == Kind::interior; }
+  bool is_interior(Index v) const { return kind_[v] <= Kind::unoriented; }
+  /// Is each neighbour of the vertex the second vertex of just one of its faces?
+  bool is_oriented(Index v) const { return kind_[v] == Kind::interior; }
 
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 

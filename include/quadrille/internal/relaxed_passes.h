@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <span>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -26,7 +26,7 @@ public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
       : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()),
         block_(surface.vertex_capacity()) {
-    workers_.assign(order.threads, Scratch(surface.vertex_capacity()));
+    workers_.assign(order.threads, Worker(surface.vertex_capacity()));
   }
 
   /// Passes as long as they pay. False if the visitor said so.
@@ -53,9 +53,25 @@ private:
     Index first, second;
   };
 
+  struct Block {
+    Index begin, end;       // vertices
+    std::size_t sample_end; // costs of the sample up to here lie in this block or before
+    std::size_t allowance;  // contractions
+    std::vector<Proposal> rest;
+  };
+
+  // Each thread has one.
+  struct Worker {
+    explicit Worker(std::size_t vertices) : scratch(vertices) {}
+
+    Scratch scratch;
+    Room<Proposal> proposals, sorted;
+  };
+
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
-  static constexpr std::size_t block_size = 4096;         // vertices
+  static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
+  static constexpr Index sample_step = 16;
   static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done
 
   // As many as the stop policy, asked before each, would let pass in a row.
@@ -63,35 +79,42 @@ private:
     const Status now = surface_.status();
     // Where topology is free, doubled faces go too.
     const std::size_t faces_per_contraction = surface_.is_topology_kept() ? 2 : 4;
-    const auto is_enough_after = [&](std::size_t contractions) {
+    const auto status_after = [&](std::size_t contractions) {
       Status after = now;
       after.faces -= std::min(after.faces, faces_per_contraction * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
       after.next_error = after.next_distance = 0;
-      return surface_.policies().stop(after);
+      return after;
     };
+    const auto& stop = surface_.policies().stop;
     std::size_t allowed = 0; // the first `allowed` are, `refused` are not
     std::size_t refused = now.vertices + 1;
     while (refused - allowed > 1) {
       const std::size_t middle = allowed + (refused - allowed) / 2;
-      (is_enough_after(middle - 1) ? refused : allowed) = middle;
+      const bool is_too_many =
+          stop(status_after(middle - 1)) || is_passed(stop, status_after(middle));
+      (is_too_many ? refused : allowed) = middle;
     }
     return allowed;
   }
 
+  // What a block needs is loaded once: it is contracted right after its costs are known.
   void pass(std::size_t quota) {
     divide();
-    propose(quota);
+    sample();
+    const float limit = cost_limit(quota);
+    share_out(quota, limit);
     std::fill(is_touched_.begin(), is_touched_.end(), 0);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
+      propose(blocks_[block], limit, workers_[worker]);
       contract_inside(block, workers_[worker]);
     });
-    for (Scratch& scratch : workers_) {
-      quota -= scratch.tally.contractions;
-      surface_.count(scratch.tally);
+    for (Worker& worker : workers_) {
+      quota -= worker.scratch.tally.contractions;
+      surface_.count(worker.scratch.tally);
     }
-    contract_between(quota);
+    contract_between(quota, workers_.front());
     surface_.end_pass(order_.refresh);
   }
 
@@ -103,7 +126,7 @@ private:
     std::size_t in_block = block_size;
     for (Index v = 0; v < block_.size(); ++v) {
       if (surface_.complex().has_faces(v) && in_block++ == block_size) {
-        blocks_.push_back({v, v, {}, 0});
+        blocks_.push_back({v, v, 0, 0, {}});
         in_block = 1;
       }
       block_[v] = static_cast<Index>(blocks_.size()) - 1;
@@ -112,100 +135,116 @@ private:
     }
   }
 
-  // The pairs that may be among the cheapest, by block and in the order of their costs.
-  void propose(std::size_t quota) {
-    const float limit = cost_limit(quota);
-    parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      std::vector<Proposal>& proposals = blocks_[block].proposals;
-      proposals.clear();
-      for (Index v = blocks_[block].begin; v < blocks_[block].end; ++v)
-        surface_.for_each_pair_above(workers_[worker], v, [&](Index w, float cost) {
-          if (cost <= limit)
-            proposals.push_back({cost, v, w});
-        });
-      sort(proposals);
-    });
-    std::size_t total = 1;
-    for (const Block& block : blocks_)
-      total += block.proposals.size();
-    for (Block& block : blocks_)
-      block.allowance = quota * block.proposals.size() / total;
+  // What the pairs of one vertex in 16 cost.
+  void sample() {
+    costs_.clear();
+    for (Block& block : blocks_) {
+      for (Index v = block.begin; v < block.end; v += sample_step)
+        surface_.for_each_pair_above(workers_.front().scratch, v, v + 1,
+                                     [&](Index, Index, float cost) { costs_.push_back(cost); });
+      block.sample_end = costs_.size();
+    }
+  }
+
+  // The share of the pairs costs no more; less at the end, when there are few contractions to go.
+  float cost_limit(std::size_t quota) const {
+    const std::size_t rank =
+        std::min(static_cast<std::size_t>(order_.share * static_cast<double>(costs_.size())),
+                 pairs_per_contraction * quota / sample_step);
+    if (rank >= costs_.size())
+      return std::numeric_limits<float>::infinity();
+    std::vector<float> costs = costs_;
+    const auto nth = costs.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(costs.begin(), nth, costs.end());
+    return *nth;
+  }
+
+  // To blocks, by the cheap pairs that the sample has found there.
+  void share_out(std::size_t quota, float limit) {
+    const auto is_cheap = [limit](float cost) { return cost <= limit; };
+    const auto at = [this](std::size_t i) {
+      return costs_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    const auto all = static_cast<std::size_t>(std::count_if(at(0), costs_.end(), is_cheap));
+    std::size_t begin = 0;
+    for (Block& block : blocks_) {
+      const auto cheap = std::count_if(at(begin), at(block.sample_end), is_cheap);
+      block.allowance = quota * static_cast<std::size_t>(cheap) / std::max<std::size_t>(all, 1);
+      begin = block.sample_end;
+    }
+  }
+
+  // The cheap pairs of a block, in the order of their costs.
+  void propose(const Block& block, float limit, Worker& worker) {
+    Room<Proposal>& proposals = worker.proposals;
+    proposals.clear();
+    surface_.for_each_pair_above(worker.scratch, block.begin, block.end,
+                                 [&](Index v, Index w, float cost) {
+                                   *proposals.extend(1) = {cost, v, w};
+                                   proposals.add(cost <= limit); // no branch: one in two is
+                                 });
+    sort(worker);
   }
 
   // By the top 16 bits of the costs; those that have them in common keep their order.
-  static void sort(std::vector<Proposal>& proposals) {
-    std::vector<Proposal> sorted(proposals.size());
+  static void sort(Worker& worker) {
     for (int shift : {16, 24}) {
+      const Room<Proposal>& from = worker.proposals;
+      worker.sorted.clear();
+      Proposal* const to = worker.sorted.extend(from.size());
+      worker.sorted.add(from.size());
       std::array<std::size_t, 257> begin{};
       const auto digit = [&](const Proposal& p) {
         return (std::bit_cast<std::uint32_t>(p.cost) >> shift) & 255;
       };
-      for (const Proposal& p : proposals)
-        ++begin[digit(p) + 1];
+      for (std::size_t i = 0; i < from.size(); ++i)
+        ++begin[digit(from[i]) + 1];
       std::partial_sum(begin.begin(), begin.end(), begin.begin());
-      for (const Proposal& p : proposals)
-        sorted[begin[digit(p)]++] = p;
-      proposals.swap(sorted);
+      for (std::size_t i = 0; i < from.size(); ++i)
+        to[begin[digit(from[i])]++] = from[i];
+      std::swap(worker.proposals, worker.sorted);
     }
-  }
-
-  // The share of the pairs that costs no more, from a sample of the vertices; less at the end, when
-  // there are few contractions to go.
-  float cost_limit(std::size_t quota) {
-    constexpr Index step = 16;
-    costs_.clear();
-    for (Index v = 0; v < block_.size(); v += step)
-      surface_.for_each_pair_above(workers_.front(), v,
-                                   [&](Index, float cost) { costs_.push_back(cost); });
-    const std::size_t rank =
-        std::min(static_cast<std::size_t>(order_.share * static_cast<double>(costs_.size())),
-                 pairs_per_contraction * quota / step);
-    if (rank >= costs_.size())
-      return std::numeric_limits<float>::infinity();
-    const auto nth = costs_.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(costs_.begin(), nth, costs_.end());
-    return *nth;
   }
 
   // The proposals whose stars lie inside of the block; the others are left for the end of the pass.
-  void contract_inside(std::size_t index, Scratch& scratch) {
+  void contract_inside(std::size_t index, Worker& worker) {
     Block& block = blocks_[index];
-    const auto between =
-        std::stable_partition(block.proposals.begin(), block.proposals.end(),
-                              [&](const Proposal& p) { return block_[p.second] == index; });
-    const std::span<Proposal> inside(block.proposals.begin(), between);
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < inside.size() && block.allowance > 0; ++i) {
-      prefetch(inside, i);
-      if (is_touched(inside[i]))
+    const Room<Proposal>& proposals = worker.proposals;
+    for (std::size_t i = 0; i < proposals.size() && block.allowance > 0; ++i) {
+      prefetch(proposals, i);
+      if (is_touched(proposals[i]))
         continue;
-      gather(scratch, inside[i]);
-      if (is_inside(scratch.star, index))
-        block.allowance -= contract(scratch, inside[i]);
-      else
-        inside[left++] = inside[i];
+      if (block_[proposals[i].second] == index) {
+        gather(worker.scratch, proposals[i]);
+        if (is_inside(worker.scratch.star, index)) {
+          block.allowance -= contract(worker.scratch, proposals[i]);
+          continue;
+        }
+      }
+      block.rest.push_back(proposals[i]);
     }
-    block.proposals.erase(block.proposals.begin() + static_cast<std::ptrdiff_t>(left), between);
   }
 
-  void contract_between(std::size_t quota) {
-    rest_.clear();
-    for (const Block& block : blocks_)
-      rest_.insert(rest_.end(), block.proposals.begin(), block.proposals.end());
-    sort(rest_);
-    Scratch& scratch = workers_.front();
-    for (std::size_t i = 0; i < rest_.size() && quota > 0; ++i) {
-      prefetch(rest_, i);
-      if (is_touched(rest_[i]))
-        continue;
-      gather(scratch, rest_[i]);
-      quota -= contract(scratch, rest_[i]);
+  void contract_between(std::size_t quota, Worker& worker) {
+    worker.proposals.clear();
+    for (const Block& block : blocks_) {
+      std::copy(block.rest.begin(), block.rest.end(), worker.proposals.extend(block.rest.size()));
+      worker.proposals.add(block.rest.size());
     }
-    surface_.count(scratch.tally);
+    sort(worker);
+    const Room<Proposal>& proposals = worker.proposals;
+    for (std::size_t i = 0; i < proposals.size() && quota > 0; ++i) {
+      prefetch(proposals, i);
+      if (is_touched(proposals[i]))
+        continue;
+      gather(worker.scratch, proposals[i]);
+      quota -= contract(worker.scratch, proposals[i]);
+    }
+    surface_.count(worker.scratch.tally);
   }
 
   // The proposals of a block lie anywhere in it.
-  void prefetch(std::span<const Proposal> proposals, std::size_t i) const {
+  void prefetch(const Room<Proposal>& proposals, std::size_t i) const {
     surface_.prefetch([&](std::size_t ahead) {
       return i + ahead < proposals.size() ? &proposals[i + ahead] : nullptr;
     });
@@ -253,20 +292,13 @@ private:
     return surface_.policies().stop(status);
   }
 
-  struct Block {
-    Index begin, end; // vertices
-    std::vector<Proposal> proposals;
-    std::size_t allowance; // contractions
-  };
-
   PairContraction<Policies>& surface_;
   RelaxedOrder order_;
   std::vector<unsigned char> is_touched_; // no bits: threads write to it
   std::vector<Index> block_;              // of each vertex
   std::vector<Block> blocks_;
-  std::vector<Proposal> rest_;
-  std::vector<Scratch> workers_;
-  std::vector<float> costs_;
+  std::vector<Worker> workers_;
+  std::vector<float> costs_; // of the sample
 };
 
 } // namespace quadrille::internal

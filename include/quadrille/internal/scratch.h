@@ -19,6 +19,35 @@ struct Tally {
   double error = 0; // the greatest
 };
 
+struct VertexPair {
+  Index first, second;
+};
+
+/// A list whose length is set without a look at its values: what is written by loops that can't
+/// afford to branch.
+template <class T>
+class Room {
+public:
+  std::size_t size() const { return size_; }
+  void clear() { size_ = 0; }
+
+  /// The place behind the list, for at most `count` values more.
+  T* extend(std::size_t count) {
+    if (values_.size() < size_ + count)
+      values_.resize(2 * (size_ + count));
+    return values_.data() + size_;
+  }
+  /// So many of them have been written.
+  void add(std::size_t count) { size_ += count; }
+
+  T& operator[](std::size_t i) { return values_[i]; }
+  const T& operator[](std::size_t i) const { return values_[i]; }
+
+private:
+  std::vector<T> values_;
+  std::size_t size_ = 0;
+};
+
 /// What the steps of a contraction need beside the surface. Threads that work on parts of a surface
 /// with no vertex in common have one each.
 struct Scratch {
@@ -27,9 +56,9 @@ struct Scratch {
   Marks marks;
   PairStar star; // of the pair that was gathered last
   std::vector<StarFace> faces;
-  std::vector<Index> partners; // of a vertex
-  std::vector<float> costs;    // of the pairs with these
-  std::vector<float> bounds;   // of the faces that the contraction changes, see DistanceBounds
+  std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
+  Room<VertexPair> pairs;
+  Room<float> costs; // of these
   Tally tally;
 };
 

@@ -13,6 +13,9 @@ namespace quadrille::internal {
 /// A face at a vertex: its other two vertices, in the order of the face.
 struct StarFace {
   Index face, second, third;
+
+  StarFace() {} // a new one is not written to before it is used
+  StarFace(Index f, Index s, Index t) : face(f), second(s), third(t) {}
 };
 
 /// The faces around a pair of vertices: those of one end only, which a contraction changes, and

@@ -66,8 +66,9 @@ public:
   void for_each_corner(Index vertex, Visit visit) {
     List& list = lists_[vertex];
     Index* const corners = pool_.data() + list.begin;
+    const Index size = list.size;
     Index live = 0;
-    for (Index i = 0; i < list.size; ++i) {
+    for (Index i = 0; i < size; ++i) {
       const Index corner = corners[i];
       if (is_dead(corner >> 2))
         continue;

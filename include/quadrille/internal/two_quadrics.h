@@ -1,74 +1,166 @@
 #ifndef QUADRILLE_INTERNAL_TWO_QUADRICS_H
 #define QUADRILLE_INTERNAL_TWO_QUADRICS_H
 
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/vector.h>
 
 #include <array>
+#include <cstddef>
 
 namespace quadrille::internal {
+
+/// \file
+/// The innermost step of a simplification, for two pairs at the price of one.
 
 /// Two doubles that are computed with at once, with what every 64-bit machine has for that.
 using Lanes = double __attribute__((vector_size(16)));
 
-/// The least values of two quadrics in space, each the sum of `first` and of one about the point
-/// `displacement` from it: the innermost step of a simplification, for two pairs at the price of
-/// one. A value that can't be had so, because the matrix is singular (see Factorization) or the
-/// position lies further than √reach from both points, is NaN.
-inline Lanes least_values(const QuadricForm<3>& first,
+/// Two vectors in space.
+struct LaneVector {
+  Lanes x, y, z;
+
+  static LaneVector of(const Vector<3>& a, const Vector<3>& b) {
+    return {Lanes{a[0], b[0]}, Lanes{a[1], b[1]}, Lanes{a[2], b[2]}};
+  }
+  static LaneVector twice(const Vector<3>& a) { return of(a, a); }
+
+  friend LaneVector operator+(const LaneVector& a, const LaneVector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend LaneVector operator-(const LaneVector& a) { return {-a.x, -a.y, -a.z}; }
+  friend LaneVector operator*(Lanes factor, const LaneVector& a) {
+    return {factor * a.x, factor * a.y, factor * a.z};
+  }
+  friend Lanes dot(const LaneVector& a, const LaneVector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+};
+
+/// Two symmetric matrices.
+struct LaneMatrix {
+  Lanes xx, yx, yy, zx, zy, zz;
+
+  static LaneMatrix of(const SymmetricMatrix<3>& a, const SymmetricMatrix<3>& b) {
+    const auto entry = [&](std::size_t i, std::size_t j) { return Lanes{a(i, j), b(i, j)}; };
+    return {entry(0, 0), entry(1, 0), entry(1, 1), entry(2, 0), entry(2, 1), entry(2, 2)};
+  }
+  static LaneMatrix twice(const SymmetricMatrix<3>& a) { return of(a, a); }
+
+  friend LaneMatrix operator+(const LaneMatrix& a, const LaneMatrix& b) {
+    return {a.xx + b.xx, a.yx + b.yx, a.yy + b.yy, a.zx + b.zx, a.zy + b.zy, a.zz + b.zz};
+  }
+  friend LaneMatrix operator-(const LaneMatrix& a, const LaneMatrix& b) {
+    return {a.xx - b.xx, a.yx - b.yx, a.yy - b.yy, a.zx - b.zx, a.zy - b.zy, a.zz - b.zz};
+  }
+  /// Adds the same to each entry of the diagonal.
+  friend LaneMatrix operator+(const LaneMatrix& a, Lanes value) {
+    return {a.xx + value, a.yx, a.yy + value, a.zx, a.zy, a.zz + value};
+  }
+  friend LaneVector operator*(const LaneMatrix& a, const LaneVector& v) {
+    return {a.xx * v.x + a.yx * v.y + a.zx * v.z, a.yx * v.x + a.yy * v.y + a.zy * v.z,
+            a.zx * v.x + a.zy * v.y + a.zz * v.z};
+  }
+};
+
+/// See Factorization<3>.
+class LaneFactorization {
+public:
+  using Mask = decltype(Lanes{} < Lanes{});
+
+  explicit LaneFactorization(const LaneMatrix& a) {
+    const Lanes least_pivot = Factorization<3>::least_relative_pivot * (a.xx + a.yy + a.zz);
+    inverse0_ = 1.0 / a.xx;
+    l10_ = a.yx * inverse0_;
+    l20_ = a.zx * inverse0_;
+    const Lanes pivot1 = a.yy - l10_ * a.yx;
+    inverse1_ = 1.0 / pivot1;
+    const Lanes below = a.zy - l20_ * a.yx;
+    l21_ = below * inverse1_;
+    const Lanes pivot2 = a.zz - l20_ * a.zx - l21_ * below;
+    inverse2_ = 1.0 / pivot2;
+    is_regular_ = (a.xx > least_pivot) & (pivot1 > least_pivot) & (pivot2 > least_pivot);
+  }
+
+  Mask is_regular() const { return is_regular_; }
+
+  LaneVector solve(const LaneVector& b) const {
+    const Lanes y1 = b.y - l10_ * b.x;
+    const Lanes y2 = b.z - l20_ * b.x - l21_ * y1;
+    const Lanes z = y2 * inverse2_;
+    const Lanes y = y1 * inverse1_ - l21_ * z;
+    return {b.x * inverse0_ - l10_ * y - l20_ * z, y, z};
+  }
+
+private:
+  Lanes l10_, l20_, l21_, inverse0_, inverse1_, inverse2_;
+  Mask is_regular_;
+};
+
+/// A value where the matrix is not singular and the position no further than √reach from the first
+/// or the second point of the pair; no number elsewhere.
+inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
+                            const LaneVector& x, const LaneVector& to_second, Lanes squared_reach) {
+  const LaneVector e = x - to_second;
+  const auto is_within = (dot(x, x) <= squared_reach) | (dot(e, e) <= squared_reach);
+  const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
+  return factorization.is_regular() & is_within ? value : no_number;
+}
+
+/// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
+/// point `displacement` from it. A value that can't be had so, because the matrix is singular or
+/// the position lies further than √reach from both points, is NaN.
+inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
                           const std::array<const QuadricForm<3>*, 2>& others,
                           const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
-  const auto both = [&](double x, double y0, double y1) { return Lanes{x + y0, x + y1}; };
-  const auto entry = [&](std::size_t i, std::size_t j) {
-    return Lanes{others[0]->matrix()(i, j), others[1]->matrix()(i, j)};
-  };
-  const auto sum_entry = [&](std::size_t i, std::size_t j, Lanes other) {
-    return both(first.matrix()(i, j), other[0], other[1]);
-  };
-  const auto along = [&](std::size_t i) { return Lanes{displacements[0][i], displacements[1][i]}; };
-  const auto gradient = [&](std::size_t i) {
-    return Lanes{others[0]->gradient()[i], others[1]->gradient()[i]};
-  };
-
   // The sum, about the first point: see QuadricForm::sum_about_first.
-  const Lanes dx = along(0), dy = along(1), dz = along(2);
-  const Lanes b00 = entry(0, 0), b10 = entry(1, 0), b11 = entry(1, 1);
-  const Lanes b20 = entry(2, 0), b21 = entry(2, 1), b22 = entry(2, 2);
-  const Lanes bdx = b00 * dx + b10 * dy + b20 * dz;
-  const Lanes bdy = b10 * dx + b11 * dy + b21 * dz;
-  const Lanes bdz = b20 * dx + b21 * dy + b22 * dz;
-  const Lanes hx = gradient(0), hy = gradient(1), hz = gradient(2);
-  const Lanes gx = first.gradient()[0] + hx - bdx;
-  const Lanes gy = first.gradient()[1] + hy - bdy;
-  const Lanes gz = first.gradient()[2] + hz - bdz;
-  const Lanes c = both(first.constant(), others[0]->constant(), others[1]->constant()) +
-                  (dx * bdx + dy * bdy + dz * bdz) - 2.0 * (hx * dx + hy * dy + hz * dz);
-  const Lanes a00 = sum_entry(0, 0, b00), a10 = sum_entry(1, 0, b10), a11 = sum_entry(1, 1, b11);
-  const Lanes a20 = sum_entry(2, 0, b20), a21 = sum_entry(2, 1, b21), a22 = sum_entry(2, 2, b22);
+  const auto& [p, q] = firsts;
+  const auto& [r, s] = others;
+  const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
+  const LaneMatrix b = LaneMatrix::of(r->matrix(), s->matrix());
+  const LaneVector h = LaneVector::of(r->gradient(), s->gradient());
+  const LaneVector bd = b * d;
+  const LaneVector g = LaneVector::of(p->gradient(), q->gradient()) + h - bd;
+  const Lanes c = Lanes{p->constant(), q->constant()} + Lanes{r->constant(), s->constant()} +
+                  dot(d, bd) - 2.0 * dot(h, d);
 
-  // Its minimizer: see Factorization<3>.
-  const Lanes least_pivot = Factorization<3>::least_relative_pivot * (a00 + a11 + a22);
-  const Lanes inverse0 = 1.0 / a00;
-  const Lanes l10 = a10 * inverse0, l20 = a20 * inverse0;
-  const Lanes pivot1 = a11 - l10 * a10;
-  const Lanes inverse1 = 1.0 / pivot1;
-  const Lanes below = a21 - l20 * a10;
-  const Lanes l21 = below * inverse1;
-  const Lanes pivot2 = a22 - l20 * a20 - l21 * below;
-  const Lanes y1 = l10 * gx - gy;
-  const Lanes y2 = l20 * gx - gz - l21 * y1;
-  const Lanes z = y2 / pivot2;
-  const Lanes y = y1 * inverse1 - l21 * z;
-  const Lanes x = -gx * inverse0 - l10 * y - l20 * z;
+  const LaneFactorization factorization(LaneMatrix::of(p->matrix(), q->matrix()) + b);
+  const LaneVector x = factorization.solve(-g);
+  return value_if_found(c + dot(g, x), factorization, x, d, squared_reach); // Ax = −g
+}
 
-  const Lanes ex = x - dx, ey = y - dy, ez = z - dz;
-  const auto is_regular = (a00 > least_pivot) & (pivot1 > least_pivot) & (pivot2 > least_pivot);
-  const auto is_within =
-      (x * x + y * y + z * z <= squared_reach) | (ex * ex + ey * ey + ez * ez <= squared_reach);
-  const Lanes value = c + (gx * x + gy * y + gz * z); // Ax = −g
-  const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
-  return is_regular & is_within ? value : no_number;
+/// The same for memoryless costs: see MemorylessQuadric::join and minimizer.
+inline Lanes least_values(const MemorylessQuadric::Current& first,
+                          const std::array<const MemorylessQuadric::Current*, 2>& others,
+                          const std::array<MemorylessQuadric::Current, 2>& shared,
+                          const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
+  const auto& [p, q] = others;
+  const auto& [s, t] = shared;
+  const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
+  const Lanes half_shared = 0.5 * Lanes{s.area, t.area};
+  const Lanes point = Quadric::shape_weight * (first.area - half_shared);
+  const Lanes other_point = Quadric::shape_weight * (Lanes{p->area, q->area} - half_shared);
+  const LaneMatrix b = LaneMatrix::of(p->matrix, q->matrix) + other_point;
+  const LaneVector bd = b * d;
+  const LaneMatrix a =
+      LaneMatrix::twice(first.matrix) + point + b - LaneMatrix::of(s.matrix, t.matrix);
+  const LaneVector other_area = LaneVector::of(p->doubled_area, q->doubled_area);
+  const LaneVector normal = LaneVector::twice(first.doubled_area) + other_area -
+                            LaneVector::of(s.doubled_area, t.doubled_area);
+
+  const LaneFactorization factorization(a);
+  const LaneVector x = factorization.solve(bd); // without the plane: it costs dᵀBd − dᵀBx
+  const LaneVector across = factorization.solve(normal);
+  const Lanes slope = dot(normal, across);
+  const Lanes off = dot(other_area, d) - dot(normal, x);
+  const Lanes way = slope > 0 ? off / slope : Lanes{};
+  return value_if_found(dot(bd, d) - dot(bd, x) + way * way * slope, factorization,
+                        x + way * across, d, squared_reach);
 }
 
 } // namespace quadrille::internal

@@ -1,0 +1,77 @@
+#ifndef QUADRILLE_INTERNAL_LEFTOVERS_H
+#define QUADRILLE_INTERNAL_LEFTOVERS_H
+
+#include <quadrille/internal/scratch.h>
+#include <quadrille/internal/star.h>
+#include <quadrille/internal/triangle_complex.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
+/// and vertices without a face.
+class Leftovers {
+public:
+  Leftovers(TriangleComplex& complex, Scratch& scratch) : complex_(complex), scratch_(scratch) {}
+
+  /// Of the faces at a vertex with the same three vertices, one is left.
+  void drop_doubled_faces(Index v) {
+    scratch_.faces.clear();
+    complex_.for_each_corner(v, [&](Index face, Index i) {
+      scratch_.faces.push_back(PairStar::star_face(complex_, face, i));
+    });
+    drop_doubled();
+  }
+
+  /// The same for the faces that the contraction of the star has changed.
+  void drop_doubled_faces() {
+    scratch_.faces = scratch_.star.first;
+    scratch_.faces.insert(scratch_.faces.end(), scratch_.star.second.begin(),
+                          scratch_.star.second.end());
+    drop_doubled();
+  }
+
+  /// A vertex whose last face is gone with the contraction of the star is gone too.
+  void drop_bare_vertices(Index kept) {
+    for (const StarFace& f : scratch_.star.shared)
+      for (Index v : {f.second, f.third})
+        drop_if_bare(v);
+    drop_if_bare(kept);
+  }
+
+private:
+  // Of faces at one vertex with the same two others, the first is left.
+  void drop_doubled() {
+    std::vector<StarFace>& faces = scratch_.faces;
+    for (StarFace& f : faces)
+      if (f.third < f.second)
+        std::swap(f.second, f.third);
+    std::sort(faces.begin(), faces.end(), [](const StarFace& a, const StarFace& b) {
+      return std::tie(a.second, a.third, a.face) < std::tie(b.second, b.third, b.face);
+    });
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (faces[i - 1].second == faces[i].second && faces[i - 1].third == faces[i].third) {
+        complex_.kill(faces[i].face);
+        ++scratch_.tally.faces;
+      }
+  }
+
+  void drop_if_bare(Index v) {
+    if (!complex_.has_faces(v))
+      return;
+    complex_.for_each_corner(v, [](Index, Index) {}); // drops corners of faces that are gone
+    scratch_.tally.vertices += !complex_.has_faces(v);
+  }
+
+  TriangleComplex& complex_;
+  Scratch& scratch_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_LEFTOVERS_H

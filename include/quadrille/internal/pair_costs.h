@@ -1,0 +1,232 @@
+#ifndef QUADRILLE_INTERNAL_PAIR_COSTS_H
+#define QUADRILLE_INTERNAL_PAIR_COSTS_H
+
+#include <quadrille/internal/current_memories.h>
+#include <quadrille/internal/memories.h>
+#include <quadrille/internal/policies.h>
+#include <quadrille/internal/scratch.h>
+#include <quadrille/internal/star.h>
+#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/internal/two_quadrics.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Where the vertices of a surface lie, what they remember and how far their neighbours are: all
+/// that costs look at; and what contracting a pair of them costs.
+template <class Policies>
+class PairCosts {
+public:
+  using Cost = typename Policies::Cost;
+  using Position = Vector<Cost::dimension>;
+  using Memory = typename Cost::Memory;
+  using Pair = PairOf<Cost>;
+
+  PairCosts(const Policies& policies, const TriangleComplex& complex,
+            std::vector<Position> positions, std::vector<bool> is_fixed)
+      : policies_(policies), complex_(complex), positions_(std::move(positions)),
+        is_fixed_(std::move(is_fixed)), memories_(positions_.size()),
+        squared_reach_(positions_.size(), 0) {
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      if (complex.is_dead(face))
+        continue;
+      const auto [p, q, r] = complex.vertices(face);
+      for (const auto& [v, w] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)})
+        lengthen_reach(v, w), lengthen_reach(w, v);
+    }
+  }
+
+  const std::vector<Position>& positions() const { return positions_; }
+  const Memory& memory(Index v) const { return memories_[v]; }
+  bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
+  bool is_any_fixed() const { return !is_fixed_.empty(); }
+
+  /// Vertices remember the surface as it is now.
+  template <class IsInterior>
+  void remember(TriangleComplex& complex, Marks& marks,
+                const std::vector<std::array<Index, 2>>& creases, IsInterior is_interior) {
+    InitialMemories<Cost>::compute(memories_, policies_.cost, positions_, complex, marks, creases,
+                                   is_interior);
+    see(complex, marks);
+  }
+  /// A cost that looks at the surface as it is now sees all of it anew.
+  void see(TriangleComplex& complex, Marks& marks) {
+    if constexpr (asks_for_current<Cost>)
+      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex, marks);
+  }
+  /// The same around a contraction: before, and after.
+  void forget(const PairStar& star, Index a, Index b) requires asks_for_current<Cost> {
+    current_.forget(star, a, b, policies_.cost, positions_);
+  }
+  void learn(Index kept, TriangleComplex& complex) requires asks_for_current<Cost> {
+    current_.learn(kept, policies_.cost, positions_, complex);
+  }
+  void recompute(Index v, TriangleComplex& complex, Marks& marks) requires asks_for_current<Cost> {
+    current_.recompute(v, policies_.cost, positions_, complex, marks);
+  }
+
+  void prefetch(Index v) const {
+    __builtin_prefetch(&positions_[v]);
+    prefetch_memory(v);
+  }
+  void prefetch_memory(Index v) const {
+    const char* memory = reinterpret_cast<const char*>(&memories_[v]);
+    for (std::size_t line = 0; line < sizeof(Memory); line += 64)
+      __builtin_prefetch(memory + line);
+  }
+
+  /// The pair as cost and placement see it.
+  Pair view(Index a, Index b) const {
+    Pair pair{positions_[a], positions_[b],
+              sum_about_first(memories_[a], memories_[b], positions_[b] - positions_[a]),
+              std::max(squared_reach_[a], squared_reach_[b])};
+    if constexpr (asks_for_current<Cost>)
+      pair.current = policies_.cost.join(
+          current_[a], current_[b], current_.shared(a, b, policies_.cost, positions_, complex_),
+          pair.second - pair.first);
+    return pair;
+  }
+
+  /// Where the pair goes.
+  Position target(Index a, Index b, const Pair& pair) const {
+    if (is_fixed(a) || is_fixed(b))
+      return is_fixed(a) ? pair.first : pair.second;
+    return policies_.placement(policies_.cost, pair);
+  }
+
+  double operator()(const Pair& pair, const Position& target) const {
+    return policies_.cost(pair, target);
+  }
+
+  /// What the pairs in the scratch cost, in its `costs`; 0 for what is below, or no number.
+  void evaluate_all(Scratch& scratch) const {
+    const Room<VertexPair>& pairs = scratch.pairs;
+    scratch.costs.clear();
+    float* const costs = scratch.costs.extend(pairs.size() + 1); // two at a time
+    scratch.costs.add(pairs.size());
+    if constexpr (has_fast_costs)
+      if (!is_any_fixed()) {
+        evaluate_in_twos(pairs, costs);
+        return;
+      }
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      costs[i] = cost_of(pairs[i]);
+  }
+
+  /// A vertex that a contraction has left takes its place.
+  void move(const PairStar& star, Index kept, const Position& target, const Pair& pair) {
+    positions_[kept] = target;
+    memories_[kept] = pair.memory;
+    move_origin(memories_[kept], target - pair.first);
+    update_reach(star, kept);
+  }
+
+private:
+  static constexpr bool has_fast_costs =
+      (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric>)&& //
+      std::same_as<typename Policies::Placement, OptimalPlacement>;
+
+  static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
+
+  float cost_of(const VertexPair& p) const {
+    const auto [a, b] = std::minmax(p.first, p.second);
+    const Pair pair = view(a, b);
+    return as_key(policies_.cost(pair, target(a, b, pair)));
+  }
+
+  using Two = std::array<VertexPair, 2>;
+
+  // The last one alone twice, if need be.
+  void evaluate_in_twos(const Room<VertexPair>& pairs, float* costs) const {
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+      const Two two = {pairs[i], pairs[std::min(i + 1, pairs.size() - 1)]};
+      const auto& [p, q] = two;
+      const Lanes values = least_values({&memories_[p.first], &memories_[q.first]},
+                                        {&memories_[p.second], &memories_[q.second]}, ways(two),
+                                        squared_reaches(two));
+      write(two, values, costs + i);
+    }
+  }
+
+  // One vertex after the other, since its pairs share what its faces say.
+  void evaluate_in_twos(const Room<VertexPair>& pairs,
+                        float* costs) const requires asks_for_current<Cost> {
+    for (std::size_t i = 0, end = 0; i < pairs.size(); i = end) {
+      const Index v = pairs[i].first;
+      while (end < pairs.size() && pairs[end].first == v)
+        ++end;
+      if (complex_.degree_bound(v) <= CurrentStar<Cost>::most_faces)
+        evaluate_around(v, pairs, i, end, costs);
+      else
+        for (; i < end; ++i)
+          costs[i] = cost_of(pairs[i]);
+    }
+  }
+  void evaluate_around(Index v, const Room<VertexPair>& pairs, std::size_t i, std::size_t end,
+                       float* costs) const requires asks_for_current<Cost> {
+    const Cost& cost = policies_.cost;
+    const CurrentStar<Cost> star(v, cost, positions_, complex_);
+    for (; i < end; i += 2) {
+      const Two two = {pairs[i], pairs[std::min(i + 1, end - 1)]};
+      const Index w0 = two[0].second, w1 = two[1].second;
+      const Lanes values = least_values(
+          current_[v], {&current_[w0], &current_[w1]},
+          {star.shared_with(w0, cost, positions_), star.shared_with(w1, cost, positions_)},
+          ways(two), squared_reaches(two));
+      write(two, values, costs + i);
+    }
+  }
+
+  void write(const Two& two, Lanes values, float* costs) const {
+    for (std::size_t k = 0; k < 2; ++k)
+      costs[k] = std::isnan(values[k]) ? cost_of(two[k]) : as_key(values[k]);
+  }
+
+  std::array<Vector<3>, 2> ways(const Two& two) const {
+    const auto& [p, q] = two;
+    return {positions_[p.second] - positions_[p.first], positions_[q.second] - positions_[q.first]};
+  }
+  Lanes squared_reaches(const Two& two) const {
+    const auto& [p, q] = two;
+    return Lanes{std::max(squared_reach_[p.first], squared_reach_[p.second]),
+                 std::max(squared_reach_[q.first], squared_reach_[q.second])};
+  }
+
+  // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
+  // that can change while the pair waits in the queue.
+  void update_reach(const PairStar& star, Index kept) {
+    squared_reach_[kept] = 0;
+    for (const auto* faces : {&star.first, &star.second})
+      for (const StarFace& f : *faces)
+        for (Index w : {f.second, f.third})
+          lengthen_reach(kept, w);
+  }
+
+  void lengthen_reach(Index v, Index w) {
+    const double squared = squared_distance(space(positions_[v]), space(positions_[w]));
+    squared_reach_[v] = std::max(squared_reach_[v], static_cast<float>(squared));
+  }
+
+  const Policies& policies_;
+  const TriangleComplex& complex_;
+  std::vector<Position> positions_;
+  std::vector<bool> is_fixed_; // empty if none is
+  std::vector<Memory> memories_;
+  [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
+  std::vector<float> squared_reach_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PAIR_COSTS_H
