@@ -61,6 +61,14 @@ TEMPLATE_TEST_CASE("No point of the result is further from the input than the li
     }
 }
 
+TEST_CASE("A limit in a stop policy that does not ask for distances lets nothing pass") {
+  const auto limit = [](const Status& status) { return ErrorLimit{1e9}(status); };
+  Mesh mesh = read_model("cow");
+  const std::size_t faces = mesh.number_of_faces();
+  CHECK(simplify<Quadric, OptimalPlacement>(mesh, limit).faces_after == faces);
+  CHECK(simplify<Quadric, OptimalPlacement>(mesh, limit, RelaxedOrder{}).faces_after == faces);
+}
+
 TEST_CASE("Inside of a surface the limit is used, and not only kept") {
   const Mesh input = test::make_mesh(test::sphere(5));
   const double limit = 0.005 * bounding_box_diagonal(input);

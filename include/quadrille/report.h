@@ -21,8 +21,9 @@ struct Status {
   double next_error = 0;
   /// No point of the surface will be further from the input than that after the contraction that
   /// comes next, in the mesh's units. Known to a stop policy with `static constexpr bool
-  /// asks_for_distance = true`, 0 for others. See Report::distance_bound.
-  double next_distance = 0;
+  /// asks_for_distance = true`; for others nothing is, and this is infinity. See
+  /// Report::distance_bound.
+  double next_distance = std::numeric_limits<double>::infinity();
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
 };
 

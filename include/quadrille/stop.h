@@ -60,9 +60,9 @@ struct VertexCount {
 /// The bound is conservative. It adds up what each contraction moves the surface, so a result is
 /// typically two to five times closer to the input than it says; and at borders, and where topology
 /// is free, it takes a shift along the surface for a distance, so much more is kept there.
-/// A stop policy that asks one of these has to say asks_for_distance as well: see
-/// Status::next_distance. Source: the projection along the mean normal is that of Bajaj and
-/// Schikore 1996.
+/// A stop policy that asks one of these has to say asks_for_distance as well, else nothing is known
+/// to be within the limit and not one contraction is done. Source: the projection along the mean
+/// normal is that of Bajaj and Schikore 1996.
 class ErrorLimit {
 public:
   /// `distance` is in the mesh's units.

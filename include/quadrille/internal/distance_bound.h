@@ -207,8 +207,22 @@ public:
     return greatest;
   }
 
-  void set(Index face, float bound) { of_face_[face] = bound; }
-  float operator[](Index face) const { return of_face_[face]; }
+  /// The contraction has been done.
+  void set(const PairStar& star, const std::vector<float>& bounds) {
+    auto bound = bounds.begin();
+    for (const auto* faces : {&star.first, &star.second})
+      for (const StarFace& f : *faces)
+        of_face_[f.face] = *bound++;
+  }
+
+  /// Of the faces that are left.
+  double greatest(const TriangleComplex& complex) const {
+    float greatest = 0;
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_dead(face))
+        greatest = std::max(greatest, of_face_[face]);
+    return greatest;
+  }
 
 private:
   static float rounded_up(double bound) {

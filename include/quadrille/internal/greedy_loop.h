@@ -117,7 +117,8 @@ private:
   }
 
   StopReason final_reason() {
-    surface_.announce_distance(0);
+    if constexpr (asks_for_distance<typename Policies::Stop>)
+      surface_.announce_distance(0);
     if (surface_.is_enough() || has_met_distance_)
       return StopReason::target_met;
     return parked_.size() == 0 ? StopReason::no_pair_left : StopReason::all_pairs_rejected;

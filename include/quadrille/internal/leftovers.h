@@ -13,6 +13,23 @@
 
 namespace quadrille::internal {
 
+/// Does the contraction of a pair take the last face of a vertex that is fixed, where topology is
+/// free? The faces that vanish may be the last of the pair, or of their third vertex and its edge
+/// to the pair.
+template <class IsFixed>
+bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b, IsFixed is_fixed) {
+  if (star.first.empty() && star.second.empty() && (is_fixed(a) || is_fixed(b)))
+    return true;
+  const auto is_at = [](Index v) {
+    return [v](const StarFace& f) { return f.second == v || f.third == v; };
+  };
+  return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
+    const Index v = f.second == b ? f.third : f.second;
+    return is_fixed(v) && std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
+           std::none_of(star.second.begin(), star.second.end(), is_at(v));
+  });
+}
+
 /// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
 /// and vertices without a face.
 class Leftovers {

@@ -5,11 +5,11 @@
 #include <quadrille/internal/distance_bound.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/link_condition.h>
-#include <quadrille/internal/marks.h>
 #include <quadrille/internal/pair_costs.h>
-#include <quadrille/internal/pair_lists.h>
+#include <quadrille/internal/pair_finder.h>
 #include <quadrille/internal/pair_selection.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/progress.h>
 #include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/surface.h>
@@ -49,7 +49,7 @@ public:
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, policies.cost)),
         complex_(input.positions.size(), take_triangles(input)), scratch_(input.positions.size()),
-        pairs_(select_pairs(policies.pairs, input, complex_, scratch_.marks)),
+        pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch_.marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
         creases_(std::move(input.creases)), merged_into_(input.positions.size(), none),
         costs_(policies, complex_, scaled(std::move(input.positions)), std::move(input.is_fixed)) {
@@ -59,9 +59,11 @@ public:
       link_condition_ = LinkCondition(complex_, scratch_.marks);
     else
       initial_components_ = count_components(complex_);
-    start_status();
-    if constexpr (asks_for_distance)
+    progress_.start(complex_.live_faces(), count_vertices(), scale_.diagonal());
+    if constexpr (asks_for_distance) {
       distances_ = DistanceBounds(complex_.face_capacity());
+      announce_distance(0);
+    }
     remember();
   }
   PairContraction(const PairContraction&) = delete; // members refer to each other
@@ -119,7 +121,7 @@ public:
   bool overshoots(const Scratch& scratch) const {
     if (is_closed())
       return false; // each contraction takes two faces
-    Status after = status_;
+    Status after = progress_.status;
     after.faces -= scratch.star.shared.size();
     --after.vertices;
     return is_passed(policies_.stop, after);
@@ -157,7 +159,7 @@ public:
   void end_pass(bool refresh) {
     complex_.build_lists();
     if (!is_topology_kept_)
-      status_.vertices = count_vertices();
+      progress_.status.vertices = count_vertices();
     if (refresh) {
       for (auto& [v, w] : creases_)
         v = image(v), w = image(w);
@@ -169,16 +171,7 @@ public:
   }
 
   /// Adds what contractions have changed to the status, and forgets it.
-  void count(Tally& tally) {
-    status_.faces -= tally.faces;
-    status_.vertices -= tally.vertices;
-    status_.contractions += tally.contractions;
-    total_.non_edge_contractions += tally.non_edge_contractions;
-    total_.error = std::max(total_.error, tally.error);
-    for (std::size_t cause = 0; cause < rejection_causes; ++cause)
-      total_.rejections[cause] += tally.rejections[cause];
-    tally = {};
-  }
+  void count(Tally& tally) { progress_.count(tally); }
 
   /// Calls visit(w, cost) for each pair of v with another vertex.
   template <class Visit>
@@ -206,12 +199,13 @@ public:
   }
 
   std::size_t pair_count() const {
-    return pairs_.size() + (includes_edges<typename Policies::Pairs> ? 3 * status_.faces / 2 : 0);
+    return pairs_.listed_count() +
+           (includes_edges<typename Policies::Pairs> ? 3 * progress_.status.faces / 2 : 0);
   }
-  bool has_other_pairs() const { return pairs_.size() > 0; } // than edges
+  bool has_other_pairs() const { return pairs_.listed_count() > 0; } // than edges
 
   /// Tells the status of the contraction that comes next.
-  void announce(const Candidate& candidate) { status_.next_error = candidate.error; }
+  void announce(const Candidate& candidate) { progress_.status.next_error = candidate.error; }
 
   /// Tells how far from the input the surface may be after the contraction, in the mesh's units.
   /// The faces will be bound by that.
@@ -221,21 +215,16 @@ public:
                                                   space(candidate.target), is_inside,
                                                   scratch.bounds));
   }
-  void announce_distance(double distance) { status_.next_distance = distance; }
+  void announce_distance(double distance) { progress_.status.next_distance = distance; }
 
   /// Does the stop policy say so?
-  bool is_enough() const { return policies_.stop(status_); }
+  bool is_enough() const { return policies_.stop(progress_.status); }
 
   /// Tells what became of the surface.
   void complete(Report& report) {
-    report.faces_after = status_.faces;
-    report.vertices_after = status_.vertices;
-    report.contractions = status_.contractions;
-    report.non_edge_contractions = total_.non_edge_contractions;
-    report.rejections = total_.rejections;
-    report.error = total_.error;
+    progress_.tell(report);
     if constexpr (asks_for_distance)
-      report.distance_bound = scale_.length_of_mesh(greatest_bound());
+      report.distance_bound = scale_.length_of_mesh(distances_.greatest(complex_));
     const TopologyCount count = count_topology(complex_, scratch_.marks);
     report.components_after = count.components;
     report.components_before = is_topology_kept_ ? count.components : initial_components_;
@@ -243,7 +232,7 @@ public:
     report.non_manifold_vertices = count.non_manifold_vertices;
   }
 
-  const Status& status() const { return status_; }
+  const Status& status() const { return progress_.status; }
   const Policies& policies() const { return policies_; }
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
@@ -288,7 +277,7 @@ private:
 
   // Unless the user says, an adapter's default, or free if there are pairs that are not edges.
   bool keeps_topology(const SurfaceInput<dimension>& input) const {
-    const Topology by_default = pairs_.size() > 0 ? Topology::free : input.default_topology;
+    const Topology by_default = pairs_.listed_count() > 0 ? Topology::free : input.default_topology;
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
@@ -322,21 +311,9 @@ private:
   // Known to be inside the surface: without the link condition nothing is.
   bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
 
-  // When topology is free, the faces that vanish may be the last of the pair, or of their third
-  // vertex and its edge to the pair.
   bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
-    if (!costs_.is_any_fixed() || is_topology_kept_)
-      return false;
-    if (star.first.empty() && star.second.empty() && (is_fixed(a) || is_fixed(b)))
-      return true;
-    const auto is_at = [](Index v) {
-      return [v](const StarFace& f) { return f.second == v || f.third == v; };
-    };
-    return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
-      const Index v = f.second == b ? f.third : f.second;
-      return is_fixed(v) && std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
-             std::none_of(star.second.begin(), star.second.end(), is_at(v));
-    });
+    return costs_.is_any_fixed() && !is_topology_kept_ &&
+           internal::takes_a_fixed_vertex_away(star, a, b, [this](Index v) { return is_fixed(v); });
   }
 
   template <class Filter, class Contraction>
@@ -351,62 +328,8 @@ private:
     return true;
   }
 
-  // Adds the pairs of v with vertices from `least` on, each once.
   void find_pairs(Scratch& scratch, Index v, Index least) {
-    const std::size_t begin = scratch.pairs.size();
-    if constexpr (includes_edges<typename Policies::Pairs>)
-      find_edges(scratch, v, least);
-    if (pairs_.size() > 0)
-      find_listed_pairs(scratch, v, least, begin);
-  }
-
-  // No branch: whether a vertex has been met before, or what its number is, is hard to guess.
-  void find_edges(Scratch& scratch, Index v, Index least) {
-    VertexPair* const pairs = scratch.pairs.extend(2 * complex_.degree_bound(v) + 1);
-    std::size_t count = 0;
-    const auto add = [&](Index w, bool is_new) {
-      pairs[count] = {v, w};
-      count += is_new & (w >= least);
-    };
-    if (is_topology_kept_ && link_condition_.is_oriented(v)) {
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        add(PairStar::star_face(complex_, face, i).second, true);
-      });
-    } else {
-      Marks& marks = scratch.marks;
-      marks.clear();
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex_, face, i);
-        add(f.second, marks.insert(f.second));
-        add(f.third, marks.insert(f.third));
-      });
-    }
-    scratch.pairs.add(count);
-  }
-
-  void find_listed_pairs(Scratch& scratch, Index v, Index least, std::size_t begin) {
-    constexpr Index by_edge = 0, by_list = 1;
-    Marks& marks = scratch.marks;
-    marks.clear();
-    for (std::size_t i = begin; i < scratch.pairs.size(); ++i)
-      marks.set(scratch.pairs[i].second, by_edge);
-    marks.set(v, by_list);
-    pairs_.for_each_partner(v, [&](Index w) {
-      if (!complex_.has_faces(w) || marks.is_marked_with(w, by_list))
-        return false; // a leftover, or a pair that has become the same as another
-      if (!marks.is_marked(w) && w >= least) {
-        *scratch.pairs.extend(1) = {v, w};
-        scratch.pairs.add(1);
-      }
-      marks.set(w, by_list);
-      return true;
-    });
-  }
-
-  void start_status() {
-    status_.faces = status_.initial_faces = complex_.live_faces();
-    status_.vertices = status_.initial_vertices = count_vertices();
-    status_.diagonal = scale_.diagonal();
+    pairs_.find(scratch, v, least, is_topology_kept_ && link_condition_.is_oriented(v));
   }
 
   std::size_t count_vertices() const {
@@ -418,14 +341,6 @@ private:
 
   void remember() {
     costs_.remember(complex_, scratch_.marks, creases_, [this](Index v) { return is_interior(v); });
-  }
-
-  double greatest_bound() const {
-    float greatest = 0;
-    for (Index face = 0; face < complex_.face_capacity(); ++face)
-      if (!complex_.is_dead(face))
-        greatest = std::max(greatest, distances_[face]);
-    return greatest;
   }
 
   // Which end is kept, and which is gone.
@@ -446,7 +361,7 @@ private:
   // All of a contraction but the faces.
   void move(Scratch& scratch, Index kept, Index gone, const Candidate& candidate) {
     if constexpr (asks_for_distance)
-      bound_faces(scratch);
+      distances_.set(scratch.star, scratch.bounds);
     pairs_.merge(kept, gone);
     merged_into_[gone] = kept;
     is_moved_[kept] |= candidate.target != costs_.positions()[kept];
@@ -460,13 +375,6 @@ private:
     scratch.tally.error = std::max(scratch.tally.error, candidate.error);
   }
 
-  void bound_faces(const Scratch& scratch) {
-    auto bound = scratch.bounds.begin();
-    for (const auto* faces : {&scratch.star.first, &scratch.star.second})
-      for (const StarFace& f : *faces)
-        distances_.set(f.face, *bound++);
-  }
-
   void drop_doubled_faces() {
     for (Index v = 0; v < vertex_capacity(); ++v)
       Leftovers(complex_, scratch_).drop_doubled_faces(v);
@@ -477,7 +385,7 @@ private:
   Scale<dimension> scale_;
   TriangleComplex complex_;
   Scratch scratch_;
-  PairLists pairs_; // those of the policy that are not edges
+  PairFinder<typename Policies::Pairs> pairs_;
   bool is_topology_kept_;
   LinkCondition link_condition_;
   DistanceBounds distances_{0};               // of no face where nobody asks
@@ -485,8 +393,7 @@ private:
   std::vector<std::array<Index, 2>> creases_; // edges that the user named
   std::vector<Index> merged_into_;            // of each vertex that is gone
   PairCosts<Policies> costs_;
-  Status status_;
-  Tally total_;
+  Progress progress_;
   std::size_t initial_components_ = 0;
 };
 

@@ -84,7 +84,7 @@ private:
       after.faces -= std::min(after.faces, faces_per_contraction * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
-      after.next_error = after.next_distance = 0;
+      after.next_error = 0;
       return after;
     };
     const auto& stop = surface_.policies().stop;
