@@ -29,8 +29,8 @@ std::vector<Contender> our_contenders() {
           {"Quadrille relaxed", "Quadric, OptimalPlacement, RelaxedOrder{}, Surface_mesh",
            simplify_in<Quadric>(RelaxedOrder{})},
           {"Quadrille relaxed refreshed",
-           "Quadric, OptimalPlacement, RelaxedOrder{.share = 0.1, .refresh = true}, Surface_mesh",
-           simplify_in<Quadric>(RelaxedOrder{.share = 0.1, .refresh = true})}};
+           "Quadric, OptimalPlacement, RelaxedOrder{.share = 0.2, .refresh = true}, Surface_mesh",
+           simplify_in<Quadric>(RelaxedOrder{.share = 0.2, .refresh = true})}};
 }
 
 } // namespace bench

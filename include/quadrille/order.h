@@ -23,7 +23,7 @@ struct GreedyOrder {};
 /// at its end. The blocks do not depend on the number of threads, so neither does the result.
 struct RelaxedOrder {
   /// The part of the pairs, the cheapest, that a pass looks at: in (0, 1]. Less is slower and
-  /// closer to greedy order; with `refresh`, 0.1 comes close to MemorylessQuadric in greedy order.
+  /// closer to greedy order; with `refresh`, 0.2 comes close to MemorylessQuadric in greedy order.
   double share = 0.5;
 
   /// After each pass, let vertices remember the surface as it is then, instead of all planes that

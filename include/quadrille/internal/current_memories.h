@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -41,13 +40,12 @@ private:
   Index opposite_ = none;
 };
 
-/// What the faces around a vertex say, one by one: for its pairs, each of which shares some.
+/// What a vertex of few faces shares with each of its neighbours.
 template <class Cost>
 class CurrentStar {
 public:
   static constexpr std::size_t most_faces = 16;
 
-  /// The vertex has at most most_faces.
   template <class Positions>
   CurrentStar(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex)
       : v_(v) {
@@ -76,6 +74,44 @@ private:
   std::array<typename Cost::Current, most_faces> faces_;
 };
 
+/// The same for any number of faces. It marks the neighbours.
+template <class Cost>
+class CurrentHub {
+public:
+  template <class Positions>
+  CurrentHub(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex,
+             Marks& marks)
+      : v_(v), marks_(marks) {
+    marks.clear();
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(complex, face, i);
+      const auto now = cost.current_face(positions[v], positions[f.second], positions[f.third]);
+      at(f.second).add(now, f.third);
+      at(f.third).add(now, f.second);
+    });
+  }
+
+  template <class Positions>
+  typename Cost::Current shared_with(Index w, const Cost& cost, const Positions& positions) const {
+    if (!marks_.is_marked(w))
+      return {}; // no edge
+    return shared_[marks_[w]].sum(v_, w, cost, positions);
+  }
+
+private:
+  SharedCurrent<Cost>& at(Index w) {
+    if (!marks_.is_marked(w)) {
+      marks_.set(w, static_cast<Index>(shared_.size()));
+      shared_.emplace_back();
+    }
+    return shared_[marks_[w]];
+  }
+
+  Index v_;
+  Marks& marks_;
+  std::vector<SharedCurrent<Cost>> shared_; // by the mark
+};
+
 /// What each vertex knows of the surface as it is now, for a cost that asks for that: the sum over
 /// its faces and boundary edges, kept up to date through contractions.
 template <class Cost>
@@ -98,8 +134,6 @@ public:
   /// See SharedCurrent.
   static Current shared(Index a, Index b, const Cost& cost, const Positions& positions,
                         const TriangleComplex& complex) {
-    if (complex.degree_bound(b) < complex.degree_bound(a))
-      std::swap(a, b); // all planes of what they share go through both
     SharedCurrent<Cost> shared;
     complex.for_each_corner(a, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex, face, i);

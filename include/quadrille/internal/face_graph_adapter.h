@@ -133,6 +133,7 @@ private:
 
   void read_vertices(SurfaceInput<dimension>& surface) {
     const auto range = vertices(mesh_);
+    vertices_.reserve(num_vertices(mesh_));
     std::size_t index_end = 0;
     for (Vertex v : range) {
       vertices_.push_back(v);
@@ -157,6 +158,7 @@ private:
   }
 
   void read_faces(SurfaceInput<dimension>& surface) {
+    surface.triangles.reserve(num_faces(mesh_));
     for (Face f : faces(mesh_)) {
       const std::array<Halfedge, 3> h = halfedges_of(f);
       if (next(h[2], mesh_) != h[0])

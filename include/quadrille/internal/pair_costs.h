@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_PAIR_COSTS_H
 
 #include <quadrille/internal/current_memories.h>
+#include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/scratch.h>
@@ -117,7 +118,7 @@ public:
     scratch.costs.add(pairs.size());
     if constexpr (has_fast_costs)
       if (!is_any_fixed()) {
-        evaluate_in_twos(pairs, costs);
+        evaluate_in_twos(pairs, costs, scratch.marks);
         return;
       }
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -134,8 +135,8 @@ public:
 
 private:
   static constexpr bool has_fast_costs =
-      (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric>)&& //
-      std::same_as<typename Policies::Placement, OptimalPlacement>;
+      std::same_as<typename Policies::Placement, OptimalPlacement> &&
+      (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric>);
 
   static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
 
@@ -148,7 +149,7 @@ private:
   using Two = std::array<VertexPair, 2>;
 
   // The last one alone twice, if need be.
-  void evaluate_in_twos(const Room<VertexPair>& pairs, float* costs) const {
+  void evaluate_in_twos(const Room<VertexPair>& pairs, float* costs, Marks&) const {
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
       const Two two = {pairs[i], pairs[std::min(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
@@ -160,30 +161,31 @@ private:
   }
 
   // One vertex after the other, since its pairs share what its faces say.
-  void evaluate_in_twos(const Room<VertexPair>& pairs,
-                        float* costs) const requires asks_for_current<Cost> {
+  void evaluate_in_twos(const Room<VertexPair>& pairs, float* costs,
+                        Marks& marks) const requires asks_for_current<Cost> {
+    const Cost& cost = policies_.cost;
     for (std::size_t i = 0, end = 0; i < pairs.size(); i = end) {
       const Index v = pairs[i].first;
       while (end < pairs.size() && pairs[end].first == v)
         ++end;
       if (complex_.degree_bound(v) <= CurrentStar<Cost>::most_faces)
-        evaluate_around(v, pairs, i, end, costs);
+        evaluate_around(CurrentStar<Cost>(v, cost, positions_, complex_), pairs, i, end, costs);
       else
-        for (; i < end; ++i)
-          costs[i] = cost_of(pairs[i]);
+        evaluate_around(CurrentHub<Cost>(v, cost, positions_, complex_, marks), pairs, i, end,
+                        costs);
     }
   }
-  void evaluate_around(Index v, const Room<VertexPair>& pairs, std::size_t i, std::size_t end,
-                       float* costs) const requires asks_for_current<Cost> {
-    const Cost& cost = policies_.cost;
-    const CurrentStar<Cost> star(v, cost, positions_, complex_);
+  template <class Star>
+  void evaluate_around(const Star& star, const Room<VertexPair>& pairs, std::size_t i,
+                       std::size_t end, float* costs) const {
     for (; i < end; i += 2) {
       const Two two = {pairs[i], pairs[std::min(i + 1, end - 1)]};
-      const Index w0 = two[0].second, w1 = two[1].second;
-      const Lanes values = least_values(
-          current_[v], {&current_[w0], &current_[w1]},
-          {star.shared_with(w0, cost, positions_), star.shared_with(w1, cost, positions_)},
-          ways(two), squared_reaches(two));
+      const auto& [p, q] = two;
+      const Lanes values =
+          least_values(current_[p.first], {&current_[p.second], &current_[q.second]},
+                       {star.shared_with(p.second, policies_.cost, positions_),
+                        star.shared_with(q.second, policies_.cost, positions_)},
+                       ways(two), squared_reaches(two));
       write(two, values, costs + i);
     }
   }

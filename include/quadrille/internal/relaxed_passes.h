@@ -54,9 +54,9 @@ private:
   };
 
   struct Block {
-    Index begin, end;       // vertices
-    std::size_t sample_end; // costs of the sample up to here lie in this block or before
-    std::size_t allowance;  // contractions
+    Index begin, end;          // vertices
+    std::vector<float> sample; // what some of its pairs cost
+    std::size_t allowance = 0; // contractions
     std::vector<Proposal> rest;
   };
 
@@ -126,7 +126,7 @@ private:
     std::size_t in_block = block_size;
     for (Index v = 0; v < block_.size(); ++v) {
       if (surface_.complex().has_faces(v) && in_block++ == block_size) {
-        blocks_.push_back({v, v, 0, 0, {}});
+        blocks_.push_back({v, v, {}, 0, {}});
         in_block = 1;
       }
       block_[v] = static_cast<Index>(blocks_.size()) - 1;
@@ -137,23 +137,25 @@ private:
 
   // What the pairs of one vertex in 16 cost.
   void sample() {
-    costs_.clear();
-    for (Block& block : blocks_) {
+    parallel_for(threads(), blocks_.size(), [&](std::size_t index, std::size_t worker) {
+      Block& block = blocks_[index];
       for (Index v = block.begin; v < block.end; v += sample_step)
-        surface_.for_each_pair_above(workers_.front().scratch, v, v + 1,
-                                     [&](Index, Index, float cost) { costs_.push_back(cost); });
-      block.sample_end = costs_.size();
-    }
+        surface_.for_each_pair_above(
+            workers_[worker].scratch, v, v + 1,
+            [&](Index, Index, float cost) { block.sample.push_back(cost); });
+    });
   }
 
   // The share of the pairs costs no more; less at the end, when there are few contractions to go.
   float cost_limit(std::size_t quota) const {
+    std::vector<float> costs;
+    for (const Block& block : blocks_)
+      costs.insert(costs.end(), block.sample.begin(), block.sample.end());
     const std::size_t rank =
-        std::min(static_cast<std::size_t>(order_.share * static_cast<double>(costs_.size())),
+        std::min(static_cast<std::size_t>(order_.share * static_cast<double>(costs.size())),
                  pairs_per_contraction * quota / sample_step);
-    if (rank >= costs_.size())
+    if (rank >= costs.size())
       return std::numeric_limits<float>::infinity();
-    std::vector<float> costs = costs_;
     const auto nth = costs.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(costs.begin(), nth, costs.end());
     return *nth;
@@ -161,17 +163,16 @@ private:
 
   // To blocks, by the cheap pairs that the sample has found there.
   void share_out(std::size_t quota, float limit) {
-    const auto is_cheap = [limit](float cost) { return cost <= limit; };
-    const auto at = [this](std::size_t i) {
-      return costs_.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto cheap_ones = [limit](const Block& block) {
+      const auto is_cheap = [limit](float cost) { return cost <= limit; };
+      return static_cast<std::size_t>(
+          std::count_if(block.sample.begin(), block.sample.end(), is_cheap));
     };
-    const auto all = static_cast<std::size_t>(std::count_if(at(0), costs_.end(), is_cheap));
-    std::size_t begin = 0;
-    for (Block& block : blocks_) {
-      const auto cheap = std::count_if(at(begin), at(block.sample_end), is_cheap);
-      block.allowance = quota * static_cast<std::size_t>(cheap) / std::max<std::size_t>(all, 1);
-      begin = block.sample_end;
-    }
+    std::size_t all = 1;
+    for (const Block& block : blocks_)
+      all += cheap_ones(block);
+    for (Block& block : blocks_)
+      block.allowance = quota * cheap_ones(block) / all;
   }
 
   // The cheap pairs of a block, in the order of their costs.
@@ -211,10 +212,10 @@ private:
     Block& block = blocks_[index];
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && block.allowance > 0; ++i) {
-      prefetch(proposals, i);
+      prefetch(proposals, i, block.end);
       if (is_touched(proposals[i]))
         continue;
-      if (block_[proposals[i].second] == index) {
+      if (proposals[i].second < block.end) {
         gather(worker.scratch, proposals[i]);
         if (is_inside(worker.scratch.star, index)) {
           block.allowance -= contract(worker.scratch, proposals[i]);
@@ -234,7 +235,7 @@ private:
     sort(worker);
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && quota > 0; ++i) {
-      prefetch(proposals, i);
+      prefetch(proposals, i, none);
       if (is_touched(proposals[i]))
         continue;
       gather(worker.scratch, proposals[i]);
@@ -243,10 +244,12 @@ private:
     surface_.count(worker.scratch.tally);
   }
 
-  // The proposals of a block lie anywhere in it.
-  void prefetch(const Room<Proposal>& proposals, std::size_t i) const {
+  // Proposals lie anywhere. Those that lead to `end` or beyond are others' business.
+  void prefetch(const Room<Proposal>& proposals, std::size_t i, Index end) const {
     surface_.prefetch([&](std::size_t ahead) {
-      return i + ahead < proposals.size() ? &proposals[i + ahead] : nullptr;
+      return i + ahead < proposals.size() && proposals[i + ahead].second < end
+                 ? &proposals[i + ahead]
+                 : nullptr;
     });
   }
 
@@ -298,7 +301,6 @@ private:
   std::vector<Index> block_;              // of each vertex
   std::vector<Block> blocks_;
   std::vector<Worker> workers_;
-  std::vector<float> costs_; // of the sample
 };
 
 } // namespace quadrille::internal
