@@ -141,8 +141,7 @@ inline bool is_place_of(const Soup& soup, const Position& p) {
 }
 
 /// Two closed surfaces, a little apart; in floats, which every kind of mesh can hold.
-inline Soup two_parts() {
-  const Soup a = random_closed(1), b = random_closed(2);
+inline Soup two_parts(const Soup& a = random_closed(1), const Soup& b = random_closed(2)) {
   const auto highest_x = [](const Soup& soup, double sign) {
     double x = -1e300;
     for (const auto& p : soup.points)

@@ -36,9 +36,9 @@ std::vector<Surface> surfaces() {
           {"with holes", test::random_with_borders(4)}};
 }
 
-template <class Cost, class M = test::Mesh>
+template <class Cost>
 Soup simplified(const Soup& soup, Report* report = nullptr) {
-  M mesh = test::make_mesh<M>(soup);
+  test::Mesh mesh = test::make_mesh(soup);
   const Report told = simplify<Cost, OptimalPlacement>(mesh, FaceRatio{0.25});
   if (report)
     *report = told;
@@ -148,18 +148,4 @@ TEMPLATE_TEST_CASE("The numbers of vertices and faces do not matter", "", Quadri
                                   1e-7 * test::diagonal(soup)));
     }
   }
-}
-
-TEMPLATE_TEST_CASE("With points of floats the result is the nearest floats of that with doubles", "",
-                   Quadric, MemorylessQuadric) {
-  using Floats = CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>;
-  for (const auto& [name, soup] : surfaces())
-    for (double offset : {0.0, 1000.0}) {
-      CAPTURE(name, offset);
-      const Soup input = test::as_floats(test::mapped(soup, [&](const Position& p) {
-        return p + Position{{offset, offset, -offset}};
-      }));
-      const Soup of_doubles = test::as_floats(simplified<TestType>(input));
-      CHECK(difference(simplified<TestType, Floats>(input), of_doubles) == 0);
-    }
 }
