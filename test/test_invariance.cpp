@@ -143,9 +143,8 @@ TEMPLATE_TEST_CASE("The numbers of vertices and faces do not matter", "", Quadri
       }
       for (std::size_t i = other.triangles.size(); i > 1; --i)
         std::swap(other.triangles[i - 1], other.triangles[random.below(i)]);
-      // A memoryless cost counts the point quadrics of the shared faces, 10⁻⁹, at the higher end.
       CHECK(test::is_same_surface(simplified<TestType>(other), expected,
-                                  1e-7 * test::diagonal(soup)));
+                                  1e-10 * test::diagonal(soup)));
     }
   }
 }
