@@ -1,0 +1,36 @@
+// Every cost with every placement and all pairs, in relaxed order.
+#include "policies_on_all.h"
+
+namespace {
+
+using namespace test;
+
+// The parts are so large that passes pay: the result is not that of greedy order.
+template <class Cost>
+void check_relaxed(const Cost& cost) {
+  for_all_placements_and_pairs(cost, [](const auto&... policies) {
+    const Soup soup = two_parts(with_noise(cube(6), 1, 0.1), with_noise(cube(6), 2, 0.1));
+    const Result greedy = check_result<OnSoup>(soup, policies..., GreedyOrder{});
+    for (const RelaxedOrder& order : {RelaxedOrder{}, RelaxedOrder{.refresh = true}}) {
+      INFO("in passes" << (order.refresh ? ", refreshed" : ""));
+      const Result relaxed = check_result<OnSoup>(soup, policies..., order);
+      CHECK(relaxed.soup.triangles != greedy.soup.triangles);
+    }
+  });
+}
+
+} // namespace
+
+TEST_CASE("Costs of shape go with all that fits in relaxed order") {
+  check_relaxed(Quadric{});
+  check_relaxed(Quadric{.crease_degrees = 40, .weighting = Weighting::uniform});
+  check_relaxed(MemorylessQuadric{});
+  check_relaxed(EdgeLength{});
+}
+
+TEST_CASE("Costs of attributes go with all placements and pairs in relaxed order") {
+  check_relaxed(ColorQuadric{});
+  check_relaxed(TextureQuadric{});
+  check_relaxed(AttributeQuadric<1>{});
+  check_relaxed(NormalQuadric{});
+}
