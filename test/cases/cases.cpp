@@ -318,9 +318,9 @@ double squared_distance_to_segment(const Position& x, const Position& p, const P
 
 double squared_distance_to_triangle(const Position& x, const Position& p, const Position& q,
                                     const Position& r) {
-  double least = std::min({squared_distance_to_segment(x, p, q),
-                           squared_distance_to_segment(x, q, r),
-                           squared_distance_to_segment(x, r, p)});
+  double least =
+      std::min({squared_distance_to_segment(x, p, q), squared_distance_to_segment(x, q, r),
+                squared_distance_to_segment(x, r, p)});
   const Position n = cross(q - p, r - p);
   const auto is_left = [&](const Position& a, const Position& b) {
     return dot(cross(b - a, x - a), n) >= 0;
@@ -432,9 +432,9 @@ private:
     const auto require_near = [&](const Position& x) {
       double nearest = std::numeric_limits<double>::infinity();
       for (const auto& [a, b, c] : before_.triangles)
-        nearest = std::min(nearest, squared_distance_to_triangle(x, before_.points[a],
-                                                                 before_.points[b],
-                                                                 before_.points[c]));
+        nearest =
+            std::min(nearest, squared_distance_to_triangle(x, before_.points[a], before_.points[b],
+                                                           before_.points[c]));
       require(std::sqrt(nearest) <= limit, "the result is further away than distance_bound");
     };
     for (const auto& [a, b, c] : after_.triangles) {

@@ -56,15 +56,28 @@ inline constexpr bool is_given =
     !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
 
 /// What run() calls for each vertex that is left.
+struct TellNothing {
+  static constexpr bool asks_for_memories = false;
+  void operator()(const auto&...) const {}
+};
+
+template <class QuadricMap>
+struct TellQuadric {
+  static constexpr bool asks_for_memories = true;
+  QuadricMap quadrics;
+
+  void operator()(const auto& key, Index v, const auto& result) const {
+    put(quadrics, key, result.mean_quadric(v));
+  }
+};
+
 template <class NamedParameters>
 auto teller(const NamedParameters& named) {
   const auto quadrics = CGAL::parameters::get_parameter(named, parameters::vertex_quadric);
   if constexpr (is_given<decltype(quadrics)>)
-    return [quadrics](const auto& key, Index v, const auto& result) {
-      put(quadrics, key, result.mean_quadric(v));
-    };
+    return TellQuadric<std::remove_const_t<decltype(quadrics)>>{quadrics};
   else
-    return [](const auto&...) {};
+    return TellNothing();
 }
 
 template <class Mesh, class Policies, class NamedParameters>

@@ -232,6 +232,15 @@ public:
     report.non_manifold_vertices = count.non_manifold_vertices;
   }
 
+  /// Gives memory back that only contractions need, and unless `keeps_memories` what vertices
+  /// remember.
+  void release(bool keeps_memories) {
+    complex_.release_corners();
+    costs_.release(keeps_memories);
+    scratch_ = Scratch(0);
+    distances_ = DistanceBounds(0);
+  }
+
   const Status& status() const { return progress_.status; }
   const Policies& policies() const { return policies_; }
   TriangleComplex& complex() { return complex_; }

@@ -133,6 +133,14 @@ public:
     update_reach(star, kept);
   }
 
+  /// Gives memory back that only costs need, and unless `keeps_memories` what vertices remember.
+  void release(bool keeps_memories) {
+    current_ = {};
+    squared_reach_ = std::vector<float>();
+    if (!keeps_memories)
+      memories_ = std::vector<Memory>();
+  }
+
 private:
   static constexpr bool has_fast_costs =
       std::same_as<typename Policies::Placement, OptimalPlacement> &&

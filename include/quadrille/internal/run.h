@@ -62,6 +62,7 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   PairContraction<Policies> surface(std::move(input), policies);
   contract(surface, report, watch);
   surface.complete(report);
+  surface.release(Tell::asks_for_memories);
   report.seconds.contract = watch.lap();
 
   report.duplicated_vertices = adapter.write(Result<Policies>(surface, spatial_order), tell);

@@ -46,12 +46,12 @@ public:
   Index vertex_at(Index rank) const { return vertex_.empty() ? rank : vertex_[rank]; }
 
 private:
-  static constexpr std::size_t least_vertices = 1 << 14; // what fits into a cache needs no order
+  static constexpr std::size_t least_vertices = 1 << 12; // what fits into a cache needs no order
 
   // Is the distance of the numbers along an edge that of a good order, a few √n, for most edges?
   static bool is_coherent(const std::vector<TriangleComplex::Triangle>& triangles) {
     constexpr std::size_t samples = 1024;
-    constexpr std::int64_t near = 4096;
+    constexpr std::int64_t near = 1024;
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / samples);
     std::size_t far = 0, seen = 0;
     for (std::size_t f = 0; f < triangles.size(); f += step, ++seen)

@@ -115,6 +115,9 @@ public:
   /// Builds all lists anew, in linear time, each in the order of its faces.
   void build_lists();
 
+  /// Gives the memory of the lists back. After that no walk is possible; has_faces() still is.
+  void release_corners() { pool_ = std::vector<Index>(); }
+
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
   /// where its corners are, the corners, the faces.
   void prefetch(Index vertex) const { __builtin_prefetch(&lists_[vertex]); }
