@@ -11,6 +11,7 @@ colours = "#d7191c #e66101 #8c510a #2166ac #92c5de"
 set logscale x
 set xlabel "faces"
 set ylabel "RMS distance, CGAL GH plane = 1"
+set xrange [50 : 20000]
 set yrange [0.5 : 1.6]
 set grid linecolor rgb "gray85"
 set key top right noenhanced
