@@ -19,7 +19,9 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -291,6 +293,7 @@ private:
   }
 
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
+
   std::vector<Position> scaled(std::vector<Position> positions) const {
     scale_.apply(positions);
     return positions;

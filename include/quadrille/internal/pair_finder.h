@@ -69,10 +69,7 @@ private:
     listed_.for_each_partner(v, [&](Index w) {
       if (!complex_.has_faces(w) || marks.is_marked_with(w, by_list))
         return false; // a leftover, or a pair that has become the same as another
-      if (!marks.is_marked(w) && w >= least) {
-        *scratch.pairs.extend(1) = {v, w};
-        scratch.pairs.add(1);
-      }
+      scratch.pairs.add_if(!marks.is_marked(w) && w >= least, {v, w});
       marks.set(w, by_list);
       return true;
     });

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_RELAXED_PASSES_H
 #define QUADRILLE_INTERNAL_RELAXED_PASSES_H
 
+#include <quadrille/internal/digit_sort.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/parallel.h>
 #include <quadrille/internal/scratch.h>
@@ -8,12 +9,10 @@
 #include <quadrille/report.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -181,8 +180,7 @@ private:
     proposals.clear();
     surface_.for_each_pair_above(worker.scratch, block.begin, block.end,
                                  [&](Index v, Index w, float cost) {
-                                   *proposals.extend(1) = {cost, v, w};
-                                   proposals.add(cost <= limit); // no branch: one in two is
+                                   proposals.add_if(cost <= limit, {cost, v, w});
                                  });
     sort(worker);
   }
@@ -192,17 +190,11 @@ private:
     for (int shift : {16, 24}) {
       const Room<Proposal>& from = worker.proposals;
       worker.sorted.clear();
-      Proposal* const to = worker.sorted.extend(from.size());
+      sort_by_digit<8>(from.data(), from.size(), worker.sorted.extend(from.size()),
+                       [shift](const Proposal& p) {
+                         return (std::bit_cast<std::uint32_t>(p.cost) >> shift) & 255;
+                       });
       worker.sorted.add(from.size());
-      std::array<std::size_t, 257> begin{};
-      const auto digit = [&](const Proposal& p) {
-        return (std::bit_cast<std::uint32_t>(p.cost) >> shift) & 255;
-      };
-      for (std::size_t i = 0; i < from.size(); ++i)
-        ++begin[digit(from[i]) + 1];
-      std::partial_sum(begin.begin(), begin.end(), begin.begin());
-      for (std::size_t i = 0; i < from.size(); ++i)
-        to[begin[digit(from[i])]++] = from[i];
       std::swap(worker.proposals, worker.sorted);
     }
   }

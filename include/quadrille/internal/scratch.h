@@ -39,9 +39,14 @@ public:
   }
   /// So many of them have been written.
   void add(std::size_t count) { size_ += count; }
+  /// Writes a value, and lets it stay or not: without a branch.
+  void add_if(bool stays, const T& value) {
+    *extend(1) = value;
+    add(stays);
+  }
 
-  T& operator[](std::size_t i) { return values_[i]; }
   const T& operator[](std::size_t i) const { return values_[i]; }
+  const T* data() const { return values_.data(); }
 
 private:
   std::vector<T> values_;

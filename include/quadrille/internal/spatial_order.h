@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_SPATIAL_ORDER_H
 #define QUADRILLE_INTERNAL_SPATIAL_ORDER_H
 
+#include <quadrille/internal/digit_sort.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -92,12 +92,8 @@ private:
     std::vector<Index> order(keys.size()), next(keys.size());
     std::iota(order.begin(), order.end(), 0);
     for (int shift = 0; shift < 30; shift += 10) {
-      std::array<Index, 1025> begin{};
-      for (std::uint32_t key : keys)
-        ++begin[((key >> shift) & 1023) + 1];
-      std::partial_sum(begin.begin(), begin.end(), begin.begin());
-      for (Index i : order)
-        next[begin[(keys[i] >> shift) & 1023]++] = i;
+      sort_by_digit<10>(order.data(), order.size(), next.data(),
+                        [&](Index i) { return (keys[i] >> shift) & 1023; });
       order.swap(next);
     }
     return order;
