@@ -144,6 +144,13 @@ TEST_CASE("The current memories of a surface with borders are those of its faces
     check(test::random_with_borders(seed), seed);
 }
 
+TEST_CASE("A vertex of many faces shares with its neighbours what one of few does") {
+  Soup soup = test::with_noise(test::uv_sphere(24, 6), 5, 0.02); // 24 faces at each pole
+  check(soup, 5);
+  soup.triangles.erase(soup.triangles.begin()); // now one pole lies on a border
+  check(soup, 6);
+}
+
 TEST_CASE("Current memories follow where topology is free") {
   check(test::random_with_borders(4), 4, Topology::free);
 }
