@@ -47,9 +47,15 @@ public:
   /// finite.
   SurfaceInput<dimension> read() {
     SurfaceInput<dimension> surface;
+    index_vertices();
     read_vertices(surface);
     read_faces(surface);
     return surface;
+  }
+  /// Gives memory back that write() can fill anew.
+  void release() {
+    vertices_ = std::vector<Vertex>();
+    dense_ = std::vector<Index>();
   }
 
   /// Fixes the vertices of which get(map, vertex) is true.
@@ -86,14 +92,16 @@ public:
   /// that is left. Returns how many vertices it had to duplicate.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
+    index_vertices();
+    number_vertices(result);
     collect_faces(result);
-    umbrellas_.build(sides_, result.vertex_count(), [this](Index i, Index j) {
+    umbrellas_.build(sides_, left_.size(), [this](Index i, Index j) {
       return opposite(halfedges_[i], mesh_) == halfedges_[j];
     });
     if (!result.is_closed())
       collect_border(result);
     choose_halfedges(result);
-    collect_doomed(result);
+    doomed_edges_.reserve(num_edges(mesh_));
     write_points(result, tell);
     write_connectivity();
     return umbrellas_.duplicates().size();
@@ -131,19 +139,23 @@ private:
         visit(e, index(source(e, mesh_)), index(target(e, mesh_)));
   }
 
-  void read_vertices(SurfaceInput<dimension>& surface) {
-    const auto range = vertices(mesh_);
+  void index_vertices() {
+    vertices_.clear();
     vertices_.reserve(num_vertices(mesh_));
     std::size_t index_end = 0;
-    for (Vertex v : range) {
+    for (Vertex v : vertices(mesh_)) {
       vertices_.push_back(v);
       index_end = std::max(index_end, static_cast<std::size_t>(get(indices_, v)) + 1);
     }
     TriangleComplex::check_size(vertices_.size(), 0);
     dense_.assign(index_end, none);
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+      dense_[get(indices_, vertices_[i])] = static_cast<Index>(i);
+  }
+
+  void read_vertices(SurfaceInput<dimension>& surface) {
     surface.positions.resize(vertices_.size());
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      dense_[get(indices_, vertices_[i])] = static_cast<Index>(i);
       surface.positions[i] = read_position(vertices_[i]);
       require_finite(surface.positions[i], i);
     }
@@ -180,8 +192,35 @@ private:
 
   Index index(Vertex v) const { return dense_[get(indices_, v)]; }
 
+  // Counts off the vertices that are left. From here on, edges are told by these numbers.
+  template <class Result>
+  void number_vertices(const Result& result) {
+    number_.assign(result.vertex_count(), none);
+    doomed_vertices_.reserve(vertices_.size());
+    for (Index v = 0; v < vertices_.size(); ++v) {
+      if (!result.has_vertex(v)) {
+        doomed_vertices_.push_back(vertices_[v]);
+        continue;
+      }
+      number_[result.image(v)] = static_cast<Index>(left_.size());
+      left_.push_back(v);
+    }
+    std::erase_if(fixed_edges_, [&](const NamedEdge& e) { // of no face
+      return !result.has_vertex(e.low) || !result.has_vertex(e.high);
+    });
+    for (NamedEdge& e : fixed_edges_) // they stay in order
+      e.low = number_of(e.low, result), e.high = number_of(e.high, result);
+  }
+
+  // Of what a vertex has become part of.
+  template <class Result>
+  Index number_of(Index v, const Result& result) const {
+    return number_[result.image(v)];
+  }
+
   template <class Result>
   void collect_faces(const Result& result) {
+    doomed_faces_.reserve(num_faces(mesh_));
     Index i = 0;
     for (Face f : faces(mesh_)) {
       const Index face = i++;
@@ -193,7 +232,7 @@ private:
       const auto corners = result.corners(face);
       const auto h = halfedges_of(f);
       for (std::size_t k = 0; k < 3; ++k) {
-        sides_.push_back({corners[k == 0 ? 2 : k - 1], corners[k]});
+        sides_.push_back({number_[corners[k == 0 ? 2 : k - 1]], number_[corners[k]]});
         halfedges_.push_back(h[k]);
       }
     }
@@ -205,8 +244,8 @@ private:
     for (Halfedge h : halfedges(mesh_)) {
       if (!CGAL::is_border(h, mesh_))
         continue;
-      const Index v = result.image(index(source(h, mesh_))),
-                  w = result.image(index(target(h, mesh_)));
+      const Index v = number_of(index(source(h, mesh_)), result),
+                  w = number_of(index(target(h, mesh_)), result);
       if (v != w)
         border_edges_.push_back({std::min(v, w), std::max(v, w), edge(h, mesh_)});
     }
@@ -244,34 +283,25 @@ private:
   template <class Result>
   Halfedge half_along(Edge e, const Side& side, const Result& result) const {
     const Halfedge h = halfedge(e, mesh_);
-    return result.image(index(target(h, mesh_))) == side.to ? h : opposite(h, mesh_);
-  }
-
-  template <class Result>
-  void collect_doomed(const Result& result) {
-    for (Index v = 0; v < vertices_.size(); ++v)
-      if (!result.has_vertex(v))
-        doomed_vertices_.push_back(vertices_[v]);
-    doomed_edges_.reserve(num_edges(mesh_));
+    return number_of(index(target(h, mesh_)), result) == side.to ? h : opposite(h, mesh_);
   }
 
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
   template <class Result, class Tell>
   void write_points(const Result& result, Tell tell) {
     std::vector<Vertex> added;
-    added.reserve(umbrellas_.duplicates().size());
-    vertices_.reserve(vertices_.size() + umbrellas_.duplicates().size());
+    added.reserve(umbrellas_.duplicates().size()); // so that none is lost
     Undo undo;
     try {
-      for (Index v = 0; v < result.vertex_count(); ++v) {
-        if (!result.has_vertex(v))
-          continue;
+      for (Index v : left_) {
         if (result.is_moved(v))
           write_position(vertices_[v], result.position(v), undo);
         tell(vertices_[v], v, result);
       }
-      for (Index original : umbrellas_.duplicates()) {
+      for (Index number : umbrellas_.duplicates()) {
+        const Index original = left_[number];
         added.push_back(add_vertex(mesh_));
+        left_.push_back(static_cast<Index>(vertices_.size()));
         vertices_.push_back(added.back());
         put(points_, added.back(), Point(get(points_, vertices_[original])));
         if constexpr (Attributes::size > 0)
@@ -297,11 +327,11 @@ private:
 
   void write_connectivity() {
     const Face no_face = Traits::null_face();
-    for (Face f : doomed_faces_)
-      for (Halfedge h : halfedges_of(f))
-        set_face(h, no_face, mesh_);
-    for (Halfedge h : halfedges_)
+    for (Edge e : edges(mesh_)) {
+      const Halfedge h = halfedge(e, mesh_);
       set_face(h, no_face, mesh_);
+      set_face(opposite(h, mesh_), no_face, mesh_);
+    }
     for (std::size_t i = 0; i < faces_.size(); ++i)
       link_face(static_cast<Index>(i));
     for (const auto& [in, out] : umbrellas_.border_links())
@@ -326,18 +356,20 @@ private:
       const Halfedge h = chosen_[side];
       set_face(h, f, mesh_);
       set_next(h, chosen_[3 * face + (k == 2 ? 0 : k + 1)], mesh_);
-      set_target(h, vertices_[umbrellas_.vertex(side)], mesh_);
+      set_target(h, vertex_at(side), mesh_);
       if (!umbrellas_.is_on_border(umbrellas_.vertex(side)))
-        set_halfedge(vertices_[umbrellas_.vertex(side)], h, mesh_);
+        set_halfedge(vertex_at(side), h, mesh_);
       if (umbrellas_.mate(side) != none)
         continue;
-      const Vertex source = vertices_[umbrellas_.vertex(3 * face + (k == 0 ? 2 : k - 1))];
+      const Vertex source = vertex_at(3 * face + (k == 0 ? 2 : k - 1));
       set_face(opposite(h, mesh_), Traits::null_face(), mesh_);
       set_target(opposite(h, mesh_), source, mesh_);
       set_halfedge(source, opposite(h, mesh_), mesh_);
     }
     set_halfedge(f, chosen_[3 * face], mesh_);
   }
+
+  Vertex vertex_at(Index corner) const { return vertices_[left_[umbrellas_.vertex(corner)]]; }
 
   Mesh& mesh_;
   PointMap points_;
@@ -346,8 +378,10 @@ private:
   std::vector<NamedEdge> fixed_edges_, border_edges_; // sorted
   std::vector<Vertex> vertices_;    // by the engine's index; behind them those that write() adds
   std::vector<Index> dense_;        // the engine's index by the user's, which may have gaps
+  std::vector<Index> left_;         // the vertices that are left, behind them the duplicates
+  std::vector<Index> number_;       // in left_, by the engine's final index
   std::vector<Face> faces_;         // the faces that are left
-  std::vector<Side> sides_;         // three a face: side k leads to corner k
+  std::vector<Side> sides_;         // three a face, of numbers in left_: side k leads to corner k
   std::vector<Halfedge> halfedges_; // of each side before
   std::vector<Halfedge> chosen_;    // and after
   Umbrellas umbrellas_;

@@ -22,20 +22,22 @@ enum class VertexKind : std::uint8_t { interior, unoriented, boundary, singular 
 class VertexClassifier {
 public:
   VertexKind operator()(TriangleComplex& complex, Index v, Marks& marks) {
-    star_.clear();
-    complex.for_each_corner(
-        v, [&](Index face, Index i) { star_.push_back(PairStar::star_face(complex, face, i)); });
+    star_.resize(complex.degree_bound(v));
+    Index faces = 0;
+    marks.clear();
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = star_[faces] = PairStar::star_face(complex, face, i);
+      marks.set(f.second, faces++);
+    });
+    star_.resize(faces);
     return is_oriented_cycle(marks) ? VertexKind::interior : classify(marks);
   }
 
 private:
   // The usual case: each face of the star follows just one other, all round. A vertex of the link
   // is marked with the face that begins at it.
-  bool is_oriented_cycle(Marks& marks) const {
-    marks.clear();
+  bool is_oriented_cycle(const Marks& marks) const {
     const Index faces = static_cast<Index>(star_.size());
-    for (Index i = 0; i < faces; ++i)
-      marks.set(star_[i].second, i);
     Index face = 0;
     for (Index step = 0; step < faces; ++step) {
       const Index end = star_[face].third;

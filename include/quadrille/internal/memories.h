@@ -30,7 +30,7 @@ public:
                       const std::vector<Position>& positions, TriangleComplex& complex,
                       Marks& marks, const std::vector<VertexPair>& creases,
                       IsInterior is_interior) {
-    std::fill(result.begin(), result.end(), Memory{});
+    result.assign(positions.size(), Memory{});
     InitialMemories memories(cost, positions, complex, result);
     memories.add_faces();
     if constexpr (has_boundaries || has_creases)

@@ -102,6 +102,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
       reader.fix_edges(fixed_edges, input);
     if constexpr (is_given<decltype(creases)>)
       reader.name_creases(creases, input);
+    reader.release();
     return input;
   };
   return run(adapter, policies, read, teller(named));

@@ -50,7 +50,8 @@ public:
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, policies.cost)),
-        complex_(input.positions.size(), take_triangles(input)), scratch_(input.positions.size()),
+        complex_(input.positions.size(), take_triangles(input), spare_corners(input)),
+        scratch_(input.positions.size()),
         pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch_.marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
         creases_(std::move(input.creases)), merged_into_(input.positions.size(), none),
@@ -276,6 +277,11 @@ private:
       scale.set_attribute_weights(
           cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()));
     return scale;
+  }
+
+  // Passes merge nothing before few faces are left.
+  static std::size_t spare_corners(const SurfaceInput<dimension>& input) {
+    return std::same_as<typename Policies::Order, RelaxedOrder> ? 0 : input.triangles.size();
   }
 
   // A pair policy of the user's wants to see them once more.

@@ -37,14 +37,16 @@ public:
   PairCosts(const Policies& policies, const TriangleComplex& complex,
             std::vector<Position> positions, std::vector<bool> is_fixed)
       : policies_(policies), complex_(complex), positions_(std::move(positions)),
-        is_fixed_(std::move(is_fixed)), memories_(positions_.size()),
-        squared_reach_(positions_.size(), 0) {
+        is_fixed_(std::move(is_fixed)), squared_reach_(positions_.size(), 0) {
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_dead(face))
         continue;
       const auto [p, q, r] = complex.vertices(face);
-      for (const auto& [v, w] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)})
-        lengthen_reach(v, w), lengthen_reach(w, v);
+      const float pq = squared_length_of(p, q), qr = squared_length_of(q, r),
+                  rp = squared_length_of(r, p);
+      squared_reach_[p] = std::max({squared_reach_[p], pq, rp});
+      squared_reach_[q] = std::max({squared_reach_[q], pq, qr});
+      squared_reach_[r] = std::max({squared_reach_[r], qr, rp});
     }
   }
 
@@ -216,16 +218,16 @@ private:
   // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing
   // that can change while the pair waits in the queue.
   void update_reach(const PairStar& star, Index kept) {
-    squared_reach_[kept] = 0;
+    float reach = 0;
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
         for (Index w : {f.second, f.third})
-          lengthen_reach(kept, w);
+          reach = std::max(reach, squared_length_of(kept, w));
+    squared_reach_[kept] = reach;
   }
 
-  void lengthen_reach(Index v, Index w) {
-    const double squared = squared_distance(space(positions_[v]), space(positions_[w]));
-    squared_reach_[v] = std::max(squared_reach_[v], static_cast<float>(squared));
+  float squared_length_of(Index v, Index w) const {
+    return static_cast<float>(squared_distance(space(positions_[v]), space(positions_[w])));
   }
 
   const Policies& policies_;

@@ -24,8 +24,10 @@ class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
       : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()),
-        block_(surface.vertex_capacity()) {
-    workers_.assign(order.threads, Worker(surface.vertex_capacity()));
+        other_scratches_(order.threads - 1, Scratch(surface.vertex_capacity())) {
+    workers_.emplace_back(surface.scratch());
+    for (Scratch& scratch : other_scratches_)
+      workers_.emplace_back(scratch);
   }
 
   /// Passes as long as they pay. False if the visitor said so.
@@ -61,9 +63,9 @@ private:
 
   // Each thread has one.
   struct Worker {
-    explicit Worker(std::size_t vertices) : scratch(vertices) {}
+    explicit Worker(Scratch& s) : scratch(s) {}
 
-    Scratch scratch;
+    Scratch& scratch;
     Room<Proposal> proposals, sorted;
   };
 
@@ -71,7 +73,7 @@ private:
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
   static constexpr Index sample_step = 16;
-  static constexpr std::size_t pairs_per_contraction = 3; // so many find enough that can be done
+  static constexpr std::size_t pairs_per_contraction = 4; // so many find enough that can be done
 
   // As many as the stop policy, asked before each, would let pass in a row.
   std::size_t allowed_contractions() const {
@@ -107,13 +109,11 @@ private:
     std::fill(is_touched_.begin(), is_touched_.end(), 0);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
       propose(blocks_[block], limit, workers_[worker]);
-      contract_inside(block, workers_[worker]);
+      contract_inside(blocks_[block], workers_[worker]);
     });
-    for (Worker& worker : workers_) {
-      quota -= worker.scratch.tally.contractions;
+    for (Worker& worker : workers_)
       surface_.count(worker.scratch.tally);
-    }
-    contract_between(quota, workers_.front());
+    contract_between(workers_.front());
     surface_.end_pass(order_.refresh);
   }
 
@@ -123,14 +123,14 @@ private:
   void divide() {
     blocks_.clear();
     std::size_t in_block = block_size;
-    for (Index v = 0; v < block_.size(); ++v) {
-      if (surface_.complex().has_faces(v) && in_block++ == block_size) {
+    for (Index v = 0; v < is_touched_.size(); ++v) {
+      if (!surface_.complex().has_faces(v))
+        continue;
+      if (in_block++ == block_size) {
         blocks_.push_back({v, v, {}, 0, {}});
         in_block = 1;
       }
-      block_[v] = static_cast<Index>(blocks_.size()) - 1;
-      if (!blocks_.empty())
-        blocks_.back().end = v + 1;
+      blocks_.back().end = v + 1;
     }
   }
 
@@ -199,17 +199,16 @@ private:
     }
   }
 
-  // The proposals whose stars lie inside of the block; the others are left for the end of the pass.
-  void contract_inside(std::size_t index, Worker& worker) {
-    Block& block = blocks_[index];
+  // The proposals whose stars lie inside of the block, as many as it may; the others are left for
+  // the end of the pass.
+  void contract_inside(Block& block, Worker& worker) {
     const Room<Proposal>& proposals = worker.proposals;
-    for (std::size_t i = 0; i < proposals.size() && block.allowance > 0; ++i) {
-      prefetch(proposals, i, block.end);
+    for (std::size_t i = 0; i < proposals.size(); ++i) {
       if (is_touched(proposals[i]))
         continue;
-      if (proposals[i].second < block.end) {
+      if (proposals[i].second < block.end && block.allowance > 0) {
         gather(worker.scratch, proposals[i]);
-        if (is_inside(worker.scratch.star, index)) {
+        if (is_inside(worker.scratch.star, block)) {
           block.allowance -= contract(worker.scratch, proposals[i]);
           continue;
         }
@@ -218,7 +217,8 @@ private:
     }
   }
 
-  void contract_between(std::size_t quota, Worker& worker) {
+  // Counts each at once, so that a target is met as exactly as in greedy order.
+  void contract_between(Worker& worker) {
     worker.proposals.clear();
     for (const Block& block : blocks_) {
       std::copy(block.rest.begin(), block.rest.end(), worker.proposals.extend(block.rest.size()));
@@ -226,22 +226,19 @@ private:
     }
     sort(worker);
     const Room<Proposal>& proposals = worker.proposals;
-    for (std::size_t i = 0; i < proposals.size() && quota > 0; ++i) {
-      prefetch(proposals, i, none);
+    for (std::size_t i = 0; i < proposals.size() && !surface_.is_enough(); ++i) {
+      prefetch(proposals, i); // a block is in the cache, these lie anywhere
       if (is_touched(proposals[i]))
         continue;
       gather(worker.scratch, proposals[i]);
-      quota -= contract(worker.scratch, proposals[i]);
+      contract(worker.scratch, proposals[i]);
+      surface_.count(worker.scratch.tally);
     }
-    surface_.count(worker.scratch.tally);
   }
 
-  // Proposals lie anywhere. Those that lead to `end` or beyond are others' business.
-  void prefetch(const Room<Proposal>& proposals, std::size_t i, Index end) const {
+  void prefetch(const Room<Proposal>& proposals, std::size_t i) const {
     surface_.prefetch([&](std::size_t ahead) {
-      return i + ahead < proposals.size() && proposals[i + ahead].second < end
-                 ? &proposals[i + ahead]
-                 : nullptr;
+      return i + ahead < proposals.size() ? &proposals[i + ahead] : nullptr;
     });
   }
 
@@ -253,13 +250,12 @@ private:
     surface_.gather(scratch, proposal.first, proposal.second);
   }
 
-  bool is_inside(const PairStar& star, std::size_t block) const {
+  static bool is_inside(const PairStar& star, const Block& block) {
     bool inside = true;
     for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces) {
-        inside &= block_[f.second] == block;
-        inside &= block_[f.third] == block;
-      }
+      for (const StarFace& f : *faces)
+        for (Index v : {f.second, f.third})
+          inside &= (block.begin <= v) & (v < block.end);
     return inside;
   }
 
@@ -271,7 +267,7 @@ private:
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
       return false;
     }
-    if (is_stop(scratch, proposal, candidate))
+    if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch))
       return false;
     surface_.contract_in_pass(scratch, first, second, candidate);
     is_touched_[first] = is_touched_[second] = 1;
@@ -290,8 +286,8 @@ private:
   PairContraction<Policies>& surface_;
   RelaxedOrder order_;
   std::vector<unsigned char> is_touched_; // no bits: threads write to it
-  std::vector<Index> block_;              // of each vertex
   std::vector<Block> blocks_;
+  std::vector<Scratch> other_scratches_; // than the surface's own
   std::vector<Worker> workers_;
 };
 

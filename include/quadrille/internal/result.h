@@ -11,7 +11,7 @@
 
 namespace quadrille::internal {
 
-/// What became of a surface, in the numbers in which an adapter has read it.
+/// What became of a surface, asked in the numbers in which an adapter has read it.
 template <class Policies>
 class Result {
 public:
@@ -22,16 +22,15 @@ public:
   std::size_t face_count() const { return surface_.complex().face_capacity(); }
 
   bool has_face(Index face) const { return !surface_.complex().is_dead(order_.face_rank(face)); }
-  TriangleComplex::Triangle corners(Index face) const {
-    TriangleComplex::Triangle corners = surface_.complex().vertices(order_.face_rank(face));
-    for (Index& v : corners)
-      v = order_.vertex_at(v);
-    return corners;
+  /// Each as image() tells it.
+  const TriangleComplex::Triangle& corners(Index face) const {
+    return surface_.complex().vertices(order_.face_rank(face));
   }
 
   bool has_vertex(Index v) const { return surface_.complex().has_faces(order_.vertex_rank(v)); }
   bool is_closed() const { return surface_.is_closed(); }
-  Index image(Index v) const { return order_.vertex_at(surface_.image(order_.vertex_rank(v))); }
+  /// The engine's number, below vertex_count(), of what a vertex has become part of.
+  Index image(Index v) const { return surface_.image(order_.vertex_rank(v)); }
   bool is_moved(Index v) const { return surface_.is_moved(order_.vertex_rank(v)); }
   /// With attributes, in the units of the mesh.
   auto position(Index v) const { return surface_.position(order_.vertex_rank(v)); }

@@ -66,7 +66,7 @@ public:
     for (Index v = 0; v < result.vertex_count(); ++v) {
       if (!result.has_vertex(v))
         continue;
-      new_index[v] = static_cast<Index>(std::ranges::size(points));
+      new_index[result.image(v)] = static_cast<Index>(std::ranges::size(points));
       tell(std::ranges::size(points), v, result);
       points.push_back(points_[v]);
       if (result.is_moved(v))
@@ -76,7 +76,7 @@ public:
     for (Index face = 0; face < result.face_count(); ++face)
       if (result.has_face(face))
         triangles.push_back(renumbered(triangles_[face], result.corners(face), new_index));
-    write_attributes(result, new_index);
+    write_attributes(result);
     std::swap(points_, points);
     std::swap(triangles_, triangles);
     return 0;
@@ -123,17 +123,18 @@ private:
   // A new index is never above the old one, so going up nothing is overwritten that is still
   // needed.
   template <class Result>
-  void write_attributes(const Result& result, const std::vector<Index>& new_index) {
+  void write_attributes(const Result& result) {
     if constexpr (Attributes::size > 0) {
       std::vector<AttributeValue<Attributes>> overwritten;
       try {
         for (Index v = 0; v < result.vertex_count(); ++v) {
-          if (new_index[v] == none)
+          if (!result.has_vertex(v))
             continue;
-          overwritten.push_back(attributes_.raw(std::size_t{new_index[v]}));
-          attributes_.put_raw(std::size_t{new_index[v]}, attributes_.raw(std::size_t{v}));
+          const std::size_t index = overwritten.size();
+          overwritten.push_back(attributes_.raw(index));
+          attributes_.put_raw(index, attributes_.raw(std::size_t{v}));
           if (result.is_moved(v))
-            attributes_.write(std::size_t{new_index[v]}, attributes_of(result.position(v)));
+            attributes_.write(index, attributes_of(result.position(v)));
         }
       } catch (...) {
         for (std::size_t v = 0; v < overwritten.size(); ++v)

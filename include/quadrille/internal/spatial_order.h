@@ -29,21 +29,22 @@ public:
   explicit SpatialOrder(SurfaceInput<N>& surface) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    vertex_ = sorted_by(curve_keys(surface.positions));
-    rank_.resize(vertex_.size());
-    for (Index i = 0; i < vertex_.size(); ++i)
-      rank_[vertex_[i]] = i;
-    permute(surface.positions, vertex_);
-    if (!surface.is_fixed.empty())
-      permute(surface.is_fixed, vertex_);
+    rank_ = ranks(sorted_by(curve_keys(surface.positions)));
     for (auto& [v, w] : surface.creases)
       v = rank_[v], w = rank_[w];
-    order_faces(surface.triangles);
+    for (auto& triangle : surface.triangles)
+      for (Index& v : triangle)
+        v = rank_[v];
+    rank_faces(surface.triangles);
+    // The second copy takes the room that the first has left.
+    permute(surface.positions, rank_);
+    permute(surface.triangles, face_rank_);
+    if (!surface.is_fixed.empty())
+      permute(surface.is_fixed, rank_);
   }
 
   Index vertex_rank(Index vertex) const { return rank_.empty() ? vertex : rank_[vertex]; }
   Index face_rank(Index face) const { return face_rank_.empty() ? face : face_rank_[face]; }
-  Index vertex_at(Index rank) const { return vertex_.empty() ? rank : vertex_[rank]; }
 
 private:
   static constexpr std::size_t least_vertices = 1 << 12; // what fits into a cache needs no order
@@ -99,36 +100,36 @@ private:
     return order;
   }
 
-  template <class T>
-  static void permute(std::vector<T>& values, const std::vector<Index>& order) {
-    std::vector<T> permuted;
-    permuted.reserve(values.size());
-    for (Index i : order)
-      permuted.push_back(values[i]);
-    values = std::move(permuted);
+  static std::vector<Index> ranks(const std::vector<Index>& order) {
+    std::vector<Index> ranks(order.size());
+    for (Index i = 0; i < order.size(); ++i)
+      ranks[order[i]] = i;
+    return ranks;
   }
 
   // Faces come in the order of their lowest vertices.
-  void order_faces(std::vector<TriangleComplex::Triangle>& triangles) {
+  void rank_faces(const std::vector<TriangleComplex::Triangle>& triangles) {
+    const auto lowest = [](const TriangleComplex::Triangle& t) {
+      return std::min({t[0], t[1], t[2]});
+    };
     std::vector<Index> begin(rank_.size() + 1, 0);
-    for (auto& triangle : triangles) {
-      for (Index& v : triangle)
-        v = rank_[v];
-      ++begin[*std::min_element(triangle.begin(), triangle.end()) + 1];
-    }
+    for (const auto& triangle : triangles)
+      ++begin[lowest(triangle) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    face_rank_.resize(triangles.size());
-    std::vector<TriangleComplex::Triangle> ordered(triangles.size());
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-      const auto& triangle = triangles[f];
-      face_rank_[f] = begin[*std::min_element(triangle.begin(), triangle.end())]++;
-      ordered[face_rank_[f]] = triangle;
-    }
-    triangles = std::move(ordered);
+    face_rank_.reserve(triangles.size());
+    for (const auto& triangle : triangles)
+      face_rank_.push_back(begin[lowest(triangle)]++);
   }
 
-  std::vector<Index> vertex_;    // of each rank; empty if nothing changes
-  std::vector<Index> rank_;      // of each vertex
+  template <class T>
+  static void permute(std::vector<T>& values, const std::vector<Index>& rank) {
+    std::vector<T> permuted(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      permuted[rank[i]] = values[i];
+    values = std::move(permuted);
+  }
+
+  std::vector<Index> rank_;      // of each vertex; empty if nothing changes
   std::vector<Index> face_rank_; // of each face
 };
 

@@ -33,9 +33,10 @@ public:
 
   TriangleComplex() = default;
 
-  /// Builds the lists in linear time. A triangle with two equal vertices is dead from the
-  /// beginning.
-  TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles);
+  /// Builds the lists in linear time, with room for so many corners beside those that there are. A
+  /// triangle with two equal vertices is dead from the beginning.
+  TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
+                  std::size_t spare_corners = 0);
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
@@ -91,11 +92,9 @@ public:
 
   /// Moves all faces of `gone` to `kept`. The caller kills those that hold both.
   void merge(Index kept, Index gone) {
-    if (pool_.size() + lists_[kept].size + lists_[gone].size > pool_.capacity())
-      build_lists();
+    make_room(lists_[kept].size + lists_[gone].size); // no walk may see the pool move
     const Index begin = static_cast<Index>(pool_.size());
     const auto append = [&](Index face, Index i) { pool_.push_back(4 * face + i); };
-    pool_.reserve(pool_.size() + lists_[kept].size + lists_[gone].size); // no walk may see it move
     for_each_corner(kept, append);
     for_each_corner(gone, [&](Index face, Index i) {
       faces_[face][i] = kept;
@@ -135,12 +134,21 @@ private:
     Index begin, size; // in the pool
   };
 
+  // At the end of the pool; if need be, for many a merge more, which repay the new lists.
+  void make_room(std::size_t corners) {
+    if (pool_.size() + corners <= pool_.capacity())
+      return;
+    build_lists();
+    pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
+  }
+
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
   std::vector<List> lists_; // of each vertex
 };
 
-inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles)
+inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
+                                        std::size_t spare_corners)
     : faces_(std::move(triangles)), lists_(vertex_count) {
   check_size(vertex_count, faces_.size());
   for (Index face = 0; face < faces_.size(); ++face) {
@@ -148,7 +156,7 @@ inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Tr
     if (a == b || b == c || c == a)
       kill(face);
   }
-  pool_.reserve(4 * faces_.size());
+  pool_.reserve(3 * faces_.size() + spare_corners);
   build_lists();
 }
 

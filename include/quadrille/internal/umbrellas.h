@@ -61,9 +61,27 @@ private:
     mate_.assign(sides.size(), none);
     for (std::size_t v = 0; v < vertex_count_; ++v) {
       const std::span<const Index> at_v(sorted.data() + begin[v], begin[v + 1] - begin[v]);
+      if (match_sides_without_choice(sides, at_v))
+        continue;
+      for (Index i : at_v)
+        mate_[i] = none;
       match_sides_if(sides, at_v, were_mates);
       match_sides_if(sides, at_v, [](Index, Index) { return true; });
     }
+  }
+
+  // The usual case: no side has more than one to choose from. False if one has.
+  bool match_sides_without_choice(const std::vector<Side>& sides, std::span<const Index> among) {
+    for (auto i = among.begin(); i != among.end(); ++i)
+      for (auto j = among.begin(); j != i; ++j) {
+        if (!are_opposed(sides[*i], sides[*j]))
+          continue;
+        if (mate_[*i] != none || mate_[*j] != none)
+          return false;
+        mate_[*i] = *j;
+        mate_[*j] = *i;
+      }
+    return true;
   }
 
   template <class Accept>
