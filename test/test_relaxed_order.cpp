@@ -77,6 +77,17 @@ TEMPLATE_TEST_CASE("Passes keep the topology, meet the target and turn no face",
   }
 }
 
+TEST_CASE("Passes meet odd and even targets on a surface with a border") {
+  const Mesh input = test::make_mesh(test::with_noise(test::grid(100, 100), 3, 0.05));
+  for (const RelaxedOrder& order : orders)
+    for (std::size_t target = 2000; target < 2006; ++target) {
+      Mesh mesh = input;
+      simplify(mesh, FaceCount{target}, order);
+      CAPTURE(target, order.share);
+      CHECK(mesh.number_of_faces() == target);
+    }
+}
+
 TEST_CASE("Passes come close to the error of greedy order, refreshed ones to less") {
   const Mesh input = read_model("bunny00");
   const double greedy = error_of<Quadric>(input, 7540, GreedyOrder{});
