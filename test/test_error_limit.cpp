@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -91,6 +92,21 @@ TEST_CASE("Where topology is free what contractions add up to is bounded, too") 
     CHECK(report.contractions > 100);
     CHECK(report.distance_bound <= limit);
     CHECK(distance_to(input, mesh, limit) <= report.distance_bound + limit / 10);
+  }
+}
+
+TEST_CASE("Inside of a surface a limit goes as far where topology is free as where it is kept") {
+  for (const char* name : {"cow", "lion-head"}) {
+    const Mesh input = read_model(name);
+    const double limit = 0.005 * bounding_box_diagonal(input);
+    Mesh kept = input, free = input;
+    const std::size_t faces = simplify(kept, ErrorLimit{limit}).faces_after;
+    const Report report = simplify(free, ErrorLimit{limit}, Topology::free);
+    free.collect_garbage();
+    INFO(name << ": " << report << ", kept: " << faces);
+    CHECK(10 * report.faces_after < 11 * faces);
+    CHECK(report.distance_bound <= limit);
+    CHECK(distance_to(input, free, limit) <= report.distance_bound + limit / 10);
   }
 }
 

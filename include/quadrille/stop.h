@@ -58,8 +58,9 @@ struct VertexCount {
 /// Report::distance_bound says how far at most.
 ///
 /// The bound is conservative. It adds up what each contraction moves the surface, so a result is
-/// typically two to five times closer to the input than it says; and at borders, and where topology
-/// is free, it takes a shift along the surface for a distance, so much more is kept there.
+/// typically two to five times closer to the input than it says; and at borders, and where more
+/// than two faces meet, it takes a shift along the surface for a distance, so much more is kept
+/// there.
 /// A stop policy that asks one of these has to say asks_for_distance as well, else nothing is known
 /// to be within the limit and not one contraction is done. Source: the projection along the mean
 /// normal is that of Bajaj and Schikore 1996.

@@ -44,6 +44,7 @@ public:
         edges_.push_back({at(b), at(f.third)});
     }
     ends_ = {at(a), at(b)};
+    is_closed_ = is_closed(fan_of_first(star)) && is_closed(fan_of_second(star, a, b));
   }
 
   /// Of the i-th changed face: those of the first end come first.
@@ -55,9 +56,9 @@ public:
         point(x_), Kernel::Triangle_3(point(t.corner), point(t.second), point(t.third))));
   }
 
-  /// Of all of them, for ends inside of the surface; nothing where that can't be told.
+  /// Of all of them; nothing where that can't be told, or would take long.
   std::optional<double> of_star() {
-    if (!choose_plane())
+    if (!is_closed_ || changed_ > most_faces || !choose_plane())
       return std::nullopt;
     const Flat x = project(x_);
     std::size_t turns = 0;
@@ -76,6 +77,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t most_faces = 128; // each meets each
+
   struct Triangle {
     Vector<3> corner, second, third;
   };
@@ -85,6 +88,31 @@ private:
   struct Flat {
     double u, v, height;
   };
+
+  // The faces at one end.
+  static std::vector<StarFace> fan_of_first(const PairStar& star) {
+    std::vector<StarFace> fan = star.first;
+    fan.insert(fan.end(), star.shared.begin(), star.shared.end());
+    return fan;
+  }
+  static std::vector<StarFace> fan_of_second(const PairStar& star, Index a, Index b) {
+    std::vector<StarFace> fan = star.second;
+    for (const StarFace& f : star.shared) // seen from the first end
+      fan.push_back(f.second == b ? StarFace(f.face, f.third, a) : StarFace(f.face, a, f.second));
+    return fan;
+  }
+
+  // Does a face end wherever one begins? Then the faces have no border but the link.
+  static bool is_closed(const std::vector<StarFace>& fan) {
+    std::vector<Index> begins, ends;
+    for (const StarFace& f : fan) {
+      begins.push_back(f.second);
+      ends.push_back(f.third);
+    }
+    std::sort(begins.begin(), begins.end());
+    std::sort(ends.begin(), ends.end());
+    return begins == ends;
+  }
 
   // A changed face has one edge of each vertex of the link that begins at its end.
   void add_changed(const Triangle& t) {
@@ -173,6 +201,7 @@ private:
   std::vector<Triangle> old_; // those that change come first
   std::vector<Edge> edges_;   // of the old faces, but for those of the link
   std::size_t changed_ = 0;
+  bool is_closed_;
   std::pair<Vector<3>, Vector<3>> ends_;
   Vector<3> normal_, u_, v_;
 };
@@ -186,13 +215,13 @@ public:
   /// star; and the greatest of these.
   template <std::size_t N>
   double after(const PairStar& star, Index a, Index b, const std::vector<Vector<N>>& positions,
-               const Vector<3>& x, bool is_inside, std::vector<float>& bounds) const {
+               const Vector<3>& x, std::vector<float>& bounds) const {
     StarDeviation deviation(star, a, b, positions, x);
     double before = 0;
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
         before = std::max(before, double{of_face_[f.face]});
-    const std::optional<double> of_star = is_inside ? deviation.of_star() : std::nullopt;
+    const std::optional<double> of_star = deviation.of_star();
 
     bounds.clear();
     double greatest = 0;

@@ -213,10 +213,8 @@ public:
   /// Tells how far from the input the surface may be after the contraction, in the mesh's units.
   /// The faces will be bound by that.
   double bound_distance(Scratch& scratch, Index a, Index b, const Candidate& candidate) const {
-    const bool is_inside = is_interior(a) && is_interior(b);
     return scale_.length_of_mesh(distances_.after(scratch.star, a, b, costs_.positions(),
-                                                  space(candidate.target), is_inside,
-                                                  scratch.bounds));
+                                                  space(candidate.target), scratch.bounds));
   }
   void announce_distance(double distance) { progress_.status.next_distance = distance; }
 
