@@ -185,6 +185,20 @@ struct CountedMidpoint {
 
 } // namespace
 
+TEST_CASE("A refused pair comes back only when the faces around it have changed") {
+  const Soup soup = test::with_noise(test::grid(12, 12), 1, 0.05);
+  std::vector<test::Point> points = test::points_of(soup);
+  std::vector<test::Triangle> triangles = soup.triangles;
+  const std::size_t all_pairs = points.size() * (points.size() - 1) / 2;
+  const Report report =
+      simplify(points, triangles, FaceCount{0}, ThresholdPairs{100, 1e6}, HighestDegree{6});
+  INFO(report);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(report.rejected(Rejection::degree) > 0);
+  CHECK(std::accumulate(report.rejections.begin(), report.rejections.end(), std::size_t{0}) <
+        all_pairs);
+}
+
 TEST_CASE("No pair is there twice, at the beginning or after contractions") {
   const std::size_t n = 12;
   Soup soup;

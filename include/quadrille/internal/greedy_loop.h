@@ -4,6 +4,7 @@
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/pair_queue.h>
 #include <quadrille/internal/parked_pairs.h>
+#include <quadrille/internal/star.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace quadrille::internal {
 /// the pair.
 ///
 /// A contraction changes the costs of the pairs at its vertex and of no others. A pair that is
-/// refused waits until a vertex next to it has moved.
+/// refused waits until a vertex of a face at one of its ends has moved.
 template <class Policies>
 class GreedyLoop {
 public:
@@ -143,14 +144,32 @@ private:
     stamp_[kept] = time_;
     for (Index end : {pair.first, pair.second})
       parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
+    release_parked(scratch_.star.shared); // they may be no neighbours any more
+    const bool are_edges = surface_.has_only_edges(); // then partners are neighbours
+    if (!are_edges) {
+      release_parked(scratch_.star.first);
+      release_parked(scratch_.star.second);
+    }
     if (!surface_.complex().has_faces(kept))
       return;
     surface_.for_each_pair(scratch_, kept, [&](Index partner, float cost) {
       push(kept, partner, cost);
-      parked_.release(partner, [&](const QueuedPair& p) {
-        if (!is_outdated(p))
-          queue_.push(p, outdated());
-      });
+      if (are_edges)
+        release_parked(partner);
+    });
+  }
+
+  void release_parked(const std::vector<StarFace>& faces) {
+    for (const StarFace& f : faces)
+      for (Index v : {f.second, f.third})
+        release_parked(v);
+  }
+
+  // Its surroundings have changed, so the answer of a filter may.
+  void release_parked(Index v) {
+    parked_.release(v, [&](const QueuedPair& pair) {
+      if (!is_outdated(pair))
+        queue_.push(pair, outdated());
     });
   }
 

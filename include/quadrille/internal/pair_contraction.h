@@ -206,6 +206,9 @@ public:
            (includes_edges<typename Policies::Pairs> ? 3 * progress_.status.faces / 2 : 0);
   }
   bool has_other_pairs() const { return pairs_.listed_count() > 0; } // than edges
+  bool has_only_edges() const {
+    return includes_edges<typename Policies::Pairs> && !has_other_pairs();
+  }
 
   /// Tells the status of the contraction that comes next.
   void announce(const Candidate& candidate) { progress_.status.next_error = candidate.error; }
