@@ -15,6 +15,7 @@
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/topology_count.h>
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/order.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
