@@ -33,8 +33,17 @@ using CellComplex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
 };
+#ifdef _GLIBCXX_DEBUG // has vectors of another layout than those in OpenMesh's compiled library
+using PolyMesh = Mesh;
+using TriMesh = Mesh;
+using FloatPolyMesh = Mesh;
+using FloatTriMesh = Mesh;
+#else
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+using FloatPolyMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+using FloatTriMesh = OpenMesh::TriMesh_ArrayKernelT<>;
+#endif
 
 /// The soup as any kind of mesh.
 template <class M>

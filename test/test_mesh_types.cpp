@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("Every mesh is simplified to a valid one of as many faces", "
                    CGAL::Surface_mesh<Epick::Point_3>,
                    CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>,
                    test::Polyhedron, WithIds, test::CellComplex, test::PolyMesh,
-                   OpenMesh::PolyMesh_ArrayKernelT<>, OpenMesh::TriMesh_ArrayKernelT<>) {
+                   test::FloatPolyMesh, test::FloatTriMesh) {
   for (const test::Soup& soup : {test::random_closed(1), test::random_with_borders(1)}) {
     TestType mesh = test::convert<TestType>(soup);
     if constexpr (std::is_same_v<TestType, WithIds>)
