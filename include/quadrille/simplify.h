@@ -48,7 +48,7 @@ namespace quadrille {
 /// mark what is removed (Surface_mesh, OpenMesh) are left for the caller to tidy up:
 /// `mesh.collect_garbage()`.
 ///
-/// Time O(n log n) in the worst case and close to linear on meshes; about 120 to 170 bytes a
+/// Time O(n log n) in the worst case and close to linear on meshes; about 100 to 160 bytes a
 /// face beside the mesh. Throws std::invalid_argument for a face that is not a triangle, a vertex
 /// that is not finite or a policy that makes no sense, std::length_error above 2³⁰ faces, and what
 /// the user's own maps, policies and visitors throw. If it throws, the mesh is as it was.
