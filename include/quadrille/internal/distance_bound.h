@@ -44,7 +44,6 @@ public:
         edges_.push_back({at(b), at(f.third)});
     }
     ends_ = {at(a), at(b)};
-    is_closed_ = is_closed(fan_of_first(star)) && is_closed(fan_of_second(star, a, b));
   }
 
   /// Of the i-th changed face: those of the first end come first.
@@ -56,9 +55,10 @@ public:
         point(x_), Kernel::Triangle_3(point(t.corner), point(t.second), point(t.third))));
   }
 
-  /// Of all of them; nothing where that can't be told, or would take long.
+  /// Of all of them, if they close up around both ends; nothing where that can't be told, or would
+  /// take long.
   std::optional<double> of_star() {
-    if (!is_closed_ || changed_ > most_faces || !choose_plane())
+    if (changed_ > most_faces || !choose_plane())
       return std::nullopt;
     const Flat x = project(x_);
     std::size_t turns = 0;
@@ -88,31 +88,6 @@ private:
   struct Flat {
     double u, v, height;
   };
-
-  // The faces at one end.
-  static std::vector<StarFace> fan_of_first(const PairStar& star) {
-    std::vector<StarFace> fan = star.first;
-    fan.insert(fan.end(), star.shared.begin(), star.shared.end());
-    return fan;
-  }
-  static std::vector<StarFace> fan_of_second(const PairStar& star, Index a, Index b) {
-    std::vector<StarFace> fan = star.second;
-    for (const StarFace& f : star.shared) // seen from the first end
-      fan.push_back(f.second == b ? StarFace(f.face, f.third, a) : StarFace(f.face, a, f.second));
-    return fan;
-  }
-
-  // Does a face end wherever one begins? Then the faces have no border but the link.
-  static bool is_closed(const std::vector<StarFace>& fan) {
-    std::vector<Index> begins, ends;
-    for (const StarFace& f : fan) {
-      begins.push_back(f.second);
-      ends.push_back(f.third);
-    }
-    std::sort(begins.begin(), begins.end());
-    std::sort(ends.begin(), ends.end());
-    return begins == ends;
-  }
 
   // A changed face has one edge of each vertex of the link that begins at its end.
   void add_changed(const Triangle& t) {
@@ -201,10 +176,30 @@ private:
   std::vector<Triangle> old_; // those that change come first
   std::vector<Edge> edges_;   // of the old faces, but for those of the link
   std::size_t changed_ = 0;
-  bool is_closed_;
   std::pair<Vector<3>, Vector<3>> ends_;
   Vector<3> normal_, u_, v_;
 };
+
+/// Do the faces around each end of the pair ab close up, each beginning where one ends? Then they
+/// have no border but the link.
+inline bool closes_up(const PairStar& star, Index a, Index b) {
+  const auto is_closed = [](const std::vector<StarFace>& fan) {
+    std::vector<Index> begins, ends;
+    for (const StarFace& f : fan) {
+      begins.push_back(f.second);
+      ends.push_back(f.third);
+    }
+    std::sort(begins.begin(), begins.end());
+    std::sort(ends.begin(), ends.end());
+    return begins == ends;
+  };
+  std::vector<StarFace> at_a = star.first, at_b = star.second;
+  for (const StarFace& f : star.shared) { // as a sees it
+    at_a.push_back(f);
+    at_b.push_back(f.second == b ? StarFace(f.face, f.third, a) : StarFace(f.face, a, f.second));
+  }
+  return is_closed(at_a) && is_closed(at_b);
+}
 
 /// Of each face, how far its points are from the input at most: what each contraction has added.
 class DistanceBounds {
@@ -221,7 +216,8 @@ public:
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
         before = std::max(before, double{of_face_[f.face]});
-    const std::optional<double> of_star = deviation.of_star();
+    const std::optional<double> of_star =
+        closes_up(star, a, b) ? deviation.of_star() : std::nullopt;
 
     bounds.clear();
     double greatest = 0;

@@ -144,7 +144,7 @@ private:
     stamp_[kept] = time_;
     for (Index end : {pair.first, pair.second})
       parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
-    release_parked(scratch_.star.shared); // they may be no neighbours any more
+    release_parked(scratch_.star.shared);             // they may be no neighbours any more
     const bool are_edges = surface_.has_only_edges(); // then partners are neighbours
     if (!are_edges) {
       release_parked(scratch_.star.first);

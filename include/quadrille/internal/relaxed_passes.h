@@ -123,7 +123,7 @@ private:
   void divide() {
     blocks_.clear();
     std::size_t in_block = block_size;
-    for (Index v = 0; v < is_touched_.size(); ++v) {
+    for (Index v = 0; v < surface_.vertex_capacity(); ++v) {
       if (!surface_.complex().has_faces(v))
         continue;
       if (in_block++ == block_size) {
