@@ -55,7 +55,7 @@ public:
       if (!is_link_condition_met(a, b)) {
         ++topology_rejections;
         refused_.insert(next->edge);
-      } else if (turns_a_face_over(a, b, next->target)) {
+      } else if (turns_a_face_over(a, b, next->target) || makes_fold(a, b, next->target)) {
         ++flip_rejections;
         refused_.insert(next->edge);
       } else {
@@ -301,6 +301,65 @@ private:
       }
       const Position n = normal(before[0], before[1], before[2]);
       return squared_length(n) > 0 && dot(n, normal(after[0], after[1], after[2])) <= 0;
+    });
+  }
+
+  struct Turn {
+    Triangle face;          // of numbers as they are now
+    Position before, after; // normals
+  };
+
+  // Does a face come to lie between a ridge and a valley of more than 90 degrees, as it did not
+  // before?
+  bool makes_fold(Vertex a, Vertex b, const Position& target) const {
+    const auto normal = [&](const Triangle& t, const Position* moved) {
+      const auto at = [&](Vertex v) { return moved && (v == a || v == b) ? *moved : position_[v]; };
+      return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
+    };
+    const auto angle = [](const Position& m, const Position& n) {
+      return std::acos(dot(m, n) / std::sqrt(squared_length(m) * squared_length(n)));
+    };
+    constexpr double degree = 3.14159265358979323846 / 180;
+
+    std::vector<Turn> changed, others;
+    Position mean{};
+    bool is_any_turned = false;
+    for (const auto& face : faces_) {
+      const Triangle& t = face.second;
+      if (has(face, a) && has(face, b))
+        continue;
+      const Turn turn{t, normal(t, nullptr), normal(t, &target)};
+      (has(face, a) || has(face, b) ? changed : others).push_back(turn);
+      if (has(face, a) || has(face, b)) {
+        mean = mean + turn.after;
+        is_any_turned |= angle(turn.before, turn.after) > std::acos(std::sqrt(0.883));
+      }
+    }
+    if (!is_any_turned)
+      return false;
+
+    const auto is_end = [&](Vertex v) { return v == a || v == b; };
+    return std::any_of(changed.begin(), changed.end(), [&](const Turn& f) {
+      if (angle(f.after, mean) < 60 * degree)
+        return false;
+      std::array<bool, 2> before{}, after{}; // over a ridge, over a valley
+      const auto look = [&](const Turn& g) {
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 3; ++j) {
+            const Vertex p = f.face[i], q = f.face[(i + 1) % 3]; // an edge of one, and of the other
+            const Vertex r = g.face[j], s = g.face[(j + 1) % 3];
+            if (!((p == s || (is_end(p) && is_end(s))) && (q == r || (is_end(q) && is_end(r)))))
+              continue;
+            const Position way = position_[g.face[(j + 2) % 3]] - position_[is_end(p) ? q : p];
+            before[dot(f.before, way) < 0 ? 0 : 1] |= angle(f.before, g.before) > 90.4476 * degree;
+            after[dot(f.after, way) < 0 ? 0 : 1] |= angle(f.after, g.after) > 90.4476 * degree;
+          }
+      };
+      for (const auto* faces : {&changed, &others})
+        for (const Turn& g : *faces)
+          if (g.face != f.face)
+            look(g);
+      return after[0] && after[1] && !(before[0] && before[1]);
     });
   }
 

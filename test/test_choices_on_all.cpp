@@ -225,8 +225,10 @@ void check_filters() {
 
   const std::size_t before = highest_degree(soup);
   REQUIRE(before <= 10);
-  CHECK(highest_degree(Kind::run(soup, Quadric{}, stop).soup) > 10);
-  const Result with_degree = Kind::run(soup, Quadric{}, stop, HighestDegree{10}, slim.onlooker());
+  const NormalFlip turns(90, Folds::allowed);
+  CHECK(highest_degree(Kind::run(soup, Quadric{}, stop, turns).soup) > 10);
+  const Result with_degree =
+      Kind::run(soup, Quadric{}, stop, turns, HighestDegree{10}, slim.onlooker());
   CHECK(with_degree.report.rejected(Rejection::degree) > 0);
   CHECK(highest_degree(with_degree.soup) <= 10);
   CHECK(slim.highest_degree <= 10);

@@ -156,7 +156,7 @@ TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
     constrained[e] = true;
 
   simplify(mesh, FaceCount{0}, CGAL::parameters::edge_is_constrained_map(constrained));
-  REQUIRE(mesh.number_of_faces() < input.number_of_faces() / 2);
+  REQUIRE(5 * mesh.number_of_faces() < 3 * input.number_of_faces());
   REQUIRE(test::is_valid_triangle_mesh(mesh));
   std::set<Mesh::Edge_index> left;
   for (const auto e : mesh.edges())

@@ -22,9 +22,11 @@ struct Face {
 struct Contraction {
   std::vector<Face> all;
   std::size_t degree = 0;
+  bool is_fold = false;
 
   const std::vector<Face>& faces() const { return all; }
   std::size_t highest_degree() const { return degree; }
+  bool makes_fold() const { return is_fold; }
 };
 
 // The face of the edge from 0 to (1, 0, 0), its corner turned about the edge by so many degrees.
@@ -58,6 +60,17 @@ TEST_CASE("A normal turns by less than the angle of the filter") {
     CHECK_FALSE(NormalFlip(limit).allows(turned(180)));
   }
   CHECK(NormalFlip(180).allows(turned(180)));
+}
+
+TEST_CASE("A fold is refused if a face turns by more than 20 degrees") {
+  const auto folded = [](double degrees) {
+    return Contraction{.all = turned(degrees).all, .is_fold = true};
+  };
+  CHECK(NormalFlip().allows(folded(19.9)));
+  CHECK_FALSE(NormalFlip().allows(folded(20.1)));
+  CHECK_FALSE(NormalFlip(135).allows(folded(20.1)));
+  CHECK(NormalFlip(90, Folds::allowed).allows(folded(20.1)));
+  CHECK(NormalFlip(180).allows(folded(20.1)));
 }
 
 TEST_CASE("A face must not lose its area, and one without area may do as it likes") {

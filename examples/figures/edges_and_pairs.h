@@ -49,7 +49,8 @@ private:
     using namespace quadrille;
     Result result{original, {}, {}};
     auto& [points, triangles] = result.soup;
-    result.report = simplify(points, triangles, cost, FaceCount{faces}, pairs);
+    const NormalFlip as_in_the_paper(90, Folds::allowed);
+    result.report = simplify(points, triangles, cost, FaceCount{faces}, pairs, as_in_the_paper);
     result.error = surface_distance(original.points, original.triangles, points, triangles);
     return result;
   }

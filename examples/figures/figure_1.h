@@ -58,8 +58,9 @@ private:
   void compare(const std::string& model, const Mesh& mesh, std::size_t faces) {
     using namespace quadrille;
     Mesh by_length = mesh, by_quadric = mesh;
-    simplify<EdgeLength, MidpointPlacement>(by_length, FaceCount{faces});
-    simplify<Quadric, OptimalPlacement>(by_quadric, FaceCount{faces});
+    const NormalFlip as_in_the_paper(90, Folds::allowed);
+    simplify<EdgeLength, MidpointPlacement>(by_length, FaceCount{faces}, as_in_the_paper);
+    simplify<Quadric, OptimalPlacement>(by_quadric, FaceCount{faces}, as_in_the_paper);
     by_length.collect_garbage();
     by_quadric.collect_garbage();
     const SurfaceDistance length_error = surface_distance(mesh, by_length);

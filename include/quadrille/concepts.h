@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_CONCEPTS_H
 #define QUADRILLE_CONCEPTS_H
 
+#include <quadrille/internal/contraction_view.h>
 #include <quadrille/internal/policies.h>
-#include <quadrille/internal/star.h>
 #include <quadrille/pairs.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -124,7 +124,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// Checked: `filter.allows(contraction)` gives a bool. `contraction.faces()` are the faces that
 /// change, each with its moving corner `before` and `after` and its others, `second` and `third`;
-/// `contraction.target()` is the new position.
+/// `contraction.target()` is the new position; `contraction.makes_fold()` tells whether a face
+/// would come to lie over a neighbour.
 ///
 /// The least model: `struct All { bool allows(const auto&) const { return true; } };`
 ///

@@ -13,17 +13,23 @@
 
 namespace quadrille {
 
-/// Refuses a contraction that turns the normal of a face by `degrees` or more. On by default, with
-/// 90 degrees. A face of three points on a line, up to rounding, has no normal and may turn to any;
-/// 180 degrees allows everything.
+/// May a face come to lie over its neighbours, like the middle of a letter Z?
+enum class Folds { refused, allowed };
+
+/// Refuses a contraction that turns the normal of a face by `degrees` or more (the test of the 1997
+/// paper, section 6). Several contractions that each turn a face by less can still fold it over its
+/// neighbours: the one that would do it is refused too, unless folds are allowed.
+///
+/// On by default, with 90 degrees. A face of three points on a line, up to rounding, has no normal
+/// and may turn to any; 180 degrees allows everything.
 class NormalFlip {
 public:
   static constexpr Rejection cause = Rejection::normal_flip;
 
   /// degrees lies in (0, 180]; throws std::invalid_argument otherwise.
-  explicit NormalFlip(double degrees = 90)
+  explicit NormalFlip(double degrees = 90, Folds folds = Folds::refused)
       : cosine_(degrees == 90 ? 0 : std::cos(degrees * std::numbers::pi / 180)),
-        allows_everything_(degrees == 180) {
+        allows_everything_(degrees == 180), allows_folds_(folds == Folds::allowed) {
     if (!(degrees > 0 && degrees <= 180))
       throw std::invalid_argument("quadrille::NormalFlip: " + std::to_string(degrees) +
                                   " degrees are not in (0, 180]");
@@ -32,12 +38,18 @@ public:
   bool allows(const auto& contraction) const {
     if (allows_everything_)
       return true;
-    for (const auto& face : contraction.faces())
-      if (turns_too_far(double_area_vector(face.before, face.second, face.third),
-                        double_area_vector(face.after, face.second, face.third)) &&
+    bool may_fold = false;
+    for (const auto& face : contraction.faces()) {
+      const Vector<3> before = double_area_vector(face.before, face.second, face.third);
+      const Vector<3> after = double_area_vector(face.after, face.second, face.third);
+      const double product = dot(before, after);
+      const double squared_lengths = squared_length(before) * squared_length(after);
+      if (turns_too_far(product, squared_lengths) &&
           has_normal(face.before, face.second, face.third))
         return false;
-    return true;
+      may_fold |= product * product < squared_cosine_of_20_degrees * squared_lengths;
+    }
+    return allows_folds_ || !may_fold || !contraction.makes_fold();
   }
 
 private:
@@ -45,16 +57,14 @@ private:
     return squared_length(normal_vector(p, q, r)) > 0;
   }
 
-  bool turns_too_far(const Vector<3>& before, const Vector<3>& after) const {
-    const double product = dot(before, after);
-    if (cosine_ == 0)
-      return product <= 0;
-    const double lengths = std::sqrt(squared_length(before) * squared_length(after));
-    return product <= cosine_ * lengths;
+  bool turns_too_far(double product, double squared_lengths) const {
+    return product <= (cosine_ == 0 ? 0 : cosine_ * std::sqrt(squared_lengths));
   }
 
+  static constexpr double squared_cosine_of_20_degrees = 0.883;
+
   double cosine_;
-  bool allows_everything_;
+  bool allows_everything_, allows_folds_;
 };
 
 /// Refuses a contraction that makes a sliver out of a better triangle: one of less than `quality`

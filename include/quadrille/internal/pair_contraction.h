@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 
 #include <quadrille/internal/attributes.h>
+#include <quadrille/internal/contraction_view.h>
 #include <quadrille/internal/distance_bound.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/link_condition.h>
@@ -112,7 +113,7 @@ public:
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(scratch.star, a, b, scratch.marks))
       return Rejection::topology;
-    const ContractionView<dimension> contraction(scratch.star, costs_.positions(),
+    const ContractionView<dimension> contraction(scratch.star, complex_, costs_.positions(),
                                                  candidate.pair.first, candidate.pair.second,
                                                  candidate.target);
     std::optional<Rejection> cause;
