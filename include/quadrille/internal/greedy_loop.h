@@ -95,12 +95,18 @@ private:
 
   // When the queue is empty, the cheapest of the pairs that would go beyond the target.
   std::optional<QueuedPair> next_pair() {
-    surface_.prefetch([&](std::size_t ahead) { return queue_.peek(ahead); }); // they lie anywhere
+    prefetch();
     std::optional<QueuedPair> next = queue_.pop(outdated());
     while (next && is_bare(*next))
       next = queue_.pop(outdated());
     is_last_resort_ = !next && last_resort_;
     return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
+  }
+
+  // Pairs lie anywhere, so most of the time would go into waiting for memory.
+  [[gnu::always_inline]] void prefetch() const {
+    surface_.prefetch([&](std::size_t ahead) { return queue_.peek(ahead); },
+                      [&](Index w) __attribute__((always_inline)) { parked_.prefetch(w); });
   }
 
   // Does the stop policy stop at the distance, and at nothing else?

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_LINK_CONDITION_H
 
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 
@@ -175,6 +176,8 @@ public:
   bool is_interior(Index v) const { return kind_[v] <= Kind::unoriented; }
   /// Is each neighbour of the vertex the second vertex of just one of its faces?
   bool is_oriented(Index v) const { return kind_[v] == Kind::interior; }
+
+  [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(kind_[v]); }
 
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_MARKS_H
 #define QUADRILLE_INTERNAL_MARKS_H
 
+#include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/triangle_complex.h>
 
 #include <algorithm>
@@ -37,6 +38,8 @@ public:
     mark_[vertex] = base_ + number;
     end_ = std::max(end_, mark_[vertex] + 1);
   }
+
+  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(mark_[vertex]); }
 
 private:
   std::vector<Index> mark_;

@@ -10,6 +10,7 @@
 #include <quadrille/internal/pair_finder.h>
 #include <quadrille/internal/pair_selection.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/progress.h>
 #include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
@@ -75,14 +76,19 @@ public:
   PairContraction& operator=(const PairContraction&) = delete;
 
   /// Asks for what contracting the pairs that come next will read, one thing after the other: what
-  /// costs look at and where the corners of a vertex are, the corners, the faces. peek(n) points to
-  /// the pair that comes n pairs later, or nowhere.
-  template <class Peek>
-  void prefetch(Peek peek) const {
+  /// is told of their ends and where their corners are, the corners, the faces, what is told of
+  /// their neighbours. peek(n) points to the pair that comes n pairs later, or nowhere; also(w)
+  /// asks for what the caller will read of a neighbour.
+  template <class Peek, class Also>
+  [[gnu::always_inline]] void prefetch(Peek peek, Also also) const {
     if (const auto* last = peek(12))
       for (Index v : {last->first, last->second}) {
         complex_.prefetch(v);
         costs_.prefetch(v);
+        if (is_topology_kept_)
+          link_condition_.prefetch(v);
+        internal::prefetch(is_moved_[v]);
+        internal::prefetch(merged_into_[v]);
       }
     if (const auto* later = peek(8))
       for (Index v : {later->first, later->second})
@@ -90,6 +96,14 @@ public:
     if (const auto* soon = peek(4))
       for (Index v : {soon->first, soon->second})
         complex_.prefetch_faces(v);
+    if (const auto* next = peek(2))
+      for (Index v : {next->first, next->second})
+        complex_.for_each_next(
+            v, [&](Index w) __attribute__((always_inline)) {
+              costs_.prefetch(w);
+              scratch_.marks.prefetch(w);
+              also(w);
+            });
   }
 
   /// Where the pair goes and what that costs.
@@ -135,9 +149,6 @@ public:
   /// Contracts the pair and returns the vertex that is left: an end that keeps its place, else the
   /// first. What has changed is tallied, to be counted.
   Index contract(Scratch& scratch, Index a, Index b, const Candidate& candidate) {
-    for (const auto* faces : {&scratch.star.first, &scratch.star.second})
-      for (const StarFace& f : *faces)
-        costs_.prefetch_memory(f.second); // for the costs of the pairs that it makes
     const auto [kept, gone] = choose(a, b, candidate);
     if constexpr (asks_for_current<Cost>)
       costs_.forget(scratch.star, a, b);

@@ -5,6 +5,7 @@
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -79,14 +80,12 @@ public:
     current_.recompute(v, policies_.cost, positions_, complex, marks);
   }
 
-  void prefetch(Index v) const {
-    __builtin_prefetch(&positions_[v]);
-    prefetch_memory(v);
-  }
-  void prefetch_memory(Index v) const {
-    const char* memory = reinterpret_cast<const char*>(&memories_[v]);
-    for (std::size_t line = 0; line < sizeof(Memory); line += 64)
-      __builtin_prefetch(memory + line);
+  [[gnu::always_inline]] void prefetch(Index v) const {
+    internal::prefetch(positions_[v]);
+    internal::prefetch(memories_[v]);
+    internal::prefetch(squared_reach_[v]);
+    if constexpr (asks_for_current<Cost>)
+      internal::prefetch(current_[v]);
   }
 
   /// The pair as cost and placement see it.

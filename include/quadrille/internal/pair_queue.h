@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_QUEUE_H
 #define QUADRILLE_INTERNAL_PAIR_QUEUE_H
 
+#include <quadrille/internal/prefetch.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -142,6 +144,8 @@ private:
   void empty(Bucket& bucket, IsOutdated is_outdated, Visit visit) {
     auto [b, size] = std::exchange(bucket, {});
     while (b != end_of_list) {
+      if (blocks_[b].next != end_of_list)
+        prefetch(blocks_[blocks_[b].next]);
       const Block block = blocks_[b];
       free_block(b);
       for (std::uint32_t i = 0; i < size; ++i)

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_PARKED_PAIRS_H
 
 #include <quadrille/internal/pair_queue.h>
+#include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/triangle_complex.h>
 
 #include <array>
@@ -42,6 +43,10 @@ public:
   }
 
   std::size_t size() const { return size_; }
+
+  [[gnu::always_inline]] void prefetch(Index vertex) const {
+    internal::prefetch(first_entry_[vertex]);
+  }
 
 private:
   struct Slot {

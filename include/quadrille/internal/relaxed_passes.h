@@ -236,10 +236,11 @@ private:
     }
   }
 
-  void prefetch(const Room<Proposal>& proposals, std::size_t i) const {
-    surface_.prefetch([&](std::size_t ahead) {
+  [[gnu::always_inline]] void prefetch(const Room<Proposal>& proposals, std::size_t i) const {
+    const auto peek = [&](std::size_t ahead) {
       return i + ahead < proposals.size() ? &proposals[i + ahead] : nullptr;
-    });
+    };
+    surface_.prefetch(peek, [](Index) {});
   }
 
   bool is_touched(const Proposal& proposal) const {

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 #define QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 
+#include <quadrille/internal/prefetch.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -119,14 +121,25 @@ public:
 
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
   /// where its corners are, the corners, the faces.
-  void prefetch(Index vertex) const { __builtin_prefetch(&lists_[vertex]); }
-  void prefetch_corners(Index vertex) const {
-    __builtin_prefetch(pool_.data() + lists_[vertex].begin);
+  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(lists_[vertex]); }
+  [[gnu::always_inline]] void prefetch_corners(Index vertex) const {
+    internal::prefetch(*(pool_.data() + lists_[vertex].begin)); // of none: one past the end
   }
-  void prefetch_faces(Index vertex) const {
+  [[gnu::always_inline]] void prefetch_faces(Index vertex) const {
     const List& list = lists_[vertex];
     for (Index i = 0; i < list.size; ++i)
-      __builtin_prefetch(&faces_[pool_[list.begin + i] >> 2]);
+      internal::prefetch(faces_[pool_[list.begin + i] >> 2]);
+  }
+  /// Calls visit(w) for the next vertex of each face at a vertex.
+  template <class Visit>
+  [[gnu::always_inline]] void for_each_next(Index vertex, Visit visit) const {
+    const List& list = lists_[vertex];
+    for (Index i = 0; i < list.size; ++i) {
+      const Index corner = pool_[list.begin + i];
+      const Index w = faces_[corner >> 2][(corner & 3) == 2 ? 0 : (corner & 3) + 1];
+      if (w != none) // else the face is dead
+        visit(w);
+    }
   }
 
 private:

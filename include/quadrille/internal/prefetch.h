@@ -1,0 +1,21 @@
+#ifndef QUADRILLE_INTERNAL_PREFETCH_H
+#define QUADRILLE_INTERNAL_PREFETCH_H
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// Asks for an object that will be read or written soon, without waiting for it.
+///
+/// This and all that calls it for others must be inlined always: g++ takes a function that does
+/// nothing but prefetch for one without effect, and drops the calls.
+template <class T>
+[[gnu::always_inline]] inline void prefetch(const T& object) {
+  constexpr std::size_t line = 64;
+  for (std::size_t i = 0; i < sizeof(T); i += line)
+    __builtin_prefetch(reinterpret_cast<const char*>(&object) + i);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PREFETCH_H
