@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -286,81 +287,77 @@ private:
     return common == link({a, b});
   }
 
-  bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
-    const auto normal = [](const Position& p, const Position& q, const Position& r) {
-      return cross(q - p, r - p);
+  // A face that a contraction changes, or one beside it: its normals, not of unit length.
+  struct Turn {
+    Triangle face;
+    Position before, after;
+  };
+
+  Turn turn(const Triangle& face, Vertex a, Vertex b, const Position& target) const {
+    const auto after = [&](Vertex v) { return v == a || v == b ? target : position_[v]; };
+    const auto normal = [&](const auto& at) {
+      return cross(at(face[1]) - at(face[0]), at(face[2]) - at(face[0]));
     };
-    return std::any_of(faces_.begin(), faces_.end(), [&](const auto& face) {
-      if (has(face, a) == has(face, b))
-        return false; // it vanishes, or nothing happens to it
-      std::array<Position, 3> before, after;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vertex v = face.second[i];
-        before[i] = position_[v];
-        after[i] = v == a || v == b ? target : position_[v];
-      }
-      const Position n = normal(before[0], before[1], before[2]);
-      return squared_length(n) > 0 && dot(n, normal(after[0], after[1], after[2])) <= 0;
+    return {face, normal([&](Vertex v) { return position_[v]; }), normal(after)};
+  }
+
+  // Of the faces with just one of the ends: the others vanish, or nothing happens to them.
+  std::vector<Turn> changed_faces(Vertex a, Vertex b, const Position& target) const {
+    std::vector<Turn> changed;
+    for (const auto& face : faces_)
+      if (has(face, a) != has(face, b))
+        changed.push_back(turn(face.second, a, b, target));
+    return changed;
+  }
+
+  bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
+    const std::vector<Turn> changed = changed_faces(a, b, target);
+    return std::any_of(changed.begin(), changed.end(), [](const Turn& f) {
+      return squared_length(f.before) > 0 && dot(f.before, f.after) <= 0;
     });
   }
 
-  struct Turn {
-    Triangle face;          // of numbers as they are now
-    Position before, after; // normals
-  };
+  static constexpr double degrees = 180 / std::numbers::pi; // in a radian
 
-  // Does a face come to lie between a ridge and a valley of more than 90 degrees, as it did not
-  // before?
+  static double degrees_between(const Position& m, const Position& n) {
+    return std::acos(dot(m, n) / std::sqrt(squared_length(m) * squared_length(n))) * degrees;
+  }
+
+  // Does a face come to lie between a ridge and a valley of more than 90.45 degrees, as it did not
+  // before? Looked for if a face turns by 20 degrees, where one looks away from the mean.
   bool makes_fold(Vertex a, Vertex b, const Position& target) const {
-    const auto normal = [&](const Triangle& t, const Position* moved) {
-      const auto at = [&](Vertex v) { return moved && (v == a || v == b) ? *moved : position_[v]; };
-      return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
-    };
-    const auto angle = [](const Position& m, const Position& n) {
-      return std::acos(dot(m, n) / std::sqrt(squared_length(m) * squared_length(n)));
-    };
-    constexpr double degree = 3.14159265358979323846 / 180;
-
-    std::vector<Turn> changed, others;
+    const std::vector<Turn> changed = changed_faces(a, b, target);
+    const double least_turn = std::acos(std::sqrt(0.883)) * degrees;
     Position mean{};
-    bool is_any_turned = false;
-    for (const auto& face : faces_) {
-      const Triangle& t = face.second;
-      if (has(face, a) && has(face, b))
-        continue;
-      const Turn turn{t, normal(t, nullptr), normal(t, &target)};
-      (has(face, a) || has(face, b) ? changed : others).push_back(turn);
-      if (has(face, a) || has(face, b)) {
-        mean = mean + turn.after;
-        is_any_turned |= angle(turn.before, turn.after) > std::acos(std::sqrt(0.883));
-      }
-    }
-    if (!is_any_turned)
-      return false;
+    for (const Turn& f : changed)
+      mean = mean + f.after;
+    return std::any_of(
+               changed.begin(), changed.end(),
+               [&](const Turn& f) { return degrees_between(f.before, f.after) > least_turn; }) &&
+           std::any_of(changed.begin(), changed.end(), [&](const Turn& f) {
+             return !(degrees_between(f.after, mean) < 60) && is_new_fold(f, a, b, target);
+           });
+  }
 
+  bool is_new_fold(const Turn& f, Vertex a, Vertex b, const Position& target) const {
     const auto is_end = [&](Vertex v) { return v == a || v == b; };
-    return std::any_of(changed.begin(), changed.end(), [&](const Turn& f) {
-      if (angle(f.after, mean) < 60 * degree)
-        return false;
-      std::array<bool, 2> before{}, after{}; // over a ridge, over a valley
-      const auto look = [&](const Turn& g) {
-        for (std::size_t i = 0; i < 3; ++i)
-          for (std::size_t j = 0; j < 3; ++j) {
-            const Vertex p = f.face[i], q = f.face[(i + 1) % 3]; // an edge of one, and of the other
-            const Vertex r = g.face[j], s = g.face[(j + 1) % 3];
-            if (!((p == s || (is_end(p) && is_end(s))) && (q == r || (is_end(q) && is_end(r)))))
-              continue;
-            const Position way = position_[g.face[(j + 2) % 3]] - position_[is_end(p) ? q : p];
-            before[dot(f.before, way) < 0 ? 0 : 1] |= angle(f.before, g.before) > 90.4476 * degree;
-            after[dot(f.after, way) < 0 ? 0 : 1] |= angle(f.after, g.after) > 90.4476 * degree;
-          }
-      };
-      for (const auto* faces : {&changed, &others})
-        for (const Turn& g : *faces)
-          if (g.face != f.face)
-            look(g);
-      return after[0] && after[1] && !(before[0] && before[1]);
-    });
+    const auto is_same = [&](Vertex v, Vertex w) { return v == w || (is_end(v) && is_end(w)); };
+    std::array<bool, 2> before{}, after{}; // over a ridge, over a valley
+    for (const auto& face : faces_) {
+      if (face.second == f.face || (has(face, a) && has(face, b)))
+        continue;
+      const Turn g = turn(face.second, a, b, target);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+          const Vertex p = f.face[i], q = f.face[(i + 1) % 3]; // an edge of one, and of the other
+          if (!is_same(p, g.face[(j + 1) % 3]) || !is_same(q, g.face[j]))
+            continue;
+          const Position way = position_[g.face[(j + 2) % 3]] - position_[is_end(p) ? q : p];
+          before[dot(f.before, way) < 0 ? 0 : 1] |= degrees_between(f.before, g.before) > 90.4476;
+          after[dot(f.after, way) < 0 ? 0 : 1] |= degrees_between(f.after, g.after) > 90.4476;
+        }
+    }
+    return after[0] && after[1] && !(before[0] && before[1]);
   }
 
   // --- The contraction ---------------------------------------------------------------------------

@@ -25,24 +25,14 @@ struct Model {
   Mesh mesh;
 };
 
-#ifdef CGAL_CHECK_EXPENSIVE // with which it takes hours to measure the others
-constexpr bool are_models_small = true;
-#else
-constexpr bool are_models_small = false;
-#endif
-
 std::vector<Model> models() {
   std::vector<Model> models;
-  if (!are_models_small)
-    for (const char* name :
-         {"cow", "bones", "nefertiti", "blobby_3cc", "mech-holes-shark", "pinion"})
-      models.push_back({name, read_model(name)});
-  const auto sphere = test::sphere(are_models_small ? 2 : 4);
-  models.push_back({"sphere", test::make_mesh(sphere)});
-  models.push_back(
-      {"torus", test::make_mesh(are_models_small ? test::torus(12, 8) : test::torus(40, 20))});
-  models.push_back({"cube", test::make_mesh(test::cube(are_models_small ? 3 : 12))});
-  models.push_back({"noise", test::make_mesh(test::with_noise(sphere, 1, 0.02))});
+  for (const char* name : {"cow", "bones", "nefertiti", "blobby_3cc", "mech-holes-shark", "pinion"})
+    models.push_back({name, read_model(name)});
+  models.push_back({"sphere", test::make_mesh(test::sphere(4))});
+  models.push_back({"torus", test::make_mesh(test::torus(40, 20))});
+  models.push_back({"cube", test::make_mesh(test::cube(12))});
+  models.push_back({"noise", test::make_mesh(test::with_noise(test::sphere(4), 1, 0.02))});
   models.push_back({"holes", test::make_mesh(test::random_with_borders(3))});
   return models;
 }

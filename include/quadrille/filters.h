@@ -18,7 +18,8 @@ enum class Folds { refused, allowed };
 
 /// Refuses a contraction that turns the normal of a face by `degrees` or more (the test of the 1997
 /// paper, section 6). Several contractions that each turn a face by less can still fold it over its
-/// neighbours: the one that would do it is refused too, unless folds are allowed.
+/// neighbours: unless folds are allowed, one that would do it is refused too, as far as that is
+/// seen where a face turns by more than 20 degrees.
 ///
 /// On by default, with 90 degrees. A face of three points on a line, up to rounding, has no normal
 /// and may turn to any; 180 degrees allows everything.

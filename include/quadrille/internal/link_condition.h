@@ -177,7 +177,7 @@ public:
   /// Is each neighbour of the vertex the second vertex of just one of its faces?
   bool is_oriented(Index v) const { return kind_[v] == Kind::interior; }
 
-  [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(kind_[v]); }
+  [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(&kind_[v]); }
 
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 

@@ -39,7 +39,7 @@ public:
     end_ = std::max(end_, mark_[vertex] + 1);
   }
 
-  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(mark_[vertex]); }
+  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&mark_[vertex]); }
 
 private:
   std::vector<Index> mark_;

@@ -87,8 +87,8 @@ public:
         costs_.prefetch(v);
         if (is_topology_kept_)
           link_condition_.prefetch(v);
-        internal::prefetch(is_moved_[v]);
-        internal::prefetch(merged_into_[v]);
+        internal::prefetch(&is_moved_[v]);
+        internal::prefetch(&merged_into_[v]);
       }
     if (const auto* later = peek(8))
       for (Index v : {later->first, later->second})

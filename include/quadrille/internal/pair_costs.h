@@ -81,11 +81,11 @@ public:
   }
 
   [[gnu::always_inline]] void prefetch(Index v) const {
-    internal::prefetch(positions_[v]);
-    internal::prefetch(memories_[v]);
-    internal::prefetch(squared_reach_[v]);
+    internal::prefetch(&positions_[v]);
+    internal::prefetch(&memories_[v]);
+    internal::prefetch(&squared_reach_[v]);
     if constexpr (asks_for_current<Cost>)
-      internal::prefetch(current_[v]);
+      internal::prefetch(&current_[v]);
   }
 
   /// The pair as cost and placement see it.

@@ -145,7 +145,7 @@ private:
     auto [b, size] = std::exchange(bucket, {});
     while (b != end_of_list) {
       if (blocks_[b].next != end_of_list)
-        prefetch(blocks_[blocks_[b].next]);
+        prefetch(&blocks_[blocks_[b].next]);
       const Block block = blocks_[b];
       free_block(b);
       for (std::uint32_t i = 0; i < size; ++i)

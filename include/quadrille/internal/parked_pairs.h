@@ -45,7 +45,7 @@ public:
   std::size_t size() const { return size_; }
 
   [[gnu::always_inline]] void prefetch(Index vertex) const {
-    internal::prefetch(first_entry_[vertex]);
+    internal::prefetch(&first_entry_[vertex]);
   }
 
 private:

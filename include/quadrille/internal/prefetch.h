@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_PREFETCH_H
 
 #include <cstddef>
+#include <type_traits>
 
 namespace quadrille::internal {
 
@@ -10,10 +11,11 @@ namespace quadrille::internal {
 /// This and all that calls it for others must be inlined always: g++ takes a function that does
 /// nothing but prefetch for one without effect, and drops the calls.
 template <class T>
-[[gnu::always_inline]] inline void prefetch(const T& object) {
+[[gnu::always_inline]] inline void prefetch(const T* object) {
   constexpr std::size_t line = 64;
-  for (std::size_t i = 0; i < sizeof(T); i += line)
-    __builtin_prefetch(reinterpret_cast<const char*>(&object) + i);
+  if constexpr (!std::is_empty_v<T>)
+    for (std::size_t i = 0; i < sizeof(T); i += line)
+      __builtin_prefetch(reinterpret_cast<const char*>(object) + i);
 }
 
 } // namespace quadrille::internal

@@ -121,14 +121,14 @@ public:
 
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
   /// where its corners are, the corners, the faces.
-  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(lists_[vertex]); }
+  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&lists_[vertex]); }
   [[gnu::always_inline]] void prefetch_corners(Index vertex) const {
-    internal::prefetch(*(pool_.data() + lists_[vertex].begin)); // of none: one past the end
+    internal::prefetch(pool_.data() + lists_[vertex].begin);
   }
   [[gnu::always_inline]] void prefetch_faces(Index vertex) const {
     const List& list = lists_[vertex];
     for (Index i = 0; i < list.size; ++i)
-      internal::prefetch(faces_[pool_[list.begin + i] >> 2]);
+      internal::prefetch(&faces_[pool_[list.begin + i] >> 2]);
   }
   /// Calls visit(w) for the next vertex of each face at a vertex.
   template <class Visit>
