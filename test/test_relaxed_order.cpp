@@ -120,6 +120,53 @@ TEST_CASE("Passes hold to constraints") {
   }
 }
 
+TEST_CASE("Passes hand out what vertices remember at the vertices' own numbers") {
+  const bool refresh = GENERATE(false, true);
+  Mesh mesh = test::make_mesh(test::sphere(5));
+  const auto map = mesh.add_property_map<Mesh::Vertex_index, QuadricForm<3>>("v:quadric").first;
+  simplify(mesh, FaceRatio{0.05}, RelaxedOrder{.refresh = refresh},
+           parameters::vertex_quadric_map(map));
+  REQUIRE(mesh.number_of_vertices() > 100);
+  for (const auto v : mesh.vertices()) { // about the vertex: the tangent plane, nearly
+    const auto out = 0.01 * test::to_position(mesh.point(v));
+    REQUIRE(map[v](out) > 0.8 * 0.01 * 0.01);
+  }
+}
+
+TEST_CASE("Passes keep creases where they are, with their vertices under new numbers") {
+  const bool refresh = GENERATE(false, true);
+  const auto off_the_seam = [&](bool has_seam) { // of a seam along a diagonal of a plate: the RMS
+    Mesh mesh = test::make_mesh(test::grid(64, 64));
+    const auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
+    const auto is_on_seam = [](const test::Point& p) { return p.x() - p.y() == 10 / 64.0; };
+    std::vector<test::Point> seam;
+    for (const auto e : mesh.edges()) {
+      const auto p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
+      if (!is_on_seam(p) || !is_on_seam(q))
+        continue;
+      is_crease[e] = has_seam;
+      seam.push_back(CGAL::midpoint(p, q));
+    }
+    REQUIRE(seam.size() > 30);
+    simplify(mesh, FaceRatio{0.1}, RelaxedOrder{.share = 0.2, .refresh = refresh},
+             quadrille::parameters::edge_is_crease_map(is_crease));
+    double sum = 0;
+    for (const test::Point& p : seam) { // to the nearest edge
+      double nearest = 1;
+      for (const auto e : mesh.edges())
+        nearest = std::min(nearest, CGAL::squared_distance(p, CGAL::Segment_3<test::Kernel>(
+                                                                  mesh.point(mesh.vertex(e, 0)),
+                                                                  mesh.point(mesh.vertex(e, 1)))));
+      sum += nearest;
+    }
+    return std::sqrt(sum / static_cast<double>(seam.size()));
+  };
+  const double with = off_the_seam(true), without = off_the_seam(false);
+  CAPTURE(with, without);
+  CHECK(with < 1e-9);
+  CHECK(without > 1e-3);
+}
+
 TEST_CASE("Passes take no pair at which the stop policy would stop") {
   const Mesh input = read_model("bunny00");
   const ErrorLimit limit = ErrorLimit::relative(1e-3);

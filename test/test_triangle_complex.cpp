@@ -3,6 +3,7 @@
 #include "soups.h"
 
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/pair_lists.h>
 #include <quadrille/internal/triangle_complex.h>
 
@@ -20,6 +21,7 @@ namespace {
 
 using quadrille::internal::Index;
 using quadrille::internal::Marks;
+using quadrille::internal::Origins;
 using quadrille::internal::PairLists;
 using quadrille::internal::TriangleComplex;
 using test::Random;
@@ -132,6 +134,68 @@ TEST_CASE("Random merges and deaths leave the same corners as in plain sets") {
       REQUIRE(complex.has_faces(v) == !corners_at(model, v).empty());
     }
   }
+}
+
+TEST_CASE("What is left gets new numbers in the same order, and its own back") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 20));
+  Random random(seed);
+  const Index vertices = 50;
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 40; ++i)
+    triangles.push_back(random_triangle(random, vertices));
+  TriangleComplex complex(vertices, triangles);
+  Model model; // by first numbers
+  for (Index f = 0; f < triangles.size(); ++f)
+    if (!complex.is_dead(f))
+      model[f] = triangles[f];
+  const std::size_t all_faces = complex.face_capacity();
+  Origins vertex_origins, face_origins;
+  for (int round = 0; round < 3; ++round) {
+    for (Index f = 0; f < complex.face_capacity(); ++f)
+      if (!complex.is_dead(f) && random.below(3) == 0) {
+        complex.kill(f);
+        model.erase(face_origins[f]);
+      }
+    std::vector<Index> left_vertices = complex.left_vertices();
+    std::vector<Index> left_faces = complex.left_faces();
+    complex.pack(left_vertices, left_faces);
+    complex.build_lists();
+    vertex_origins.leave(left_vertices);
+    face_origins.leave(left_faces);
+    REQUIRE(complex.face_capacity() == model.size());
+    REQUIRE(complex.vertex_capacity() == vertex_origins.all().size());
+    std::set<Index> named;
+    Index number = 0;
+    for (const auto& [face, t] : model) {
+      REQUIRE(face_origins[number] == face);
+      for (Index i = 0; i < 3; ++i)
+        REQUIRE(vertex_origins[complex.vertices(number)[i]] == t[i]);
+      named.insert(t.begin(), t.end());
+      ++number;
+    }
+    REQUIRE(vertex_origins.all() == std::vector<Index>(named.begin(), named.end()));
+    for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+      REQUIRE(vertex_origins.find(vertex_origins[v]) == v);
+      REQUIRE(corners_at(complex, v).size() == corners_at(model, vertex_origins[v]).size());
+    }
+  }
+  complex.unpack(vertex_origins.all(), vertices, face_origins.all(), all_faces);
+  REQUIRE(complex.vertex_capacity() == vertices);
+  REQUIRE(complex.face_capacity() == all_faces);
+  for (Index f = 0; f < all_faces; ++f) {
+    REQUIRE(complex.is_dead(f) == (model.count(f) == 0));
+    if (!complex.is_dead(f))
+      REQUIRE(complex.vertices(f) == model[f]);
+  }
+  for (Index v = 0; v < vertices; ++v)
+    REQUIRE(complex.has_faces(v) == !corners_at(model, v).empty());
+}
+
+TEST_CASE("Nothing left out, all have the numbers that they had") {
+  const Origins origins;
+  CHECK(origins.empty());
+  CHECK(origins[17] == 17);
+  CHECK(origins.find(17) == 17);
 }
 
 TEST_CASE("More faces or vertices than 32 bits can number are refused with their numbers") {

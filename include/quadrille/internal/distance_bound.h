@@ -240,6 +240,8 @@ public:
         of_face_[f.face] = *bound++;
   }
 
+  void pack(const std::vector<Index>& faces) { internal::pack(of_face_, faces); }
+
   /// Of the faces that are left.
   double greatest(const TriangleComplex& complex) const {
     float greatest = 0;

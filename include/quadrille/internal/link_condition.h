@@ -179,6 +179,8 @@ public:
 
   [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(&kind_[v]); }
 
+  void pack(const std::vector<Index>& vertices) { internal::pack(kind_, vertices); }
+
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 
 private:

@@ -6,6 +6,7 @@
 #include <quadrille/internal/distance_bound.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/link_condition.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/pair_costs.h>
 #include <quadrille/internal/pair_finder.h>
 #include <quadrille/internal/pair_selection.h>
@@ -58,6 +59,7 @@ public:
         pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch_.marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
         creases_(std::move(input.creases)), merged_into_(input.positions.size(), none),
+        face_count_(complex_.face_capacity()),
         costs_(policies, complex_, scaled(std::move(input.positions)), std::move(input.is_fixed)) {
     if (!is_topology_kept_ || input.has_doubled_faces)
       drop_doubled_faces();
@@ -171,8 +173,11 @@ public:
     move(scratch, kept, gone, candidate);
   }
 
-  /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true.
+  /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
+  /// enough of them are gone, those that are left get new numbers, in the same order.
   void end_pass(bool refresh) {
+    if (has_only_edges() && 4 * count_vertices() < 3 * vertex_capacity())
+      pack();
     complex_.build_lists();
     if (!is_topology_kept_)
       progress_.status.vertices = count_vertices();
@@ -250,10 +255,11 @@ public:
   }
 
   /// Gives memory back that only contractions need, and unless `keeps_memories` what vertices
-  /// remember.
+  /// remember. Vertices and faces have their numbers of the beginning again.
   void release(bool keeps_memories) {
     complex_.release_corners();
     costs_.release(keeps_memories);
+    unpack();
     scratch_ = Scratch(0);
     distances_ = DistanceBounds(0);
   }
@@ -266,7 +272,7 @@ public:
   Scratch& scratch() { return scratch_; }
 
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
-  /// What a vertex of the beginning has become part of.
+  /// What a vertex has become part of, both by their numbers of the beginning.
   Index image(Index v) const {
     while (merged_into_[v] != none)
       v = merged_into_[v];
@@ -372,7 +378,33 @@ private:
   }
 
   void remember() {
-    costs_.remember(complex_, scratch_.marks, creases_, [this](Index v) { return is_interior(v); });
+    std::vector<std::array<Index, 2>> creases = creases_;
+    for (auto& crease : creases)
+      crease = {vertex_origins_.find(crease[0]), vertex_origins_.find(crease[1])};
+    costs_.remember(complex_, scratch_.marks, creases, [this](Index v) { return is_interior(v); });
+  }
+
+  // What is gone takes no more time or room in a cache.
+  void pack() {
+    complex_.release_corners(); // they are listed anew after that
+    std::vector<Index> vertices = complex_.left_vertices(), faces = complex_.left_faces();
+    complex_.pack(vertices, faces);
+    costs_.pack(vertices);
+    link_condition_.pack(vertices);
+    distances_.pack(faces);
+    internal::pack(is_moved_, vertices);
+    vertex_origins_.leave(std::move(vertices));
+    face_origins_.leave(std::move(faces));
+  }
+
+  void unpack() {
+    if (vertex_origins_.empty())
+      return;
+    const std::size_t vertices = merged_into_.size();
+    complex_.unpack(vertex_origins_.all(), vertices, face_origins_.all(), face_count_);
+    costs_.unpack(vertex_origins_.all(), vertices);
+    internal::unpack(is_moved_, vertex_origins_.all(), vertices);
+    vertex_origins_ = face_origins_ = Origins();
   }
 
   // Which end is kept, and which is gone.
@@ -395,7 +427,7 @@ private:
     if constexpr (asks_for_distance)
       distances_.set(scratch.star, scratch.bounds);
     pairs_.merge(kept, gone);
-    merged_into_[gone] = kept;
+    merged_into_[vertex_origins_[gone]] = vertex_origins_[kept];
     is_moved_[kept] |= candidate.target != costs_.positions()[kept];
     costs_.move(scratch.star, kept, candidate.target, candidate.pair);
     if (is_topology_kept_)
@@ -422,8 +454,10 @@ private:
   LinkCondition link_condition_;
   DistanceBounds distances_{0};               // of no face where nobody asks
   std::vector<unsigned char> is_moved_;       // no bits: threads write to it
-  std::vector<std::array<Index, 2>> creases_; // edges that the user named
-  std::vector<Index> merged_into_;            // of each vertex that is gone
+  std::vector<std::array<Index, 2>> creases_; // edges that the user named, by first numbers
+  std::vector<Index> merged_into_;            // of each vertex that is gone, by first numbers
+  Origins vertex_origins_, face_origins_;
+  std::size_t face_count_; // of the beginning
   PairCosts<Policies> costs_;
   Progress progress_;
   std::size_t initial_components_ = 0;

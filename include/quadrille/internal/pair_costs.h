@@ -134,6 +134,18 @@ public:
     update_reach(star, kept);
   }
 
+  /// Leaves out all vertices but some, and sees nothing until it is told to.
+  void pack(const std::vector<Index>& vertices) {
+    internal::pack(positions_, vertices);
+    internal::pack(memories_, vertices);
+    internal::pack(is_fixed_, vertices);
+    internal::pack(squared_reach_, vertices);
+  }
+  void unpack(const std::vector<Index>& vertices, std::size_t capacity) {
+    internal::unpack(positions_, vertices, capacity);
+    internal::unpack(memories_, vertices, capacity);
+  }
+
   /// Gives memory back that only costs need, and unless `keeps_memories` what vertices remember.
   void release(bool keeps_memories) {
     current_ = {};

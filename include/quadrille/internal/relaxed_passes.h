@@ -106,7 +106,7 @@ private:
     sample();
     const float limit = cost_limit(quota);
     share_out(quota, limit);
-    std::fill(is_touched_.begin(), is_touched_.end(), 0);
+    is_touched_.assign(surface_.vertex_capacity(), 0);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
       propose(blocks_[block], limit, workers_[worker]);
       contract_inside(blocks_[block], workers_[worker]);

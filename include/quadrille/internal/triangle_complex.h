@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 #define QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
 
 #include <algorithm>
@@ -13,9 +14,6 @@
 #include <vector>
 
 namespace quadrille::internal {
-
-using Index = std::uint32_t;
-inline constexpr Index none = ~Index{0};
 
 /// Any set of triangles over any set of vertices, in flat arrays with 32-bit indices: incidence,
 /// and nothing of positions or costs.
@@ -116,7 +114,20 @@ public:
   /// Builds all lists anew, in linear time, each in the order of its faces.
   void build_lists();
 
-  /// Gives the memory of the lists back. After that no walk is possible; has_faces() still is.
+  /// The vertices that have faces, and the faces that are left, in the order of their numbers.
+  /// After left_vertices() no walk is possible before build_lists().
+  std::vector<Index> left_vertices();
+  std::vector<Index> left_faces() const;
+
+  /// Leaves out all others and numbers these anew, 0, 1, …; then build_lists() is called.
+  void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces);
+  /// Back to the numbers that those that are left had when there were so many vertices and faces.
+  /// After that no walk is possible.
+  void unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
+              const std::vector<Index>& faces, std::size_t face_capacity);
+
+  /// Gives the memory of the lists back. After that no walk is possible before build_lists();
+  /// has_faces() still is.
   void release_corners() { pool_ = std::vector<Index>(); }
 
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
@@ -155,6 +166,9 @@ private:
     pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
   }
 
+  // Into the sizes of the lists.
+  void count_corners();
+
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
   std::vector<List> lists_; // of each vertex
@@ -173,13 +187,17 @@ inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Tr
   build_lists();
 }
 
-inline void TriangleComplex::build_lists() {
+inline void TriangleComplex::count_corners() {
   for (List& list : lists_)
     list.size = 0;
   for (const Triangle& face : faces_)
     if (face[0] != none)
       for (Index v : face)
         ++lists_[v].size;
+}
+
+inline void TriangleComplex::build_lists() {
+  count_corners();
   Index begin = 0;
   for (List& list : lists_) {
     list.begin = begin;
@@ -192,6 +210,36 @@ inline void TriangleComplex::build_lists() {
         List& list = lists_[faces_[face][i]];
         pool_[list.begin + list.size++] = 4 * face + i;
       }
+}
+
+inline std::vector<Index> TriangleComplex::left_vertices() {
+  count_corners();
+  return indices_of(lists_, [](const List& list) { return list.size != 0; });
+}
+
+inline std::vector<Index> TriangleComplex::left_faces() const {
+  return indices_of(faces_, [](const Triangle& face) { return face[0] != none; });
+}
+
+inline void TriangleComplex::pack(const std::vector<Index>& vertices,
+                                  const std::vector<Index>& faces) {
+  for (Index v = 0; v < vertices.size(); ++v)
+    lists_[vertices[v]].begin = v;
+  internal::pack(faces_, faces);
+  for (Triangle& face : faces_)
+    for (Index& v : face)
+      v = lists_[v].begin;
+  lists_.resize(vertices.size());
+}
+
+inline void TriangleComplex::unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
+                                    const std::vector<Index>& faces, std::size_t face_capacity) {
+  for (Triangle& face : faces_)
+    if (face[0] != none)
+      for (Index& v : face)
+        v = vertices[v];
+  internal::unpack(faces_, faces, face_capacity, {none, none, none});
+  internal::unpack(lists_, vertices, vertex_capacity, List{});
 }
 
 } // namespace quadrille::internal

@@ -1,0 +1,88 @@
+#ifndef QUADRILLE_INTERNAL_PACKING_H
+#define QUADRILLE_INTERNAL_PACKING_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+using Index = std::uint32_t;
+inline constexpr Index none = ~Index{0};
+
+/// Where values are of which condition(value) holds.
+template <class Values, class Condition>
+std::vector<Index> indices_of(const Values& values, Condition condition) {
+  std::vector<Index> indices;
+  indices.reserve(static_cast<std::size_t>(std::count_if(values.begin(), values.end(), condition)));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (condition(values[i]))
+      indices.push_back(static_cast<Index>(i));
+  return indices;
+}
+
+/// Moves the values of what is left (ascending indices) to the front. No memory is given back.
+template <class Values>
+void pack(Values& values, const std::vector<Index>& left) {
+  if (values.empty())
+    return;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    values[i] = values[left[i]];
+  values.resize(left.size());
+}
+
+/// Moves them back. The values of what is not left are any.
+template <class Values>
+void unpack(Values& values, const std::vector<Index>& left, std::size_t size) {
+  if (values.empty())
+    return;
+  values.resize(size);
+  for (std::size_t i = left.size(); i-- > 0;)
+    values[left[i]] = values[i];
+}
+
+/// The same, with a value for these.
+template <class Values>
+void unpack(Values& values, const std::vector<Index>& left, std::size_t size,
+            const typename Values::value_type& other) {
+  unpack(values, left, size);
+  for (std::size_t i = 0, next = 0; i < size; ++i)
+    if (next < left.size() && left[next] == i)
+      ++next;
+    else
+      values[i] = other;
+}
+
+/// The numbers that vertices, or faces, had before what is gone was left out, once or several
+/// times.
+class Origins {
+public:
+  Index operator[](Index number) const { return of_.empty() ? number : of_[number]; }
+
+  /// The inverse, for a number that is still there.
+  Index find(Index origin) const {
+    if (of_.empty())
+      return origin;
+    return static_cast<Index>(std::lower_bound(of_.begin(), of_.end(), origin) - of_.begin());
+  }
+
+  /// Those that are not among `left`, ascending indices, are left out.
+  void leave(std::vector<Index> left) {
+    if (of_.empty())
+      of_ = std::move(left);
+    else
+      pack(of_, left);
+  }
+
+  bool empty() const { return of_.empty(); } ///< Nothing has been left out.
+  const std::vector<Index>& all() const { return of_; }
+
+private:
+  std::vector<Index> of_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PACKING_H
