@@ -15,11 +15,15 @@ inline constexpr Index none = ~Index{0};
 /// Where values are of which condition(value) holds.
 template <class Values, class Condition>
 std::vector<Index> indices_of(const Values& values, Condition condition) {
-  std::vector<Index> indices;
-  indices.reserve(static_cast<std::size_t>(std::count_if(values.begin(), values.end(), condition)));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (condition(values[i]))
-      indices.push_back(static_cast<Index>(i));
+  const auto count =
+      static_cast<std::size_t>(std::count_if(values.begin(), values.end(), condition));
+  std::vector<Index> indices(count + 1);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch: it is hard to guess
+    indices[found] = static_cast<Index>(i);
+    found += condition(values[i]);
+  }
+  indices.pop_back();
   return indices;
 }
 

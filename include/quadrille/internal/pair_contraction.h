@@ -178,7 +178,8 @@ public:
   void end_pass(bool refresh) {
     if (has_only_edges() && 4 * count_vertices() < 3 * vertex_capacity())
       pack();
-    complex_.build_lists();
+    else
+      complex_.build_lists();
     if (!is_topology_kept_)
       progress_.status.vertices = count_vertices();
     if (refresh) {

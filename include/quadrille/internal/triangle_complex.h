@@ -114,12 +114,11 @@ public:
   /// Builds all lists anew, in linear time, each in the order of its faces.
   void build_lists();
 
-  /// The vertices that have faces, and the faces that are left, in the order of their numbers.
-  /// After left_vertices() no walk is possible before build_lists().
+  /// The vertices that have faces, and the faces that are left, in the order of their numbers: what
+  /// pack() is told. In between, no walk is possible.
   std::vector<Index> left_vertices();
   std::vector<Index> left_faces() const;
-
-  /// Leaves out all others and numbers these anew, 0, 1, …; then build_lists() is called.
+  /// Leaves out all others, numbers these anew, 0, 1, …, and builds the lists anew.
   void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces);
   /// Back to the numbers that those that are left had when there were so many vertices and faces.
   /// After that no walk is possible.
@@ -166,8 +165,8 @@ private:
     pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
   }
 
-  // Into the sizes of the lists.
-  void count_corners();
+  void count_corners(); // into the sizes of the lists
+  void fill_lists();    // of which the sizes are known
 
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
@@ -198,6 +197,10 @@ inline void TriangleComplex::count_corners() {
 
 inline void TriangleComplex::build_lists() {
   count_corners();
+  fill_lists();
+}
+
+inline void TriangleComplex::fill_lists() {
   Index begin = 0;
   for (List& list : lists_) {
     list.begin = begin;
@@ -229,7 +232,8 @@ inline void TriangleComplex::pack(const std::vector<Index>& vertices,
   for (Triangle& face : faces_)
     for (Index& v : face)
       v = lists_[v].begin;
-  lists_.resize(vertices.size());
+  internal::pack(lists_, vertices);
+  fill_lists();
 }
 
 inline void TriangleComplex::unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
