@@ -220,17 +220,24 @@ private:
 
   template <class Result>
   void collect_faces(const Result& result) {
-    doomed_faces_.reserve(num_faces(mesh_));
-    Index i = 0;
-    for (Face f : faces(mesh_)) {
-      const Index face = i++;
-      if (!result.has_face(face)) {
-        doomed_faces_.push_back(f);
-        continue;
-      }
-      faces_.push_back(f);
-      const auto corners = result.corners(face);
-      const auto h = halfedges_of(f);
+    std::vector<Index> numbers(num_faces(mesh_) + 1); // of the faces that are left
+    faces_.resize(numbers.size());
+    doomed_faces_.resize(numbers.size());
+    std::size_t left = 0;
+    Index face = 0;
+    for (Face f : faces(mesh_)) { // without a branch: it is hard to guess
+      numbers[left] = face;
+      faces_[left] = f;
+      doomed_faces_[face - left] = f;
+      left += result.has_face(face++);
+    }
+    faces_.resize(left);
+    doomed_faces_.resize(face - left);
+    sides_.reserve(3 * left);
+    halfedges_.reserve(3 * left);
+    for (std::size_t i = 0; i < left; ++i) {
+      const auto corners = result.corners(numbers[i]);
+      const auto h = halfedges_of(faces_[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         sides_.push_back({number_[corners[k == 0 ? 2 : k - 1]], number_[corners[k]]});
         halfedges_.push_back(h[k]);
