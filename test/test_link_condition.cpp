@@ -4,6 +4,7 @@
 
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 
@@ -21,6 +22,7 @@ using quadrille::internal::Index;
 using quadrille::internal::LinkCondition;
 using quadrille::internal::Marks;
 using quadrille::internal::PairStar;
+using quadrille::internal::Scratch;
 using quadrille::internal::TriangleComplex;
 using quadrille::internal::VertexClassifier;
 using quadrille::internal::VertexKind;
@@ -36,8 +38,9 @@ std::size_t vertex_count(const std::vector<Triangle>& triangles) {
 
 bool holds(const std::vector<Triangle>& triangles, Index a, Index b) {
   TriangleComplex complex(vertex_count(triangles), triangles);
-  Marks marks(complex.vertex_capacity());
-  const LinkCondition condition(complex, marks);
+  std::vector<Scratch> scratches(1, Scratch(complex.vertex_capacity()));
+  Marks& marks = scratches.front().marks;
+  const LinkCondition condition(complex, scratches);
   PairStar star;
   star.gather(complex, a, b);
   const bool result = condition.holds(star, a, b, marks);
@@ -186,8 +189,9 @@ TEST_CASE(
   const Soup soup = seed < 4 ? test::random_closed(seed) : test::random_with_borders(seed);
   const test::SoupTopology before = test::topology_of(soup);
   TriangleComplex complex(soup.points.size(), soup.triangles);
-  Marks marks(complex.vertex_capacity());
-  const LinkCondition condition(complex, marks);
+  std::vector<Scratch> scratches(1, Scratch(complex.vertex_capacity()));
+  Marks& marks = scratches.front().marks;
+  const LinkCondition condition(complex, scratches);
   CHECK(condition.is_closed() == before.is_closed());
   std::set<std::pair<Index, Index>> edges;
   for (const Triangle& t : soup.triangles)

@@ -3,6 +3,8 @@
 
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/prefetch.h>
+#include <quadrille/internal/ranges.h>
+#include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 
@@ -128,13 +130,17 @@ class LinkCondition {
 public:
   LinkCondition() = default;
 
-  /// Classifies every vertex, in linear time.
-  LinkCondition(TriangleComplex& complex, Marks& marks) : kind_(complex.vertex_capacity()) {
-    VertexClassifier classify;
-    for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-      kind_[v] = classify(complex, v, marks);
-      is_closed_ = is_closed_ && is_interior(v);
-    }
+  /// Classifies every vertex, in linear time, with a thread for each scratch.
+  LinkCondition(TriangleComplex& complex, std::vector<Scratch>& scratches)
+      : kind_(complex.vertex_capacity()) {
+    for_each_range(static_cast<unsigned>(scratches.size()), kind_.size(),
+                   [&](const auto& range, std::size_t worker) {
+                     VertexClassifier classify;
+                     for (Index v = range.begin; v < range.end; ++v)
+                       kind_[v] = classify(complex, v, scratches[worker].marks);
+                   });
+    is_closed_ =
+        std::all_of(kind_.begin(), kind_.end(), [](Kind kind) { return kind <= Kind::unoriented; });
   }
 
   bool holds(const PairStar& star, Index a, Index b, Marks& marks) const {

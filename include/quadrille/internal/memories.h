@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/edge_star.h>
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/ranges.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
@@ -28,11 +29,12 @@ public:
   template <class IsInterior>
   static void compute(std::vector<Memory>& result, const Cost& cost,
                       const std::vector<Position>& positions, TriangleComplex& complex,
-                      Marks& marks, const std::vector<VertexPair>& creases,
-                      IsInterior is_interior) {
+                      Marks& marks, const std::vector<VertexPair>& creases, IsInterior is_interior,
+                      unsigned threads) {
     result.assign(positions.size(), Memory{});
     InitialMemories memories(cost, positions, complex, result);
-    memories.add_faces();
+    for_each_range(threads, positions.size(),
+                   [&](const auto& range, std::size_t) { memories.add_faces(range); });
     if constexpr (has_boundaries || has_creases)
       memories.add_edges(marks, is_interior);
     if constexpr (has_creases)
@@ -53,22 +55,31 @@ private:
                   TriangleComplex& complex, std::vector<Memory>& memories)
       : cost_(cost), positions_(positions), complex_(complex), memories_(memories) {}
 
-  void add_faces() {
-    for (Index face = 0; face < complex_.face_capacity(); ++face)
-      if (!complex_.is_dead(face))
-        add_face(complex_.vertices(face));
+  // To the vertices of a range.
+  template <class R>
+  void add_faces(const R& range) {
+    for (Index face = 0; face < complex_.face_capacity(); ++face) {
+      const auto [p, q, r] = complex_.vertices(face);
+      if (!complex_.is_dead(face) && (range.contains(p) || range.contains(q) || range.contains(r)))
+        add_face(complex_.vertices(face), range);
+    }
   }
 
-  void add_face(const TriangleComplex::Triangle& face) {
+  template <class R>
+  void add_face(const TriangleComplex::Triangle& face, const R& range) {
     const auto [p, q, r] = face;
-    const Memory memory = cost_.face(positions_[p], positions_[q], positions_[r]);
-    memories_[p] += memory;
     if constexpr (requires { requires Cost::face_is_alike_at_corners; }) {
-      memories_[q] += memory;
-      memories_[r] += memory;
+      const Memory memory = cost_.face(positions_[p], positions_[q], positions_[r]);
+      for (Index v : face)
+        if (range.contains(v))
+          memories_[v] += memory;
     } else {
-      memories_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
-      memories_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
+      if (range.contains(p))
+        memories_[p] += cost_.face(positions_[p], positions_[q], positions_[r]);
+      if (range.contains(q))
+        memories_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
+      if (range.contains(r))
+        memories_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
     }
   }
 

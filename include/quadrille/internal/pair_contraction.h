@@ -10,6 +10,7 @@
 #include <quadrille/internal/pair_costs.h>
 #include <quadrille/internal/pair_finder.h>
 #include <quadrille/internal/pair_selection.h>
+#include <quadrille/internal/parallel.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/progress.h>
@@ -54,9 +55,10 @@ public:
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, policies.cost)),
-        complex_(input.positions.size(), take_triangles(input), spare_corners(input)),
-        scratch_(input.positions.size()),
-        pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch_.marks)),
+        complex_(input.positions.size(), take_triangles(input), spare_corners(input),
+                 threads_of(policies.order)),
+        scratches_(threads_of(policies.order), Scratch(input.positions.size())),
+        pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch().marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
         creases_(std::move(input.creases)), merged_into_(input.positions.size(), none),
         face_count_(complex_.face_capacity()),
@@ -64,7 +66,7 @@ public:
     if (!is_topology_kept_ || input.has_doubled_faces)
       drop_doubled_faces();
     if (is_topology_kept_)
-      link_condition_ = LinkCondition(complex_, scratch_.marks);
+      link_condition_ = LinkCondition(complex_, scratches_);
     else
       initial_components_ = count_components(complex_);
     progress_.start(complex_.live_faces(), count_vertices(), scale_.diagonal());
@@ -103,7 +105,7 @@ public:
         complex_.for_each_next(
             v, [&](Index w) __attribute__((always_inline)) {
               costs_.prefetch(w);
-              scratch_.marks.prefetch(w);
+              scratches_.front().marks.prefetch(w);
               also(w);
             });
   }
@@ -179,7 +181,7 @@ public:
     if (has_only_edges() && 4 * count_vertices() < 3 * vertex_capacity())
       pack();
     else
-      complex_.build_lists();
+      complex_.build_lists(threads());
     if (!is_topology_kept_)
       progress_.status.vertices = count_vertices();
     if (refresh) {
@@ -188,7 +190,7 @@ public:
       std::erase_if(creases_, [](const auto& crease) { return crease[0] == crease[1]; });
       remember();
     } else {
-      costs_.see(complex_, scratch_.marks);
+      costs_.see(complex_, scratch().marks);
     }
   }
 
@@ -248,7 +250,7 @@ public:
     progress_.tell(report);
     if constexpr (asks_for_distance)
       report.distance_bound = scale_.length_of_mesh(distances_.greatest(complex_));
-    const TopologyCount count = count_topology(complex_, scratch_.marks);
+    const TopologyCount count = count_topology(complex_, scratch().marks);
     report.components_after = count.components;
     report.components_before = is_topology_kept_ ? count.components : initial_components_;
     report.non_manifold_edges = count.non_manifold_edges;
@@ -261,7 +263,7 @@ public:
     complex_.release_corners();
     costs_.release(keeps_memories);
     unpack();
-    scratch_ = Scratch(0);
+    scratches_.clear();
     distances_ = DistanceBounds(0);
   }
 
@@ -270,7 +272,9 @@ public:
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
 
-  Scratch& scratch() { return scratch_; }
+  /// One for each thread.
+  std::vector<Scratch>& scratches() { return scratches_; }
+  Scratch& scratch() { return scratches_.front(); }
 
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
   /// What a vertex has become part of, both by their numbers of the beginning.
@@ -319,6 +323,8 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
+  unsigned threads() const { return static_cast<unsigned>(scratches_.size()); }
+
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
 
   std::vector<Position> scaled(std::vector<Position> positions) const {
@@ -330,11 +336,11 @@ private:
 
   // Inside the surface the faces of the star are exchanged one by one. Constraint planes of
   // boundary edges lean on faces, so vertices that may have any are summed up anew.
-  void update_current(const Scratch& scratch, Index kept) requires asks_for_current<Cost> {
+  void update_current(Scratch& scratch, Index kept) requires asks_for_current<Cost> {
     costs_.learn(kept, complex_);
     const auto renew = [&](Index v) {
       if (!is_interior(v))
-        costs_.recompute(v, complex_, scratch_.marks);
+        costs_.recompute(v, complex_, scratch.marks);
     };
     if (is_closed())
       return;
@@ -382,18 +388,24 @@ private:
     std::vector<std::array<Index, 2>> creases = creases_;
     for (auto& crease : creases)
       crease = {vertex_origins_.find(crease[0]), vertex_origins_.find(crease[1])};
-    costs_.remember(complex_, scratch_.marks, creases, [this](Index v) { return is_interior(v); });
+    costs_.remember(
+        complex_, scratch().marks, creases, [this](Index v) { return is_interior(v); }, threads());
   }
 
   // What is gone takes no more time or room in a cache.
   void pack() {
     complex_.release_corners(); // they are listed anew after that
-    std::vector<Index> vertices = complex_.left_vertices(), faces = complex_.left_faces();
-    complex_.pack(vertices, faces);
-    costs_.pack(vertices);
-    link_condition_.pack(vertices);
-    distances_.pack(faces);
-    internal::pack(is_moved_, vertices);
+    std::vector<Index> vertices = complex_.left_vertices(threads()), faces = complex_.left_faces();
+    parallel_for(threads(), 2, [&](std::size_t part, std::size_t) {
+      if (part == 0) {
+        complex_.pack(vertices, faces);
+        return;
+      }
+      costs_.pack(vertices);
+      link_condition_.pack(vertices);
+      distances_.pack(faces);
+      internal::pack(is_moved_, vertices);
+    });
     vertex_origins_.leave(std::move(vertices));
     face_origins_.leave(std::move(faces));
   }
@@ -442,14 +454,14 @@ private:
 
   void drop_doubled_faces() {
     for (Index v = 0; v < vertex_capacity(); ++v)
-      Leftovers(complex_, scratch_).drop_doubled_faces(v);
-    scratch_.tally = {};
+      Leftovers(complex_, scratch()).drop_doubled_faces(v);
+    scratch().tally = {};
   }
 
   const Policies& policies_;
   Scale<dimension> scale_;
   TriangleComplex complex_;
-  Scratch scratch_;
+  std::vector<Scratch> scratches_;
   PairFinder<typename Policies::Pairs> pairs_;
   bool is_topology_kept_;
   LinkCondition link_condition_;

@@ -59,9 +59,10 @@ public:
   /// Vertices remember the surface as it is now.
   template <class IsInterior>
   void remember(TriangleComplex& complex, Marks& marks,
-                const std::vector<std::array<Index, 2>>& creases, IsInterior is_interior) {
+                const std::vector<std::array<Index, 2>>& creases, IsInterior is_interior,
+                unsigned threads) {
     InitialMemories<Cost>::compute(memories_, policies_.cost, positions_, complex, marks, creases,
-                                   is_interior);
+                                   is_interior, threads);
     see(complex, marks);
   }
   /// A cost that looks at the surface as it is now sees all of it anew.

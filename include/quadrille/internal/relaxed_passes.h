@@ -23,10 +23,8 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()),
-        other_scratches_(order.threads - 1, Scratch(surface.vertex_capacity())) {
-    workers_.emplace_back(surface.scratch());
-    for (Scratch& scratch : other_scratches_)
+      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()) {
+    for (Scratch& scratch : surface.scratches())
       workers_.emplace_back(scratch);
   }
 
@@ -288,7 +286,6 @@ private:
   RelaxedOrder order_;
   std::vector<unsigned char> is_touched_; // no bits: threads write to it
   std::vector<Block> blocks_;
-  std::vector<Scratch> other_scratches_; // than the surface's own
   std::vector<Worker> workers_;
 };
 

@@ -57,8 +57,9 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   report.vertices_before = input.positions.size();
   report.seconds.read = watch.lap();
 
-  const SpatialOrder spatial_order =
-      ignores_indices<typename Policies::Pairs> ? SpatialOrder(input) : SpatialOrder();
+  const SpatialOrder spatial_order = ignores_indices<typename Policies::Pairs>
+                                         ? SpatialOrder(input, threads_of(policies.order))
+                                         : SpatialOrder();
   PairContraction<Policies> surface(std::move(input), policies);
   contract(surface, report, watch);
   surface.complete(report);

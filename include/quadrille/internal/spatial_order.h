@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_SPATIAL_ORDER_H
 
 #include <quadrille/internal/digit_sort.h>
+#include <quadrille/internal/ranges.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
@@ -26,21 +27,23 @@ public:
 
   /// Renumbers the surface if that is worth it.
   template <std::size_t N>
-  explicit SpatialOrder(SurfaceInput<N>& surface) {
+  SpatialOrder(SurfaceInput<N>& surface, unsigned threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    rank_ = ranks(sorted_by(curve_keys(surface.positions)));
+    rank_ = ranks(sorted_by(curve_keys(surface.positions, threads)));
     for (auto& [v, w] : surface.creases)
       v = rank_[v], w = rank_[w];
-    for (auto& triangle : surface.triangles)
-      for (Index& v : triangle)
-        v = rank_[v];
+    for_each_range(threads, surface.triangles.size(), [&](const auto& range, std::size_t) {
+      for (Index face = range.begin; face < range.end; ++face)
+        for (Index& v : surface.triangles[face])
+          v = rank_[v];
+    });
     rank_faces(surface.triangles);
     // The second copy takes the room that the first has left.
-    permute(surface.positions, rank_);
-    permute(surface.triangles, face_rank_);
+    permute(surface.positions, rank_, threads);
+    permute(surface.triangles, face_rank_, threads);
     if (!surface.is_fixed.empty())
-      permute(surface.is_fixed, rank_);
+      permute(surface.is_fixed, rank_, 1); // of bits, which threads can't write side by side
   }
 
   Index vertex_rank(Index vertex) const { return rank_.empty() ? vertex : rank_[vertex]; }
@@ -61,21 +64,21 @@ private:
   }
 
   template <std::size_t N>
-  static std::vector<std::uint32_t> curve_keys(const std::vector<Vector<N>>& positions) {
+  static std::vector<std::uint32_t> curve_keys(const std::vector<Vector<N>>& positions,
+                                               unsigned threads) {
     const Box<N> box(positions);
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
-    std::vector<std::uint32_t> keys;
-    keys.reserve(positions.size());
-    for (const Vector<N>& p : positions) {
-      std::uint32_t key = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double cell = extent > 0 ? (0.5 * p[i] - 0.5 * box.low[i]) / extent * 1023 : 0;
-        key |= spread(static_cast<std::uint32_t>(cell)) << i;
-      }
-      keys.push_back(key);
-    }
+    std::vector<std::uint32_t> keys(positions.size(), 0);
+    for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
+      for (Index v = range.begin; v < range.end; ++v)
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double half = 0.5 * positions[v][i] - 0.5 * box.low[i];
+          const double cell = extent > 0 ? half / extent * 1023 : 0;
+          keys[v] |= spread(static_cast<std::uint32_t>(cell)) << i;
+        }
+    });
     return keys;
   }
 
@@ -122,10 +125,12 @@ private:
   }
 
   template <class T>
-  static void permute(std::vector<T>& values, const std::vector<Index>& rank) {
+  static void permute(std::vector<T>& values, const std::vector<Index>& rank, unsigned threads) {
     std::vector<T> permuted(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-      permuted[rank[i]] = values[i];
+    for_each_range(threads, values.size(), [&](const auto& range, std::size_t) {
+      for (Index i = range.begin; i < range.end; ++i)
+        permuted[rank[i]] = values[i];
+    });
     values = std::move(permuted);
   }
 

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
+#include <quadrille/internal/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -36,7 +37,7 @@ public:
   /// Builds the lists in linear time, with room for so many corners beside those that there are. A
   /// triangle with two equal vertices is dead from the beginning.
   TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
-                  std::size_t spare_corners = 0);
+                  std::size_t spare_corners = 0, unsigned threads = 1);
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
@@ -112,14 +113,15 @@ public:
   }
 
   /// Builds all lists anew, in linear time, each in the order of its faces.
-  void build_lists();
+  void build_lists(unsigned threads = 1);
 
   /// The vertices that have faces, and the faces that are left, in the order of their numbers: what
   /// pack() is told. In between, no walk is possible.
-  std::vector<Index> left_vertices();
+  std::vector<Index> left_vertices(unsigned threads = 1);
   std::vector<Index> left_faces() const;
   /// Leaves out all others, numbers these anew, 0, 1, …, and builds the lists anew.
-  void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces);
+  void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces,
+            unsigned threads = 1);
   /// Back to the numbers that those that are left had when there were so many vertices and faces.
   /// After that no walk is possible.
   void unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
@@ -165,8 +167,8 @@ private:
     pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
   }
 
-  void count_corners(); // into the sizes of the lists
-  void fill_lists();    // of which the sizes are known
+  void count_corners(unsigned threads); // into the sizes of the lists
+  void fill_lists(unsigned threads);    // of which the sizes are known
 
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
@@ -174,7 +176,7 @@ private:
 };
 
 inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
-                                        std::size_t spare_corners)
+                                        std::size_t spare_corners, unsigned threads)
     : faces_(std::move(triangles)), lists_(vertex_count) {
   check_size(vertex_count, faces_.size());
   for (Index face = 0; face < faces_.size(); ++face) {
@@ -183,40 +185,46 @@ inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Tr
       kill(face);
   }
   pool_.reserve(3 * faces_.size() + spare_corners);
-  build_lists();
+  build_lists(threads);
 }
 
-inline void TriangleComplex::count_corners() {
-  for (List& list : lists_)
-    list.size = 0;
-  for (const Triangle& face : faces_)
-    if (face[0] != none)
-      for (Index v : face)
-        ++lists_[v].size;
+inline void TriangleComplex::count_corners(unsigned threads) {
+  for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
+    for (Index v = range.begin; v < range.end; ++v)
+      lists_[v].size = 0;
+    for (const Triangle& face : faces_)
+      if (face[0] != none)
+        for (Index v : face)
+          if (range.contains(v))
+            ++lists_[v].size;
+  });
 }
 
-inline void TriangleComplex::build_lists() {
-  count_corners();
-  fill_lists();
+inline void TriangleComplex::build_lists(unsigned threads) {
+  count_corners(threads);
+  fill_lists(threads);
 }
 
-inline void TriangleComplex::fill_lists() {
-  Index begin = 0;
+inline void TriangleComplex::fill_lists(unsigned threads) {
+  Index all = 0;
   for (List& list : lists_) {
-    list.begin = begin;
-    begin += std::exchange(list.size, 0);
+    list.begin = all;
+    all += std::exchange(list.size, 0);
   }
-  pool_.resize(begin);
-  for (Index face = 0; face < faces_.size(); ++face)
-    if (!is_dead(face))
-      for (Index i = 0; i < 3; ++i) {
-        List& list = lists_[faces_[face][i]];
-        pool_[list.begin + list.size++] = 4 * face + i;
-      }
+  pool_.resize(all);
+  for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
+    for (Index face = 0; face < faces_.size(); ++face)
+      if (!is_dead(face))
+        for (Index i = 0; i < 3; ++i)
+          if (const Index v = faces_[face][i]; range.contains(v)) {
+            List& list = lists_[v];
+            pool_[list.begin + list.size++] = 4 * face + i;
+          }
+  });
 }
 
-inline std::vector<Index> TriangleComplex::left_vertices() {
-  count_corners();
+inline std::vector<Index> TriangleComplex::left_vertices(unsigned threads) {
+  count_corners(threads);
   return indices_of(lists_, [](const List& list) { return list.size != 0; });
 }
 
@@ -225,7 +233,7 @@ inline std::vector<Index> TriangleComplex::left_faces() const {
 }
 
 inline void TriangleComplex::pack(const std::vector<Index>& vertices,
-                                  const std::vector<Index>& faces) {
+                                  const std::vector<Index>& faces, unsigned threads) {
   for (Index v = 0; v < vertices.size(); ++v)
     lists_[vertices[v]].begin = v;
   internal::pack(faces_, faces);
@@ -233,7 +241,7 @@ inline void TriangleComplex::pack(const std::vector<Index>& vertices,
     for (Index& v : face)
       v = lists_[v].begin;
   internal::pack(lists_, vertices);
-  fill_lists();
+  fill_lists(threads);
 }
 
 inline void TriangleComplex::unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
