@@ -4,7 +4,8 @@
 #   sh test/mutants/run.sh [FIRST [LAST]]   lines of mutants.tsv, all of them by default
 #
 # A line of mutants.tsv: header, code, what replaces its first occurrence, tests; between tabs, \n
-# for the end of a line.
+# for the end of a line. The tests must pass without a bug, on the models of a configured build:
+# CGAL_DATA_DIR, or that of `cmake --preset test`.
 set -u
 export LC_ALL=C
 
@@ -12,6 +13,11 @@ cd -- "$(dirname -- "$0")/../.."
 first=${1:-1}
 last=${2:-$(wc -l <test/mutants/mutants.tsv)}
 folder=build/mutants
+export CGAL_DATA_DIR="${CGAL_DATA_DIR:-$PWD/build/test/data}"
+[ -d "$CGAL_DATA_DIR/meshes" ] || {
+  echo "no models in $CGAL_DATA_DIR: configure a build first, cmake --preset test" >&2
+  exit 2
+}
 compile="${CXX:-g++} -std=c++20 -O0 -w"
 
 mkdir -p "$folder"
@@ -23,8 +29,9 @@ mkdir -p "$folder"
 
 # passes TEST: sets the verdict if it does not.
 passes() {
+  case $1 in parallel) libraries="-DQUADRILLE_WITH_TBB -ltbb" ;; *) libraries= ;; esac
   $compile -include "$folder/prelude.h" -Itest -I"$folder/include" "test/test_$1.cpp" \
-    "$folder/main.o" -o "$folder/test_$1" 2>"$folder/log" || {
+    "$folder/main.o" $libraries -o "$folder/test_$1" 2>"$folder/log" || {
     verdict="DOES NOT COMPILE"
     return 1
   }
@@ -34,11 +41,22 @@ passes() {
   }
 }
 
+# selected: the chosen lines of mutants.tsv
+selected() { sed -n "$first,${last}p" test/mutants/mutants.tsv; }
+
+rm -rf "$folder/include"
+cp -r include "$folder/include"
+for test in $(selected | cut -f 4 | tr ' ' '\n' | sort -u); do
+  passes "$test" || {
+    printf '%s\n' "test_$test without a bug: $verdict"
+    exit 2
+  }
+done
+
 survivors=0
-line=0
+line=$((first - 1))
 while IFS="$(printf '\t')" read -r header code replacement tests; do
   line=$((line + 1))
-  [ "$line" -ge "$first" ] && [ "$line" -le "$last" ] || continue
   rm -rf "$folder/include"
   cp -r include "$folder/include"
   CODE=$code REPLACEMENT=$replacement perl -0777 -pi -e '
@@ -57,7 +75,7 @@ while IFS="$(printf '\t')" read -r header code replacement tests; do
   case $verdict in killed*) ;; *) survivors=$((survivors + 1)) ;; esac
   printf '%s\n' "$line: $header: $verdict: $code -> $replacement"
 done <<TSV
-$(cat test/mutants/mutants.tsv)
+$(selected)
 TSV
 echo "$survivors survived"
 [ "$survivors" -eq 0 ]
