@@ -54,7 +54,11 @@ void warm_up(const Contender& contender) {
   contender.simplify(sphere, 128);
 }
 
-Run run_here(const Contender& contender, Mesh mesh, std::size_t faces) {
+Run run_here(const Contender& contender, Mesh mesh, std::size_t faces, Purpose purpose) {
+  if (purpose == Purpose::memory) {
+    mallopt(M_MMAP_THRESHOLD, 1 << 16);
+    mallopt(M_TOP_PAD, 0);
+  }
   warm_up(contender);
   const PeakMemory memory;
   const auto start = Clock::now();
@@ -138,7 +142,7 @@ Run receive(Receiver receiver) {
 } // namespace
 
 std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
-                                double limit) {
+                                double limit, Purpose purpose) {
   int ends[2];
   if (pipe(ends) != 0)
     throw std::runtime_error("no pipe");
@@ -147,7 +151,7 @@ std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, st
     throw std::runtime_error("no child process");
   if (child == 0) {
     try {
-      send(ends[1], run_here(contender, mesh, faces));
+      send(ends[1], run_here(contender, mesh, faces, purpose));
       _exit(EXIT_SUCCESS);
     } catch (...) {
       _exit(EXIT_FAILURE);

@@ -17,11 +17,16 @@ struct Run {
   Soup answer;
 };
 
+/// What a run is for. Memory is measured where malloc() maps every large block by itself and gives
+/// it back at once, so that what a program holds counts and not the holes that others have left;
+/// that takes time.
+enum class Purpose { time, memory };
+
 /// Runs the contender in a child process, so that its memory can be measured, none of it is left
 /// for the next one, and a crash costs one row. Empty when the child crashed, ran out of memory or
 /// took longer than `limit` seconds.
 std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
-                                double limit);
+                                double limit, Purpose purpose);
 
 } // namespace bench
 

@@ -65,18 +65,26 @@ Result compete(const std::string& model, const Mesh& mesh, const Settings& setti
   const Soup input = to_soup(mesh);
   const std::vector<Contender> all = contenders(settings);
   for (const Contender& contender : all)
-    result.rows.push_back({contender.name, contender.options, {}, {}});
+    result.rows.push_back({contender.name, contender.options, {}, {}, 0});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::cerr << model << ", memory and error: " << all[i].name << "\n";
+    Row& row = result.rows[i];
+    const auto run =
+        run_in_child(all[i], mesh, result.target_faces, settings.limit, Purpose::memory);
+    if (!run)
+      continue;
+    row.peak_megabytes = run->peak_megabytes;
+    row.quality = measure(input, run->answer, settings.samples);
+  }
   for (int round = 0; round < settings.runs; ++round) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       Row& row = result.rows[i];
-      if (round > 0 && !row.quality)
-        continue; // failed in the first round
+      if (!row.quality)
+        continue; // it has failed
       std::cerr << model << ", round " << round + 1 << ": " << row.contender << "\n";
-      auto run = run_in_child(all[i], mesh, result.target_faces, settings.limit);
+      auto run = run_in_child(all[i], mesh, result.target_faces, settings.limit, Purpose::time);
       if (!run)
         continue;
-      if (round == 0)
-        row.quality = measure(input, run->answer, settings.samples);
       run->answer = {};
       row.runs.push_back(*run);
     }

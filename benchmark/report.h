@@ -17,6 +17,7 @@ struct Row {
   std::string options;
   std::vector<Run> runs; ///< without their answers; empty when the contender failed
   std::optional<Quality> quality;
+  double peak_megabytes = 0;
 };
 
 struct Result {

@@ -353,9 +353,10 @@ TEST_CASE("A mesh can be simplified again and again, and refined in between") {
     REQUIRE(mesh.number_of_faces() + 1 >= target); // an edge inside may be all that is left to take
     // A face is split, on top of the garbage that is there.
     const auto h = halfedge(*mesh.faces().begin(), mesh);
-    const auto centroid = CGAL::centroid(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
-                                         mesh.point(target(next(h, mesh), mesh)));
-    mesh.point(target(CGAL::Euler::add_center_vertex(h, mesh), mesh)) = centroid;
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+                r = mesh.point(mesh.target(mesh.next(h)));
+    const auto center = CGAL::Euler::add_center_vertex(h, mesh);
+    mesh.point(mesh.target(center)) = CGAL::centroid(p, q, r);
     REQUIRE(test::is_valid_triangle_mesh(mesh));
   }
   CHECK(mesh.number_of_faces() < test::random_with_borders(seed).triangles.size() / 2);
