@@ -148,10 +148,9 @@ public:
       return false; // not an edge
     marks.clear();
     constexpr Index in_first = 0, in_both = 1;
-    for (const StarFace& f : star.first)
-      mark_unless(f, a, b, in_first, marks);
     for (const StarFace& f : star.shared)
-      mark_unless(f, a, b, in_first, marks);
+      marks.set(f.second == b ? f.third : f.second, in_first);
+    for_each_neighbour(star.first, a, [&](Index v) { marks.set(v, in_first); });
     std::size_t common = 0;
     const auto count_common = [&](Index v) {
       if (marks.is_marked_with(v, in_first)) {
@@ -159,14 +158,9 @@ public:
         ++common;
       }
     };
-    for (const StarFace& f : star.second) {
-      count_common(f.second);
-      count_common(f.third);
-    }
-    for (const StarFace& f : star.shared) {
-      count_common(f.second);
-      count_common(f.third);
-    }
+    for_each_neighbour(star.second, b, count_common);
+    for (const StarFace& f : star.shared)
+      count_common(f.second == b ? f.third : f.second);
     if (common != star.shared.size())
       return false; // a common neighbour that is not opposite to the edge, or a doubled face
     for (const StarFace& f : star.first)
@@ -192,10 +186,18 @@ public:
 private:
   using Kind = VertexKind;
 
-  static void mark_unless(const StarFace& f, Index a, Index b, Index number, Marks& marks) {
-    for (Index v : {f.second, f.third})
-      if (v != a && v != b)
-        marks.set(v, number);
+  // Of an oriented vertex, all neighbours but those of its shared faces are second vertices.
+  template <class Visit>
+  void for_each_neighbour(const std::vector<StarFace>& faces, Index v, Visit visit) const {
+    if (is_oriented(v)) {
+      for (const StarFace& f : faces)
+        visit(f.second);
+      return;
+    }
+    for (const StarFace& f : faces) {
+      visit(f.second);
+      visit(f.third);
+    }
   }
 
   static bool has_link_edge(const std::vector<StarFace>& star, Index p, Index q) {
