@@ -31,7 +31,7 @@ mkdir -p "$folder"
 passes() {
   case $1 in
     parallel) options="-DQUADRILLE_WITH_TBB -ltbb" ;;
-    error_limit) options=-O1 ;; # measures distances, for minutes without
+    error_limit | targets) options=-O1 ;; # take minutes without
     *) options= ;;
   esac
   $compile -include "$folder/prelude.h" -Itest -I"$folder/include" "test/test_$1.cpp" \
