@@ -29,13 +29,14 @@ mkdir -p "$folder"
 
 # passes TEST: sets the verdict if it does not.
 passes() {
+  options= libraries=
   case $1 in
-    parallel) options="-DQUADRILLE_WITH_TBB -ltbb" ;;
+    any_order) options=-Itest/any_order ;;
+    parallel) options=-DQUADRILLE_WITH_TBB libraries=-ltbb ;;
     error_limit | targets) options=-O1 ;; # take minutes without
-    *) options= ;;
   esac
-  $compile -include "$folder/prelude.h" -Itest -I"$folder/include" "test/test_$1.cpp" \
-    "$folder/main.o" $options -o "$folder/test_$1" 2>"$folder/log" || {
+  $compile -include "$folder/prelude.h" $options -Itest -I"$folder/include" "test/test_$1.cpp" \
+    "$folder/main.o" $libraries -o "$folder/test_$1" 2>"$folder/log" || {
     verdict="DOES NOT COMPILE"
     return 1
   }

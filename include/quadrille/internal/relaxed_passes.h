@@ -91,9 +91,7 @@ private:
     std::size_t refused = now.vertices + 1;
     while (refused - allowed > 1) {
       const std::size_t middle = allowed + (refused - allowed) / 2;
-      const bool is_too_many =
-          stop(status_after(middle - 1)) || is_passed(stop, status_after(middle));
-      (is_too_many ? refused : allowed) = middle;
+      (stop(status_after(middle - 1)) ? refused : allowed) = middle;
     }
     return allowed;
   }
@@ -158,7 +156,7 @@ private:
     return *nth;
   }
 
-  // To blocks, by the cheap pairs that the sample has found there.
+  // To blocks, by the cheap pairs that the sample has found there; less than the quota in all.
   void share_out(std::size_t quota, float limit) {
     const auto cheap_ones = [limit](const Block& block) {
       const auto is_cheap = [limit](float cost) { return cost <= limit; };

@@ -1,0 +1,39 @@
+// What threads do at a time may be done in any order. Threads that get in each other's way do so
+// now and then; tasks that depend on each other differ each time that they are done backwards.
+#define QUADRILLE_WITH_TBB // so that more than one thread may be asked for
+#include "meshes.h"
+#include "soups.h"
+
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace quadrille;
+using test::Mesh;
+
+test::Soup simplified(const auto& cost, Mesh mesh, const RelaxedOrder& order, bool backwards) {
+  internal::runs_backwards = backwards;
+  simplify(mesh, cost, FaceRatio{0.1}, order);
+  return test::to_soup(mesh);
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Tasks of several threads may be done in any order", "", Quadric,
+                   MemorylessQuadric) {
+  for (const char* name : {"bunny00", "nefertiti"})
+    for (bool refresh : {false, true}) {
+      const Mesh input = test::read_model(name);
+      const TestType cost;
+      const RelaxedOrder order{.refresh = refresh, .threads = 3};
+      const test::Soup one = simplified(cost, input, {.refresh = refresh}, false);
+      for (bool backwards : {false, true}) {
+        CAPTURE(name, refresh, backwards);
+        const test::Soup soup = simplified(cost, input, order, backwards);
+        REQUIRE(soup.points == one.points);
+        REQUIRE(soup.triangles == one.triangles);
+      }
+    }
+}
