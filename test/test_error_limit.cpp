@@ -117,6 +117,24 @@ TEST_CASE("A flat part costs no distance at all") {
   CHECK(report.faces_after < 100);
 }
 
+TEST_CASE("Bounds stay with their faces when these get new numbers") {
+  using namespace quadrille::internal;
+  TriangleComplex complex(6, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}});
+  DistanceBounds bounds(4);
+  PairStar star;
+  star.first = {StarFace(1, 2, 3), StarFace(3, 4, 5)};
+  bounds.set(star, {0.25f, 2.0f});
+  CHECK(bounds.greatest(complex) == 2);
+  complex.kill(0);
+  complex.kill(2);
+  bounds.pack(complex.left_faces());
+  const std::vector<Index> vertices = complex.left_vertices();
+  complex.pack(vertices, complex.left_faces());
+  CHECK(bounds.greatest(complex) == 2);
+  complex.kill(1);
+  CHECK(bounds.greatest(complex) == 0.25);
+}
+
 TEST_CASE("Without an error limit no bound is known") {
   Mesh mesh = test::make_mesh(test::sphere(3));
   CHECK(simplify(mesh, FaceCount{100}).distance_bound == std::numeric_limits<double>::infinity());

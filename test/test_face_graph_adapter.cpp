@@ -339,6 +339,40 @@ TEST_CASE("Garbage from before the call does no harm") {
   require_consistent(with_garbage, report);
 }
 
+TEST_CASE("Where holes close, no edge is left to two") {
+  for (const char* name : {"elephant-with-holes", "mech-holes-shark", "nefertiti"}) {
+    const Mesh input = test::read_model(name);
+    for (double ratio : {0.5, 0.2, 0.1, 0.05}) {
+      CAPTURE(name, ratio);
+      Mesh mesh = input;
+      const Report report = simplify(mesh, FaceRatio{ratio}, Topology::free);
+      require_consistent(mesh, report);
+    }
+  }
+}
+
+TEST_CASE("Where topology is free, constrained edges are left, and to one face a side each") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 20));
+  CAPTURE(seed);
+  Mesh mesh = test::make_mesh(test::random_with_borders(seed));
+  test::Random random(seed);
+  const auto is_constrained =
+      mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", false).first;
+  std::vector<std::pair<Mesh::Edge_index, std::set<Point>>> constrained;
+  for (const auto e : mesh.edges())
+    if (random.below(12) == 0) {
+      is_constrained[e] = true;
+      constrained.push_back({e, {mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))}});
+    }
+  const Report report = simplify(mesh, FaceCount{4}, Topology::free,
+                                 CGAL::parameters::edge_is_constrained_map(is_constrained));
+  require_consistent(mesh, report);
+  for (const auto& [e, ends] : constrained) {
+    REQUIRE_FALSE(mesh.is_removed(e));
+    REQUIRE(ends == std::set<Point>{mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
+  }
+}
+
 TEST_CASE("A mesh can be simplified again and again, and refined in between") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   CAPTURE(seed);
