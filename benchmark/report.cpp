@@ -27,7 +27,7 @@ Spread spread(const Row& row, double Run::*figure) {
 
 std::optional<double> reference_seconds(const Result& result) {
   for (const Row& row : result.rows)
-    if (row.contender == reference && row.quality)
+    if (row.contender == reference && !row.runs.empty())
       return spread(row, &Run::seconds).median;
   return {};
 }

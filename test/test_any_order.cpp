@@ -8,6 +8,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+#include <vector>
+
 namespace {
 
 using namespace quadrille;
@@ -36,4 +39,26 @@ TEMPLATE_TEST_CASE("Tasks of several threads may be done in any order", "", Quad
         REQUIRE(soup.triangles == one.triangles);
       }
     }
+}
+
+TEST_CASE("The same where faces are glued at random") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 4));
+  test::Random random(seed);
+  test::Soup input;
+  for (int i = 0; i < 9000; ++i)
+    input.points.push_back({{random(0, 1), random(0, 1), random(0, 1)}});
+  for (int i = 0; i < 9000; ++i)
+    input.triangles.push_back({random.below(9000), random.below(9000), random.below(9000)});
+  for (bool refresh : {false, true}) {
+    const RelaxedOrder order{.refresh = refresh, .threads = 3};
+    std::vector<test::Point> forward = test::points_of(input), backward = forward;
+    auto forward_triangles = input.triangles, backward_triangles = input.triangles;
+    internal::runs_backwards = false;
+    simplify(forward, forward_triangles, FaceRatio{0.1}, order);
+    internal::runs_backwards = true;
+    simplify(backward, backward_triangles, FaceRatio{0.1}, order);
+    CAPTURE(seed, refresh);
+    CHECK(forward == backward);
+    CHECK(forward_triangles == backward_triangles);
+  }
 }

@@ -167,6 +167,50 @@ TEST_CASE("Passes keep creases where they are, with their vertices under new num
   CHECK(without > 1e-3);
 }
 
+TEST_CASE("Passes may take the last face of a surface") {
+  const Mesh input = [] {
+    Mesh mesh;
+    for (int i = 0; i < 3000; ++i) {
+      const double x = 4 * (i % 50), y = 4 * (i / 50);
+      mesh.add_face(mesh.add_vertex(test::Point(x, y, 0)),
+                    mesh.add_vertex(test::Point(x + 1, y, 0)),
+                    mesh.add_vertex(test::Point(x, y + 2, 0)));
+    }
+    return mesh;
+  }();
+  for (const RelaxedOrder& order : orders) {
+    Mesh mesh = input;
+    const Report report = simplify(mesh, FaceCount{0}, order, Topology::free);
+    CHECK(report.faces_after == 0);
+    CHECK(mesh.number_of_faces() == 0);
+    CHECK(mesh.number_of_vertices() == 0);
+    CHECK(mesh.is_valid());
+  }
+}
+
+TEST_CASE("Creases may lose their faces in passes") {
+  const bool are_faces = GENERATE(false, true); // else edges of no face
+  Mesh mesh = test::make_mesh(test::with_noise(test::grid(80, 80), 3, 0.002));
+  for (int i = 0; i < 1500; ++i) {
+    const double x = 1e-3 * (i % 50), y = 1e-3 * (i / 50);
+    const auto a = mesh.add_vertex(test::Point(x, y, 9)),
+               b = mesh.add_vertex(test::Point(x + 2e-4, y, 9)),
+               c = mesh.add_vertex(test::Point(x, y + 4e-4, 9));
+    if (are_faces)
+      mesh.add_face(a, b, c);
+    else
+      mesh.add_edge(a, b);
+  }
+  const auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
+  for (const auto e : mesh.edges())
+    is_crease[e] = mesh.point(mesh.vertex(e, 0)).z() > 5;
+  const Report report = simplify(mesh, FaceRatio{0.2}, RelaxedOrder{.refresh = true},
+                                 are_faces ? Topology::free : Topology::kept,
+                                 quadrille::parameters::edge_is_crease_map(is_crease));
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(test::is_valid_triangle_mesh(mesh));
+}
+
 TEST_CASE("Passes take no pair at which the stop policy would stop") {
   const Mesh input = read_model("bunny00");
   const ErrorLimit limit = ErrorLimit::relative(1e-3);

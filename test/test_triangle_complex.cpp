@@ -159,7 +159,6 @@ TEST_CASE("What is left gets new numbers in the same order, and its own back") {
     std::vector<Index> left_vertices = complex.left_vertices();
     std::vector<Index> left_faces = complex.left_faces();
     complex.pack(left_vertices, left_faces);
-    complex.build_lists();
     vertex_origins.leave(left_vertices);
     face_origins.leave(left_faces);
     REQUIRE(complex.face_capacity() == model.size());
@@ -174,6 +173,9 @@ TEST_CASE("What is left gets new numbers in the same order, and its own back") {
       ++number;
     }
     REQUIRE(vertex_origins.all() == std::vector<Index>(named.begin(), named.end()));
+    for (Index v = 0; v < vertices; ++v)
+      if (named.count(v) == 0)
+        REQUIRE(vertex_origins.find(v) == quadrille::internal::none);
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
       REQUIRE(vertex_origins.find(vertex_origins[v]) == v);
       REQUIRE(corners_at(complex, v).size() == corners_at(model, vertex_origins[v]).size());

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_DISTANCE_BOUND_H
 #define QUADRILLE_INTERNAL_DISTANCE_BOUND_H
 
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>

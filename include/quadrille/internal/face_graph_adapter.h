@@ -222,7 +222,7 @@ private:
 
   template <class Result>
   void collect_faces(const Result& result) {
-    std::vector<Index> numbers(num_faces(mesh_) + 1); // of the faces that are left
+    std::vector<Index> numbers(num_faces(mesh_)); // of the faces that are left
     faces_.resize(numbers.size());
     doomed_faces_.resize(numbers.size());
     std::size_t left = 0;

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_LINK_CONDITION_H
 
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/scratch.h>

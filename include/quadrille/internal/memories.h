@@ -59,8 +59,10 @@ private:
   template <class R>
   void add_faces(const R& range) {
     for (Index face = 0; face < complex_.face_capacity(); ++face) {
+      if (complex_.is_dead(face))
+        continue;
       const auto [p, q, r] = complex_.vertices(face);
-      if (!complex_.is_dead(face) && (range.contains(p) || range.contains(q) || range.contains(r)))
+      if (range.contains(p) || range.contains(q) || range.contains(r))
         add_face(complex_.vertices(face), range);
     }
   }

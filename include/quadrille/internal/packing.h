@@ -65,14 +65,15 @@ class Origins {
 public:
   Index operator[](Index number) const { return of_.empty() ? number : of_[number]; }
 
-  /// The inverse, for a number that is still there.
+  /// The inverse; `none` for what has been left out.
   Index find(Index origin) const {
     if (of_.empty())
       return origin;
-    return static_cast<Index>(std::lower_bound(of_.begin(), of_.end(), origin) - of_.begin());
+    const auto at = std::lower_bound(of_.begin(), of_.end(), origin);
+    return at != of_.end() && *at == origin ? static_cast<Index>(at - of_.begin()) : none;
   }
 
-  /// Those that are not among `left`, ascending indices, are left out.
+  /// Those that are not among `left`, ascending indices and at least one, are left out.
   void leave(std::vector<Index> left) {
     if (of_.empty())
       of_ = std::move(left);

@@ -178,7 +178,8 @@ public:
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
   /// enough of them are gone, those that are left get new numbers, in the same order.
   void end_pass(bool refresh) {
-    if (has_only_edges() && 4 * count_vertices() < 3 * vertex_capacity())
+    if (progress_.status.faces > 0 && has_only_edges() &&
+        4 * count_vertices() < 3 * vertex_capacity())
       pack();
     else
       complex_.build_lists(threads());
@@ -385,9 +386,11 @@ private:
   }
 
   void remember() {
-    std::vector<std::array<Index, 2>> creases = creases_;
-    for (auto& crease : creases)
-      crease = {vertex_origins_.find(crease[0]), vertex_origins_.find(crease[1])};
+    std::vector<std::array<Index, 2>> creases;
+    for (const auto& [v, w] : creases_)
+      if (const Index p = vertex_origins_.find(v), q = vertex_origins_.find(w);
+          p != none && q != none)
+        creases.push_back({p, q}); // else it has lost its faces
     costs_.remember(
         complex_, scratch().marks, creases, [this](Index v) { return is_interior(v); }, threads());
   }

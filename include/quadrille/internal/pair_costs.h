@@ -4,6 +4,7 @@
 #include <quadrille/internal/current_memories.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/scratch.h>

@@ -23,7 +23,7 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), is_touched_(surface.vertex_capacity()) {
+      : surface_(surface), order_(order) {
     for (Scratch& scratch : surface.scratches())
       workers_.emplace_back(scratch);
   }
@@ -249,7 +249,7 @@ private:
 
   static bool is_inside(const PairStar& star, const Block& block) {
     bool inside = true;
-    for (const auto* faces : {&star.first, &star.second})
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
         for (Index v : {f.second, f.third})
           inside &= (block.begin <= v) & (v < block.end);

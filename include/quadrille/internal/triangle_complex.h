@@ -120,8 +120,7 @@ public:
   std::vector<Index> left_vertices(unsigned threads = 1);
   std::vector<Index> left_faces() const;
   /// Leaves out all others, numbers these anew, 0, 1, …, and builds the lists anew.
-  void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces,
-            unsigned threads = 1);
+  void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces);
   /// Back to the numbers that those that are left had when there were so many vertices and faces.
   /// After that no walk is possible.
   void unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
@@ -233,15 +232,15 @@ inline std::vector<Index> TriangleComplex::left_faces() const {
 }
 
 inline void TriangleComplex::pack(const std::vector<Index>& vertices,
-                                  const std::vector<Index>& faces, unsigned threads) {
+                                  const std::vector<Index>& faces) {
   for (Index v = 0; v < vertices.size(); ++v)
     lists_[vertices[v]].begin = v;
   internal::pack(faces_, faces);
   for (Triangle& face : faces_)
     for (Index& v : face)
       v = lists_[v].begin;
-  internal::pack(lists_, vertices);
-  fill_lists(threads);
+  internal::pack(lists_, vertices); // with the sizes that left_vertices() has counted
+  fill_lists(1);
 }
 
 inline void TriangleComplex::unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
