@@ -65,7 +65,7 @@ Result compete(const std::string& model, const Mesh& mesh, const Settings& setti
   const Soup input = to_soup(mesh);
   const std::vector<Contender> all = contenders(settings);
   for (const Contender& contender : all)
-    result.rows.push_back({contender.name, contender.options, {}, {}, 0});
+    result.rows.push_back({contender.name, contender.options, {}, {}});
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::cerr << model << ", memory and error: " << all[i].name << "\n";
     Row& row = result.rows[i];

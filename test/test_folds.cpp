@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 
 #include <cstddef>
-#include <vector>
 
 namespace {
 
@@ -42,25 +41,34 @@ std::size_t folds_after(Mesh mesh, const NormalFlip& filter, const Order&... ord
   return folded_faces(mesh);
 }
 
+struct Count {
+  std::size_t allowed, refused; // with folds allowed, and with folds refused
+};
+
 template <class Cost, class... Order>
-void require_few_folds(const std::vector<Mesh>& meshes, const Order&... order) {
-  std::size_t allowed = 0, refused = 0;
-  for (const Mesh& mesh : meshes) {
-    allowed += folds_after<Cost>(mesh, NormalFlip(90, Folds::allowed), order...);
-    refused += folds_after<Cost>(mesh, NormalFlip(90), order...);
-  }
-  CAPTURE(allowed, refused);
-  CHECK(allowed > 0);
-  CHECK(refused <= allowed / 2);
+Count folds_of(const Mesh& mesh, const Order&... order) {
+  return {folds_after<Cost>(mesh, NormalFlip(90, Folds::allowed), order...),
+          folds_after<Cost>(mesh, NormalFlip(90), order...)};
+}
+
+void require_few(const Count& folds) {
+  CAPTURE(folds.allowed, folds.refused);
+  CHECK(folds.allowed > 0);
+  CHECK(folds.refused <= folds.allowed / 2);
 }
 
 } // namespace
 
 TEST_CASE("Folds that many small turns make are refused") {
-  const std::vector<Mesh> meshes{test::read_model("armadillo"), test::read_model("lion-head")};
-  for (const Mesh& mesh : meshes)
-    REQUIRE(folded_faces(mesh) == 0);
-  require_few_folds<Quadric>(meshes);
-  require_few_folds<MemorylessQuadric>(meshes);
-  require_few_folds<Quadric>(meshes, RelaxedOrder{});
+  const Mesh armadillo = test::read_model("armadillo"), lion = test::read_model("lion-head");
+  for (const Mesh* mesh : {&armadillo, &lion}) {
+    REQUIRE(folded_faces(*mesh) == 0);
+    require_few(folds_of<Quadric>(*mesh));
+    require_few(folds_of<MemorylessQuadric>(*mesh));
+  }
+  // Passes make so few on the lion that one more or less would decide.
+  const Count a = folds_of<Quadric>(armadillo, RelaxedOrder{});
+  const Count b = folds_of<Quadric>(lion, RelaxedOrder{});
+  require_few(a);
+  require_few({a.allowed + b.allowed, a.refused + b.refused});
 }

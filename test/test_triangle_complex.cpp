@@ -3,7 +3,7 @@
 #include "soups.h"
 
 #include <quadrille/internal/marks.h>
-#include <quadrille/internal/packing.h>
+#include <quadrille/internal/numbering.h>
 #include <quadrille/internal/pair_lists.h>
 #include <quadrille/internal/triangle_complex.h>
 
@@ -52,6 +52,22 @@ Corners corners_at(const Model& model, Index v) {
 
 Triangle random_triangle(Random& random, std::size_t vertices) {
   return {random.below(vertices), random.below(vertices), random.below(vertices)};
+}
+
+std::vector<Triangle> random_triangles(Random& random, std::size_t vertices) {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 40; ++i)
+    triangles.push_back(random_triangle(random, vertices));
+  return triangles;
+}
+
+// Without the triangles that have two equal vertices.
+Model model_of(const std::vector<Triangle>& triangles) {
+  Model model;
+  for (Index f = 0; f < triangles.size(); ++f)
+    if (const auto [a, b, c] = triangles[f]; a != b && b != c && c != a)
+      model[f] = triangles[f];
+  return model;
 }
 
 } // namespace
@@ -103,14 +119,9 @@ TEST_CASE("Random merges and deaths leave the same corners as in plain sets") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 20));
   Random random(seed);
   const Index vertices = 12;
-  std::vector<Triangle> triangles;
-  for (int i = 0; i < 40; ++i)
-    triangles.push_back(random_triangle(random, vertices));
+  const std::vector<Triangle> triangles = random_triangles(random, vertices);
   TriangleComplex complex(vertices, triangles);
-  Model model;
-  for (Index f = 0; f < triangles.size(); ++f)
-    if (const auto [a, b, c] = triangles[f]; a != b && b != c && c != a)
-      model[f] = triangles[f];
+  Model model = model_of(triangles);
   const auto kill = [&](Index face) {
     complex.kill(face);
     model.erase(face);
@@ -140,14 +151,9 @@ TEST_CASE("What is left gets new numbers in the same order, and its own back") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 20));
   Random random(seed);
   const Index vertices = 50;
-  std::vector<Triangle> triangles;
-  for (int i = 0; i < 40; ++i)
-    triangles.push_back(random_triangle(random, vertices));
+  const std::vector<Triangle> triangles = random_triangles(random, vertices);
   TriangleComplex complex(vertices, triangles);
-  Model model; // by first numbers
-  for (Index f = 0; f < triangles.size(); ++f)
-    if (!complex.is_dead(f))
-      model[f] = triangles[f];
+  Model model = model_of(triangles); // by first numbers
   const std::size_t all_faces = complex.face_capacity();
   Origins vertex_origins, face_origins;
   for (int round = 0; round < 3; ++round) {

@@ -85,6 +85,21 @@ Call make_call(Bytes& bytes, std::size_t faces) {
   return call;
 }
 
+// Takes out about one face in `step`, no two that touch.
+Soup with_holes_apart(Soup soup, std::uint64_t seed, std::size_t step) {
+  Random random(seed);
+  std::vector<bool> is_beside(soup.points.size(), false);
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    const auto is_used = [&](std::uint32_t v) -> bool { return is_beside[v]; };
+    if (random.below(step) > 0 || std::any_of(t.begin(), t.end(), is_used))
+      return false;
+    for (std::uint32_t v : t)
+      is_beside[v] = true;
+    return true;
+  });
+  return soup;
+}
+
 Soup make_base(Bytes& bytes, int size) {
   const auto n = static_cast<std::uint32_t>(size) * static_cast<std::uint32_t>(2 + bytes.below(5));
   switch (bytes.below(12)) {
@@ -108,6 +123,8 @@ Soup make_base(Bytes& bytes, int size) {
     return with_holes(with_flipped_edges(grid(n, n), bytes.byte(), 8), bytes.byte(), 3);
   case 10:
     return joined(tetrahedron(), cube(1), {{2, 0, 0}});
+  case 11:
+    return with_holes_apart(torus(2 * n + 1, n + 2), bytes.byte(), 1 + bytes.below(16));
   default:
     return {};
   }

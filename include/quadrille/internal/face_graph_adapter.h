@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_FACE_GRAPH_ADAPTER_H
 
 #include <quadrille/internal/attributes.h>
+#include <quadrille/internal/named_edges.h>
 #include <quadrille/internal/points.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -15,10 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -73,9 +72,9 @@ public:
     for_each_edge_in(map, [&](Edge e, Index v, Index w) {
       surface.fix(v);
       surface.fix(w);
-      named_edges_.push_back({std::min(v, w), std::max(v, w), e, true});
+      named_edges_.add(v, w, e, true);
     });
-    std::sort(named_edges_.begin(), named_edges_.end(), NamedEdge::less);
+    named_edges_.sort();
   }
 
   /// Makes creases of the edges of which get(map, edge) is true.
@@ -108,18 +107,6 @@ public:
   }
 
 private:
-  // An edge of the mesh that should be left, by its vertices: a fixed one, or one of the border.
-  struct NamedEdge {
-    Index low, high;
-    Edge edge;
-    bool is_fixed;
-    Index owner = none; // the side that it is left for
-
-    static bool less(const NamedEdge& a, const NamedEdge& b) {
-      return std::tie(a.low, a.high) < std::tie(b.low, b.high);
-    }
-  };
-
   // What write_points has overwritten.
   struct Undo {
     std::vector<std::pair<Vertex, Point>> points;
@@ -207,11 +194,7 @@ private:
       number_[result.image(v)] = static_cast<Index>(left_.size());
       left_.push_back(v);
     }
-    std::erase_if(named_edges_, [&](const NamedEdge& e) { // of no face
-      return !result.has_vertex(e.low) || !result.has_vertex(e.high);
-    });
-    for (NamedEdge& e : named_edges_) // they stay in order
-      e.low = number_of(e.low, result), e.high = number_of(e.high, result);
+    named_edges_.renumber([&](Index v) { return number_of(v, result); });
   }
 
   // Of what a vertex has become part of.
@@ -250,68 +233,38 @@ private:
   // The edges that were on the border, by the vertices that their ends have become.
   template <class Result>
   void collect_border(const Result& result) {
-    std::vector<NamedEdge> border;
+    std::vector<std::pair<Side, Edge>> border;
     for (Halfedge h : halfedges(mesh_)) {
       if (!CGAL::is_border(h, mesh_))
         continue;
-      const Index v = number_of(index(source(h, mesh_)), result),
-                  w = number_of(index(target(h, mesh_)), result);
+      const Side side{number_of(index(source(h, mesh_)), result),
+                      number_of(index(target(h, mesh_)), result)};
       const Edge e = edge(h, mesh_);
-      const auto known = named_along({v, w});
-      if (v != w && std::none_of(known.begin(), known.end(),
-                                 [&](const NamedEdge& other) { return other.edge == e; }))
-        border.push_back({std::min(v, w), std::max(v, w), e, false});
+      if (side.from != side.to && !named_edges_.contains(side, e))
+        border.emplace_back(side, e);
     }
-    named_edges_.insert(named_edges_.end(), border.begin(), border.end());
-    std::stable_sort(named_edges_.begin(), named_edges_.end(), NamedEdge::less);
+    for (const auto& [side, e] : border)
+      named_edges_.add(side.from, side.to, e, false);
+    named_edges_.sort();
   }
 
   // Two sides that were not mates from the beginning come from two edges: the first one's is left,
-  // but for a fixed edge. On the border an edge is left that was there. An edge that a side has is
-  // left to it, and no edge to two.
+  // but for a named edge.
   template <class Result>
   void choose_halfedges(const Result& result) {
     chosen_ = halfedges_;
     for (Index side = 0; side < sides_.size(); ++side)
-      for (NamedEdge& e : named_along(sides_[side]))
-        if (e.edge == edge(halfedges_[side], mesh_))
-          e.owner = side;
+      named_edges_.own(side, sides_[side], edge(halfedges_[side], mesh_));
     for (Index side = 0; side < sides_.size(); ++side) {
       const Index mate = umbrellas_.mate(side);
       if (mate != none && mate < side)
         continue; // done with its mate
-      if (const NamedEdge* e = named_for(side, mate))
-        chosen_[side] = half_along(e->edge, sides_[side], result);
+      if (const Edge* e = named_edges_.take(side, mate, sides_[side]))
+        chosen_[side] = half_along(*e, sides_[side], result);
       if (mate != none)
         chosen_[mate] = opposite(chosen_[side], mesh_);
     }
   }
-
-  std::span<NamedEdge> named_along(const Side& side) {
-    const NamedEdge wanted{std::min(side.from, side.to), std::max(side.from, side.to), Edge(),
-                           true};
-    const auto [begin, end] =
-        std::equal_range(named_edges_.begin(), named_edges_.end(), wanted, NamedEdge::less);
-    return {begin, end};
-  }
-
-  // The edge that should be left for a side and its mate instead of the side's own, if any.
-  NamedEdge* named_for(Index side, Index mate) {
-    const bool is_on_border = mate == none;
-    NamedEdge* best = nullptr;
-    for (NamedEdge& e : named_along(sides_[side])) {
-      const bool is_theirs = e.owner == side || (e.owner == mate && !is_on_border);
-      if ((e.owner == none || is_theirs) && (e.is_fixed || is_on_border) &&
-          (!best || rank(e, is_theirs) > rank(*best, best->owner != none)))
-        best = &e;
-    }
-    if (best)
-      best->owner = side;
-    return best;
-  }
-
-  // Fixed edges come before others, and those that the sides have before those that none has.
-  static int rank(const NamedEdge& e, bool is_theirs) { return 2 * e.is_fixed + is_theirs; }
 
   // The half of an edge that runs as the side does.
   template <class Result>
@@ -409,12 +362,12 @@ private:
   PointMap points_;
   VertexIndexMap indices_;
   [[no_unique_address]] Attributes attributes_;
-  std::vector<NamedEdge> named_edges_; // sorted
-  std::vector<Vertex> vertices_;       // by the engine's index; behind them those that write() adds
-  std::vector<Index> dense_;           // the engine's index by the user's, which may have gaps
-  std::vector<Index> left_;            // the vertices that are left, behind them the duplicates
-  std::vector<Index> number_;          // in left_, by the engine's final index
-  std::vector<Face> faces_;            // the faces that are left
+  NamedEdges<Edge> named_edges_;
+  std::vector<Vertex> vertices_;    // by the engine's index; behind them those that write() adds
+  std::vector<Index> dense_;        // the engine's index by the user's, which may have gaps
+  std::vector<Index> left_;         // the vertices that are left, behind them the duplicates
+  std::vector<Index> number_;       // in left_, by the engine's final index
+  std::vector<Face> faces_;         // the faces that are left
   std::vector<Side> sides_;         // three a face, of numbers in left_: side k leads to corner k
   std::vector<Halfedge> halfedges_; // of each side before
   std::vector<Halfedge> chosen_;    // and after

@@ -61,18 +61,19 @@ private:
     for (Index face = 0; face < complex_.face_capacity(); ++face) {
       if (complex_.is_dead(face))
         continue;
-      const auto [p, q, r] = complex_.vertices(face);
-      if (range.contains(p) || range.contains(q) || range.contains(r))
-        add_face(complex_.vertices(face), range);
+      const TriangleComplex::Triangle& corners = complex_.vertices(face);
+      const auto is_in_range = [&](Index v) { return range.contains(v); };
+      if (std::any_of(corners.begin(), corners.end(), is_in_range))
+        add_face(corners, range);
     }
   }
 
   template <class R>
-  void add_face(const TriangleComplex::Triangle& face, const R& range) {
-    const auto [p, q, r] = face;
+  void add_face(const TriangleComplex::Triangle& corners, const R& range) {
+    const auto [p, q, r] = corners;
     if constexpr (requires { requires Cost::face_is_alike_at_corners; }) {
       const Memory memory = cost_.face(positions_[p], positions_[q], positions_[r]);
-      for (Index v : face)
+      for (Index v : corners)
         if (range.contains(v))
           memories_[v] += memory;
     } else {

@@ -1,16 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_PACKING_H
 #define QUADRILLE_INTERNAL_PACKING_H
 
+#include <quadrille/internal/index.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
-
-using Index = std::uint32_t;
-inline constexpr Index none = ~Index{0};
 
 /// Where values are of which condition(value) holds.
 template <class Values, class Condition>
@@ -58,35 +55,6 @@ void unpack(Values& values, const std::vector<Index>& left, std::size_t size,
     else
       values[i] = other;
 }
-
-/// The numbers that vertices, or faces, had before what is gone was left out, once or several
-/// times.
-class Origins {
-public:
-  Index operator[](Index number) const { return of_.empty() ? number : of_[number]; }
-
-  /// The inverse; `none` for what has been left out.
-  Index find(Index origin) const {
-    if (of_.empty())
-      return origin;
-    const auto at = std::lower_bound(of_.begin(), of_.end(), origin);
-    return at != of_.end() && *at == origin ? static_cast<Index>(at - of_.begin()) : none;
-  }
-
-  /// Those that are not among `left`, ascending indices and at least one, are left out.
-  void leave(std::vector<Index> left) {
-    if (of_.empty())
-      of_ = std::move(left);
-    else
-      pack(of_, left);
-  }
-
-  bool empty() const { return of_.empty(); } ///< Nothing has been left out.
-  const std::vector<Index>& all() const { return of_; }
-
-private:
-  std::vector<Index> of_;
-};
 
 } // namespace quadrille::internal
 

@@ -6,6 +6,7 @@
 #include <quadrille/internal/distance_bound.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/link_condition.h>
+#include <quadrille/internal/numbering.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/pair_costs.h>
 #include <quadrille/internal/pair_finder.h>
@@ -60,8 +61,8 @@ public:
         scratches_(threads_of(policies.order), Scratch(input.positions.size())),
         pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch().marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
-        creases_(std::move(input.creases)), merged_into_(input.positions.size(), none),
-        face_count_(complex_.face_capacity()),
+        creases_(std::move(input.creases)),
+        numbering_(input.positions.size(), complex_.face_capacity()),
         costs_(policies, complex_, scaled(std::move(input.positions)), std::move(input.is_fixed)) {
     if (!is_topology_kept_ || input.has_doubled_faces)
       drop_doubled_faces();
@@ -92,7 +93,7 @@ public:
         if (is_topology_kept_)
           link_condition_.prefetch(v);
         internal::prefetch(&is_moved_[v]);
-        internal::prefetch(&merged_into_[v]);
+        numbering_.prefetch(v);
       }
     if (const auto* later = peek(8))
       for (Index v : {later->first, later->second})
@@ -278,12 +279,8 @@ public:
   Scratch& scratch() { return scratches_.front(); }
 
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
-  /// What a vertex has become part of, both by their numbers of the beginning.
-  Index image(Index v) const {
-    while (merged_into_[v] != none)
-      v = merged_into_[v];
-    return v;
-  }
+  /// What a vertex has become part of, both by their first numbers.
+  Index image(Index v) const { return numbering_.image(v); }
   /// Had the surface no border, nor will it have one?
   bool is_closed() const { return is_topology_kept_ && link_condition_.is_closed(); }
   bool is_moved(Index v) const { return is_moved_[v] != 0; }
@@ -388,7 +385,7 @@ private:
   void remember() {
     std::vector<std::array<Index, 2>> creases;
     for (const auto& [v, w] : creases_)
-      if (const Index p = vertex_origins_.find(v), q = vertex_origins_.find(w);
+      if (const Index p = numbering_.vertices.find(v), q = numbering_.vertices.find(w);
           p != none && q != none)
         creases.push_back({p, q}); // else it has lost its faces
     costs_.remember(
@@ -409,18 +406,19 @@ private:
       distances_.pack(faces);
       internal::pack(is_moved_, vertices);
     });
-    vertex_origins_.leave(std::move(vertices));
-    face_origins_.leave(std::move(faces));
+    numbering_.vertices.leave(std::move(vertices));
+    numbering_.faces.leave(std::move(faces));
   }
 
   void unpack() {
-    if (vertex_origins_.empty())
+    const Origins &vertices = numbering_.vertices, &faces = numbering_.faces;
+    if (vertices.empty())
       return;
-    const std::size_t vertices = merged_into_.size();
-    complex_.unpack(vertex_origins_.all(), vertices, face_origins_.all(), face_count_);
-    costs_.unpack(vertex_origins_.all(), vertices);
-    internal::unpack(is_moved_, vertex_origins_.all(), vertices);
-    vertex_origins_ = face_origins_ = Origins();
+    const std::size_t count = numbering_.first_vertex_count();
+    complex_.unpack(vertices.all(), count, faces.all(), numbering_.first_face_count());
+    costs_.unpack(vertices.all(), count);
+    internal::unpack(is_moved_, vertices.all(), count);
+    numbering_.vertices = numbering_.faces = Origins();
   }
 
   // Which end is kept, and which is gone.
@@ -443,7 +441,7 @@ private:
     if constexpr (asks_for_distance)
       distances_.set(scratch.star, scratch.bounds);
     pairs_.merge(kept, gone);
-    merged_into_[vertex_origins_[gone]] = vertex_origins_[kept];
+    numbering_.merge(kept, gone);
     is_moved_[kept] |= candidate.target != costs_.positions()[kept];
     costs_.move(scratch.star, kept, candidate.target, candidate.pair);
     if (is_topology_kept_)
@@ -471,9 +469,7 @@ private:
   DistanceBounds distances_{0};               // of no face where nobody asks
   std::vector<unsigned char> is_moved_;       // no bits: threads write to it
   std::vector<std::array<Index, 2>> creases_; // edges that the user named, by first numbers
-  std::vector<Index> merged_into_;            // of each vertex that is gone, by first numbers
-  Origins vertex_origins_, face_origins_;
-  std::size_t face_count_; // of the beginning
+  Numbering numbering_;
   PairCosts<Policies> costs_;
   Progress progress_;
   std::size_t initial_components_ = 0;

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_RANGES_H
 #define QUADRILLE_INTERNAL_RANGES_H
 
-#include <quadrille/internal/packing.h>
+#include <quadrille/internal/index.h>
 #include <quadrille/internal/parallel.h>
 
 #include <cstddef>
