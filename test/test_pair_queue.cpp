@@ -51,6 +51,7 @@ namespace {
 using quadrille::internal::PairQueue;
 using quadrille::internal::ParkedPairs;
 using quadrille::internal::QueuedPair;
+constexpr std::size_t all = ~std::size_t{0};
 using test::Random;
 
 struct IsLater {
@@ -220,19 +221,37 @@ TEST_CASE("A parked pair comes back once, from whichever end is released first")
   parked.park({1, 0, 1, 5});
   parked.park({2, 1, 2, 6});
   CHECK(parked.size() == 2);
-  parked.release(3, keep);
+  parked.release(3, all, keep);
   CHECK(released.empty());
-  parked.release(2, keep);
+  parked.release(2, all, keep);
   REQUIRE(released.size() == 1);
   CHECK(released[0].cost == 2);
   CHECK(released[0].stamp == 6);
-  parked.release(1, keep);
+  parked.release(1, all, keep);
   REQUIRE(released.size() == 2);
   CHECK(released[1].cost == 1);
-  parked.release(0, keep);
-  parked.release(1, keep);
+  parked.release(0, all, keep);
+  parked.release(1, all, keep);
   CHECK(released.size() == 2);
   CHECK(parked.size() == 0);
+}
+
+TEST_CASE("Parked pairs come back in their order, and no more than are asked for") {
+  ParkedPairs parked(7);
+  std::vector<std::uint32_t> partners;
+  const auto keep = [&](const QueuedPair& p) { partners.push_back(p.second); };
+  for (std::uint32_t w = 1; w < 7; ++w)
+    parked.park({1, 0, w, 0});
+  parked.release(2, all, [](const QueuedPair&) {}); // forgotten at 0 when its turn comes
+  CHECK_FALSE(parked.release(0, 3, keep));
+  CHECK(partners == std::vector<std::uint32_t>{1, 3, 4});
+  CHECK(parked.size() == 2);
+  parked.park({1, 0, 1, 0});
+  CHECK_FALSE(parked.release(0, 2, keep));
+  CHECK(partners == std::vector<std::uint32_t>{1, 3, 4, 5, 6});
+  CHECK(parked.release(0, 1, keep));
+  CHECK(partners == std::vector<std::uint32_t>{1, 3, 4, 5, 6, 1});
+  CHECK(parked.release(0, 1, keep));
 }
 
 TEST_CASE("Parked pairs are those of a plain set") {
@@ -248,7 +267,7 @@ TEST_CASE("Parked pairs are those of a plain set") {
       continue;
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, float> released;
-    parked.release(v, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
+    parked.release(v, all, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
     for (const auto& [pair, cost] : released) {
       const auto found = expected.find(pair);
       REQUIRE(found != expected.end());

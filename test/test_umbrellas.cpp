@@ -225,3 +225,40 @@ TEST_CASE("Any triangles become a halfedge mesh with the fewest duplicates") {
   const Umbrellas u = build(triangles, vertices);
   CHECK(u.duplicates().size() == fewest_duplicates(u, triangles));
 }
+
+TEST_CASE("A side is joined to the first that runs against it, however many there are") {
+  const auto faces = GENERATE(10, 60, 200);
+  test::Random random(static_cast<std::uint64_t>(faces));
+  const Index vertices = 30;
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < faces; ++i) { // a fan, mostly
+    const Index a = 1 + random.below(vertices - 1), b = 1 + random.below(vertices - 1);
+    if (a != b)
+      triangles.push_back({i % 8 == 0 ? 1 + (a + b) % (vertices - 1) : 0, a, b});
+  }
+  std::erase_if(triangles, [](const Triangle& t) { return t[0] == t[1] || t[0] == t[2]; });
+  const Umbrellas u = build(triangles, vertices);
+  const auto sides = sides_of(triangles);
+  std::vector<Index> expected(sides.size(), none);
+  for (Index i = 0; i < sides.size(); ++i)
+    for (Index j = 0; j < i && expected[i] == none; ++j)
+      if (expected[j] == none && sides[i].from == sides[j].to && sides[i].to == sides[j].from) {
+        expected[i] = j;
+        expected[j] = i;
+      }
+  for (Index i = 0; i < sides.size(); ++i)
+    REQUIRE(u.mate(i) == expected[i]);
+}
+
+// Where this takes more than a moment, each side at the hub is compared with all others.
+TEST_CASE("A fan of 200,000 faces is one umbrella") {
+  const Index faces = 200000;
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i < faces; ++i)
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % faces});
+  Umbrellas u;
+  u.build(sides_of(triangles), faces + 1, [](Index, Index) { return false; });
+  CHECK(u.duplicates().empty());
+  CHECK_FALSE(u.is_on_border(0));
+  CHECK(u.border_links().size() == faces);
+}

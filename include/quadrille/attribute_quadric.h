@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_ATTRIBUTE_QUADRIC_H
 #define QUADRILLE_ATTRIBUTE_QUADRIC_H
 
+#include <quadrille/internal/text.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
@@ -112,12 +113,12 @@ struct AttributeQuadric {
     internal::require_weight("quadrille::AttributeQuadric", "boundary_weight", boundary_weight);
     if (!(importance > 0) || !std::isfinite(importance))
       throw std::invalid_argument("quadrille::AttributeQuadric: importance " +
-                                  std::to_string(importance) + " is not above 0 and finite");
+                                  internal::text_of(importance) + " is not above 0 and finite");
     if (weights)
       for (double weight : weights->coordinates)
         if (!(weight > 0) || !std::isfinite(weight))
           throw std::invalid_argument("quadrille::AttributeQuadric: an attribute's weight is " +
-                                      std::to_string(weight) + ", not above 0 and finite");
+                                      internal::text_of(weight) + ", not above 0 and finite");
   }
 
 private:

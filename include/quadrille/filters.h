@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_FILTERS_H
 #define QUADRILLE_FILTERS_H
 
+#include <quadrille/internal/text.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
@@ -32,7 +33,7 @@ public:
       : cosine_(degrees == 90 ? 0 : std::cos(degrees * std::numbers::pi / 180)),
         allows_everything_(degrees == 180), allows_folds_(folds == Folds::allowed) {
     if (!(degrees > 0 && degrees <= 180))
-      throw std::invalid_argument("quadrille::NormalFlip: " + std::to_string(degrees) +
+      throw std::invalid_argument("quadrille::NormalFlip: " + internal::text_of(degrees) +
                                   " degrees are not in (0, 180]");
   }
 
@@ -79,7 +80,7 @@ public:
   explicit TriangleShape(double quality = 0.05) : quality_(quality) {
     if (!(quality >= 0 && quality <= 1))
       throw std::invalid_argument("quadrille::TriangleShape: the quality " +
-                                  std::to_string(quality) + " is not in [0, 1]");
+                                  internal::text_of(quality) + " is not in [0, 1]");
   }
 
   bool allows(const auto& contraction) const {

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_ORDER_H
 #define QUADRILLE_ORDER_H
 
+#include <quadrille/internal/text.h>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -38,7 +40,7 @@ struct RelaxedOrder {
   /// be.
   void validate() const {
     if (!(share > 0 && share <= 1))
-      throw std::invalid_argument("quadrille::RelaxedOrder: the share " + std::to_string(share) +
+      throw std::invalid_argument("quadrille::RelaxedOrder: the share " + internal::text_of(share) +
                                   " is not in (0, 1]");
     if (threads == 0)
       throw std::invalid_argument("quadrille::RelaxedOrder: 0 threads");

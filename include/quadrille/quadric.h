@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_QUADRIC_H
 #define QUADRILLE_QUADRIC_H
 
+#include <quadrille/internal/text.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
 
@@ -16,8 +17,8 @@ namespace internal {
 
 inline void require_weight(const char* policy, const char* name, double weight) {
   if (!(weight >= 0) || !std::isfinite(weight))
-    throw std::invalid_argument(std::string(policy) + ": " + name + " " + std::to_string(weight) +
-                                " is negative or not finite");
+    throw std::invalid_argument(std::string(policy) + ": " + name + " " +
+                                internal::text_of(weight) + " is negative or not finite");
 }
 
 } // namespace internal
@@ -58,7 +59,7 @@ struct Quadric {
     internal::require_weight("quadrille::Quadric", "crease_weight", crease_weight);
     if (!(crease_degrees >= 0 && crease_degrees <= 180))
       throw std::invalid_argument("quadrille::Quadric: crease_degrees " +
-                                  std::to_string(crease_degrees) + " is not in [0, 180]");
+                                  internal::text_of(crease_degrees) + " is not in [0, 180]");
   }
 
   /// What a face pqr leaves at each of its corners. Nothing for a face without a normal.

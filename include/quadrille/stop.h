@@ -2,6 +2,7 @@
 #define QUADRILLE_STOP_H
 
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/text.h>
 #include <quadrille/report.h>
 
 #include <cmath>
@@ -34,7 +35,7 @@ struct FaceRatio {
   /// Throws std::invalid_argument for a ratio that is not in [0, 1].
   void validate() const {
     if (!(ratio >= 0 && ratio <= 1))
-      throw std::invalid_argument("quadrille::FaceRatio: the ratio " + std::to_string(ratio) +
+      throw std::invalid_argument("quadrille::FaceRatio: the ratio " + internal::text_of(ratio) +
                                   " is not in [0, 1]");
   }
 
@@ -85,8 +86,8 @@ public:
   /// Throws std::invalid_argument for a limit that is negative or not a number.
   void validate() const {
     if (!(distance_ >= 0))
-      throw std::invalid_argument("quadrille::ErrorLimit: the limit " + std::to_string(distance_) +
-                                  " is not a distance");
+      throw std::invalid_argument("quadrille::ErrorLimit: the limit " +
+                                  internal::text_of(distance_) + " is not a distance");
   }
 
 private:

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ATTRIBUTES_H
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/internal/points.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/number_utils.h>
@@ -93,7 +94,7 @@ private:
           std::llround(std::clamp(x, static_cast<double>(std::numeric_limits<T>::min()),
                                   static_cast<double>(std::numeric_limits<T>::max()))));
     else
-      return static_cast<T>(x);
+      return to_number<T>(x);
   }
 
   static Value value(Value old, const Vector<N>& attributes) {

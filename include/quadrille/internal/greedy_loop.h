@@ -22,6 +22,10 @@ namespace quadrille::internal {
 ///
 /// A contraction changes the costs of the pairs at its vertex and of no others. A pair that is
 /// refused waits until a vertex of a face at one of its ends has moved.
+///
+/// Looking at a pair takes time in proportion to the faces at its ends. So that a vertex of d faces
+/// costs no more than about d² in all, a change beside it brings back only as many of its pairs as
+/// `most_pairs` says, and all of them when no others are left, as long as that pays.
 template <class Policies>
 class GreedyLoop {
 public:
@@ -44,6 +48,8 @@ private:
   using Candidate = typename PairContraction<Policies>::Candidate;
 
   static constexpr std::uint32_t dead = ~std::uint32_t{0};
+  static constexpr std::size_t few_faces = 64; // at a vertex
+  static constexpr std::size_t all = ~std::size_t{0};
 
   StopReason contract_pairs() {
     while (const std::optional<QueuedPair> next = next_pair()) {
@@ -97,7 +103,7 @@ private:
   std::optional<QueuedPair> next_pair() {
     prefetch();
     std::optional<QueuedPair> next = queue_.pop(outdated());
-    while (next && is_bare(*next))
+    while (next ? is_bare(*next) : release_waiting())
       next = queue_.pop(outdated());
     is_last_resort_ = !next && last_resort_;
     return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
@@ -149,20 +155,41 @@ private:
     stamp_[pair.first] = stamp_[pair.second] = dead;
     stamp_[kept] = time_;
     for (Index end : {pair.first, pair.second})
-      parked_.release(end, [](const QueuedPair&) {}); // outdated, all of them
-    release_parked(scratch_.star.shared);             // they may be no neighbours any more
-    const bool are_edges = surface_.has_only_edges(); // then partners are neighbours
+      parked_.release(end, all, [](const QueuedPair&) {}); // outdated, all of them
+    release_parked(scratch_.star.shared);                  // they may be no neighbours any more
+    const bool are_edges = surface_.has_only_edges();      // then partners are neighbours
     if (!are_edges) {
       release_parked(scratch_.star.first);
       release_parked(scratch_.star.second);
     }
     if (!surface_.complex().has_faces(kept))
       return;
+    const bool has_too_many = surface_.complex().degree_bound(kept) > few_faces;
+    new_pairs_.clear();
     surface_.for_each_pair(scratch_, kept, [&](Index partner, float cost) {
-      push(kept, partner, cost);
+      if (has_too_many)
+        new_pairs_.push_back({cost, partner});
+      else
+        push(kept, partner, cost);
       if (are_edges)
         release_parked(partner);
     });
+    push_cheapest(kept);
+  }
+
+  // The others wait as if they were refused.
+  void push_cheapest(Index v) {
+    std::sort(new_pairs_.begin(), new_pairs_.end());
+    for (std::size_t i = 0; i < new_pairs_.size(); ++i) {
+      const auto [cost, partner] = new_pairs_[i];
+      const auto [first, second] = std::minmax(v, partner);
+      if (i < most_pairs(v))
+        queue_.push({cost, first, second, time_}, outdated());
+      else
+        parked_.park({cost, first, second, time_});
+    }
+    if (new_pairs_.size() > most_pairs(v))
+      waiting_.push_back(v);
   }
 
   void release_parked(const std::vector<StarFace>& faces) {
@@ -173,10 +200,36 @@ private:
 
   // Its surroundings have changed, so the answer of a filter may.
   void release_parked(Index v) {
-    parked_.release(v, [&](const QueuedPair& pair) {
+    if (!parked_.release(v, most_pairs(v), push_again()))
+      waiting_.push_back(v);
+  }
+
+  // Those that were left behind. False if there are none, or if those of the last time brought too
+  // few contractions.
+  bool release_waiting() {
+    if (time_ < time_to_release_)
+      return false;
+    std::size_t released = 0;
+    for (Index v : std::exchange(waiting_, {}))
+      parked_.release(v, all, [&](const QueuedPair& pair) {
+        ++released;
+        push_again()(pair);
+      });
+    time_to_release_ = time_ + static_cast<std::uint32_t>(released / few_faces);
+    return released > 0;
+  }
+
+  auto push_again() {
+    return [this](const QueuedPair& pair) {
       if (!is_outdated(pair))
         queue_.push(pair, outdated());
-    });
+    };
+  }
+
+  // So many pairs of a vertex look at few² faces together; all of them where there are few.
+  std::size_t most_pairs(Index v) const {
+    const std::size_t faces = surface_.complex().degree_bound(v);
+    return faces <= few_faces ? all : std::max<std::size_t>(1, few_faces * few_faces / faces);
   }
 
   bool is_cancelled() const {
@@ -189,6 +242,9 @@ private:
   std::uint32_t time_ = 0;           // contractions so far
   PairQueue queue_;
   ParkedPairs parked_;
+  std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: cost and partner
+  std::vector<Index> waiting_;                     // vertices with pairs that were left behind
+  std::uint32_t time_to_release_ = 0;              // these
   std::optional<QueuedPair> last_resort_;
   bool is_last_resort_ = false;
   bool has_met_distance_ = false;

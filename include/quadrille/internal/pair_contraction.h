@@ -298,7 +298,8 @@ private:
                     cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
                   })
       scale.set_attribute_weights(
-          cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()));
+          cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()),
+          box);
     return scale;
   }
 

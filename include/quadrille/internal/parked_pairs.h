@@ -12,9 +12,10 @@
 namespace quadrille::internal {
 
 /// Pairs that were refused, each listed at both of its ends until the neighbourhood of one changes.
+/// Those that came first leave first.
 class ParkedPairs {
 public:
-  explicit ParkedPairs(std::size_t vertices) : first_entry_(vertices, none) {}
+  explicit ParkedPairs(std::size_t vertices) : last_entry_(vertices, none) {}
 
   void park(const QueuedPair& pair) {
     const Index slot = new_slot();
@@ -24,34 +25,39 @@ public:
     ++size_;
   }
 
-  /// Empties the list of a vertex and calls visit(pair) for each pair that was still parked.
+  /// Empties the list of a vertex and calls visit(pair) for each pair that was still parked; or
+  /// stops behind the first `most` of these. Returns whether the list is empty.
   template <class Visit>
-  void release(Index vertex, Visit visit) {
-    Index entry = first_entry_[vertex];
-    first_entry_[vertex] = none;
-    while (entry != none) {
+  bool release(Index vertex, std::size_t most, Visit visit) {
+    Index& last = last_entry_[vertex];
+    while (last != none && most > 0) {
+      const Index entry = next(last);
+      if (entry == last)
+        last = none;
+      else
+        next(last) = next(entry);
       Slot& slot = slots_[entry / 2];
-      const Index next = slot.next[entry % 2];
       if (--slot.lists == 1) {
         --size_;
+        --most;
         visit(slot.pair); // the other list forgets it later
       } else {
         free_.push_back(entry / 2);
       }
-      entry = next;
     }
+    return last == none;
   }
 
   std::size_t size() const { return size_; }
 
   [[gnu::always_inline]] void prefetch(Index vertex) const {
-    internal::prefetch(&first_entry_[vertex]);
+    internal::prefetch(&last_entry_[vertex]);
   }
 
 private:
   struct Slot {
     QueuedPair pair;
-    std::array<Index, 2> next; // in the lists of the two ends
+    std::array<Index, 2> next; // in the lists of the two ends, behind the last the first
     int lists;                 // how many lists it is in; parked while in both
   };
 
@@ -66,14 +72,23 @@ private:
   }
 
   // An entry is a slot and the end whose list it is in: 2·slot + end.
+  Index& next(Index entry) { return slots_[entry / 2].next[entry % 2]; }
+
   void link(Index vertex, Index slot, Index end) {
-    slots_[slot].next[end] = first_entry_[vertex];
-    first_entry_[vertex] = 2 * slot + end;
+    const Index entry = 2 * slot + end;
+    Index& last = last_entry_[vertex];
+    if (last == none) {
+      next(entry) = entry;
+    } else {
+      next(entry) = next(last);
+      next(last) = entry;
+    }
+    last = entry;
   }
 
   std::vector<Slot> slots_;
   std::vector<Index> free_;
-  std::vector<Index> first_entry_;
+  std::vector<Index> last_entry_; // of the list of each vertex
   std::size_t size_ = 0;
 };
 

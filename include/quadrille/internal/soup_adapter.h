@@ -56,33 +56,55 @@ public:
         surface.fix(v);
   }
 
-  /// Rewrites points, triangles and attributes. The new points and triangles are built apart, and
-  /// attributes are put back, so the soup stays as it was if that throws. Calls
-  /// tell(new index, v, result) for each point v that is left.
+  /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
+  /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
+  /// soup stays as it was. Calls tell(new index, v, result) for each point v that is left.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     Points points;
+    std::vector<Index> left;
     std::vector<Index> new_index(result.vertex_count(), none);
     for (Index v = 0; v < result.vertex_count(); ++v) {
       if (!result.has_vertex(v))
         continue;
-      new_index[result.image(v)] = static_cast<Index>(std::ranges::size(points));
-      tell(std::ranges::size(points), v, result);
+      new_index[result.image(v)] = static_cast<Index>(left.size());
+      tell(left.size(), v, result);
+      left.push_back(v);
       points.push_back(points_[v]);
-      if (result.is_moved(v))
-        put(map_, points.back(), to_cgal<Point>(space(result.position(v))));
     }
     Triangles triangles;
     for (Index face = 0; face < result.face_count(); ++face)
       if (result.has_face(face))
         triangles.push_back(renumbered(triangles_[face], result.corners(face), new_index));
-    write_attributes(result);
+    Undo undo;
+    try {
+      move_points(result, left, points, undo);
+      write_attributes(result, left, undo);
+    } catch (...) {
+      undo.run(*this, points);
+      throw;
+    }
     std::swap(points_, points);
     std::swap(triangles_, triangles);
     return 0;
   }
 
 private:
+  // What has been overwritten, of each new point.
+  struct Undo {
+    std::vector<Point> points; // of those that have moved
+    std::vector<std::size_t> moved;
+    std::vector<AttributeValue<Attributes>> attributes;
+
+    void run(SoupAdapter& adapter, Points& new_points) const {
+      for (std::size_t i = 0; i < points.size(); ++i)
+        put(adapter.map_, new_points[moved[i]], points[i]);
+      if constexpr (Attributes::size > 0)
+        for (std::size_t i = 0; i < attributes.size(); ++i)
+          adapter.attributes_.put_raw(i, attributes[i]);
+    }
+  };
+
   Vector<dimension> read_position(std::size_t v) {
     const Vector<3> position = from_cgal(get(map_, points_[v]));
     if constexpr (Attributes::size > 0)
@@ -120,28 +142,28 @@ private:
     return triangle;
   }
 
+  template <class Result>
+  void move_points(const Result& result, const std::vector<Index>& left, Points& points,
+                   Undo& undo) {
+    for (std::size_t i = 0; i < left.size(); ++i)
+      if (result.is_moved(left[i])) {
+        undo.moved.push_back(i);
+        undo.points.push_back(get(map_, points[i]));
+        put(map_, points[i], to_cgal<Point>(space(result.position(left[i]))));
+      }
+  }
+
   // A new index is never above the old one, so going up nothing is overwritten that is still
   // needed.
   template <class Result>
-  void write_attributes(const Result& result) {
-    if constexpr (Attributes::size > 0) {
-      std::vector<AttributeValue<Attributes>> overwritten;
-      try {
-        for (Index v = 0; v < result.vertex_count(); ++v) {
-          if (!result.has_vertex(v))
-            continue;
-          const std::size_t index = overwritten.size();
-          overwritten.push_back(attributes_.raw(index));
-          attributes_.put_raw(index, attributes_.raw(std::size_t{v}));
-          if (result.is_moved(v))
-            attributes_.write(index, attributes_of(result.position(v)));
-        }
-      } catch (...) {
-        for (std::size_t v = 0; v < overwritten.size(); ++v)
-          attributes_.put_raw(v, overwritten[v]);
-        throw;
+  void write_attributes(const Result& result, const std::vector<Index>& left, Undo& undo) {
+    if constexpr (Attributes::size > 0)
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        undo.attributes.push_back(attributes_.raw(i));
+        attributes_.put_raw(i, attributes_.raw(std::size_t{left[i]}));
+        if (result.is_moved(left[i]))
+          attributes_.write(i, attributes_of(result.position(left[i])));
       }
-    }
   }
 
   Points& points_;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_H
 #define QUADRILLE_INTERNAL_SURFACE_H
 
+#include <quadrille/internal/text.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
@@ -79,7 +80,22 @@ public:
     weights_.coordinates.fill(1);
   }
 
-  void set_attribute_weights(const Vector<N - 3>& weights) { weights_ = weights; }
+  /// Of the attributes in a box. Throws std::invalid_argument if, times their weights, they are no
+  /// lengths that can be told beside those of the surface.
+  void set_attribute_weights(const Vector<N - 3>& weights, const Box<N>& box) {
+    weights_ = weights;
+    std::vector<Vector<N>> ends{box.low, box.high};
+    apply(ends);
+    for (std::size_t i = 3; i < N; ++i) {
+      const double range = ends[1][i] - ends[0][i];
+      if (!std::isnormal(weights_[i - 3]) || !(std::abs(range) <= greatest_range))
+        throw std::invalid_argument("quadrille::simplify: attribute " + std::to_string(i - 3) +
+                                    ", from " + text_of(box.low[i]) + " to " +
+                                    text_of(box.high[i]) + ", weighs " + text_of(weights_[i - 3]) +
+                                    " on a surface of diagonal " + text_of(diagonal_) +
+                                    ": that is no length beside those of the surface");
+    }
+  }
 
   void apply(std::vector<Vector<N>>& positions) const {
     // In two steps: 2^exponent itself can be out of range.
@@ -126,6 +142,7 @@ private:
   // With an extent of about 2^20 a cost, an area times a squared distance, is at most about 2^80,
   // and a float holds costs down to 2^-226 of that.
   static constexpr int size_exponent = 20;
+  static constexpr double greatest_range = 0x1p40; // its square times an area, too
 
   int exponent_ = 0;
   double diagonal_;

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/triangle_complex.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -45,7 +46,8 @@ public:
   const std::vector<std::pair<Index, Index>>& border_links() const { return border_links_; }
 
 private:
-  // Sides of the same two vertices are found by a counting sort by the lower one.
+  // Sides of the same two vertices are found by a counting sort by the lower one, and where a
+  // vertex has many, by another sort by the higher one.
   template <class WereMates>
   void match_sides(const std::vector<Side>& sides, WereMates were_mates) {
     std::vector<Index> begin(vertex_count_ + 1, 0);
@@ -60,14 +62,37 @@ private:
 
     mate_.assign(sides.size(), none);
     for (std::size_t v = 0; v < vertex_count_; ++v) {
-      const std::span<const Index> at_v(sorted.data() + begin[v], begin[v + 1] - begin[v]);
-      if (match_sides_without_choice(sides, at_v))
-        continue;
-      for (Index i : at_v)
-        mate_[i] = none;
-      match_sides_if(sides, at_v, were_mates);
-      match_sides_if(sides, at_v, [](Index, Index) { return true; });
+      const std::span<Index> at_v(sorted.data() + begin[v], begin[v + 1] - begin[v]);
+      if (at_v.size() <= few_sides)
+        match_sides_among(at_v, sides, were_mates);
+      else
+        for (std::span<Index> rest = sorted_by_higher(at_v, sides); !rest.empty();) {
+          const auto last = std::find_if(rest.begin(), rest.end(), [&](Index i) {
+            return higher(sides[i]) != higher(sides[rest.front()]);
+          });
+          const auto size = static_cast<std::size_t>(last - rest.begin());
+          match_sides_among(rest.first(size), sides, were_mates);
+          rest = rest.subspan(size);
+        }
     }
+  }
+
+  static std::span<Index> sorted_by_higher(std::span<Index> indices,
+                                           const std::vector<Side>& sides) {
+    std::stable_sort(indices.begin(), indices.end(),
+                     [&](Index i, Index j) { return higher(sides[i]) < higher(sides[j]); });
+    return indices;
+  }
+
+  template <class WereMates>
+  void match_sides_among(std::span<const Index> among, const std::vector<Side>& sides,
+                         WereMates were_mates) {
+    if (match_sides_without_choice(sides, among))
+      return;
+    for (Index i : among)
+      mate_[i] = none;
+    match_sides_if(sides, among, were_mates);
+    match_sides_if(sides, among, [](Index, Index) { return true; });
   }
 
   // The usual case: no side has more than one to choose from. False if one has.
@@ -100,6 +125,7 @@ private:
   static bool are_opposed(const Side& a, const Side& b) { return a.from == b.to && a.to == b.from; }
 
   static Index lower(const Side& s) { return s.from < s.to ? s.from : s.to; }
+  static Index higher(const Side& s) { return s.from < s.to ? s.to : s.from; }
 
   static Index side_after(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static Index side_before(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
@@ -182,6 +208,8 @@ private:
     Index first_out = none, last_in = none; // sides
     Index duplicate = none;                 // for open umbrellas, if a closed one has the vertex
   };
+
+  static constexpr std::size_t few_sides = 64;
 
   Index vertex_count_ = 0;
   std::vector<Index> mate_;
