@@ -1,3 +1,6 @@
+#include "meshes.h"
+#include "soups.h"
+
 #include <quadrille/distance.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -8,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -120,6 +124,91 @@ TEST_CASE("Distances follow the unit and do not depend on the place") {
   const Points far_away = moved(slope, 1, 1e7); // where the step between doubles is 2e-9
   const auto d = quadrille::surface_distance(far_away, floor_only, far_away, floor_only);
   CHECK(d.hausdorff == Approx(0).margin(1e-15));
+}
+
+TEST_CASE("The figures follow the unit as far as doubles hold the surfaces") {
+  const auto scaled = [](const test::Soup& soup, double scale) {
+    return test::mapped(test::tilted(soup), [&](const test::Position& p) { return scale * p; });
+  };
+  const test::Soup fine = test::uv_sphere(24, 12), coarse = test::uv_sphere(8, 5);
+  const double error = 1e-4;
+  struct Figures {
+    quadrille::SurfaceDistance of_soups, of_meshes;
+    double bounded, bounded_back;
+  };
+  const auto at = [&](double scale) {
+    const test::PointSoup a(scaled(fine, scale)), b(scaled(coarse, scale));
+    const auto mesh_a = test::make_mesh(scaled(fine, scale));
+    const auto mesh_b = test::make_mesh(scaled(coarse, scale));
+    const quadrille::DistanceSampling sampling{.samples = 10'000};
+    return Figures{
+        quadrille::surface_distance(a.points, a.triangles, b.points, b.triangles, sampling),
+        quadrille::surface_distance(mesh_a, mesh_b, sampling),
+        quadrille::bounded_hausdorff(mesh_a, mesh_b, scale * error),
+        quadrille::bounded_hausdorff(mesh_b, mesh_a, scale * error)};
+  };
+  const auto figures = [](const quadrille::SurfaceDistance& d) {
+    return std::array{d.rms,        d.hausdorff,        d.rms_a_to_b,
+                      d.rms_b_to_a, d.hausdorff_a_to_b, d.hausdorff_b_to_a};
+  };
+  const auto check = [&](const quadrille::SurfaceDistance& d, const quadrille::SurfaceDistance& d1,
+                         double scale) {
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK(figures(d)[i] / scale == Approx(figures(d1)[i]).epsilon(1e-9));
+  };
+  const Figures one = at(1);
+  CHECK(one.of_meshes.hausdorff > 0.05);
+  CHECK(one.bounded == Approx(one.of_meshes.hausdorff).margin(0.01));
+  for (double scale : {1e-300, 1e-170, 1e-100, 1e-80, 1e-20, 1e20, 1e60, 1e80, 1e160, 1e300}) {
+    CAPTURE(std::log10(scale));
+    const Figures d = at(scale);
+    check(d.of_soups, one.of_soups, scale);
+    check(d.of_meshes, one.of_meshes, scale);
+    CHECK(d.bounded / scale == Approx(one.bounded).margin(error));
+    CHECK(d.bounded_back / scale == Approx(one.bounded_back).margin(error));
+  }
+  // A power of two changes no digit.
+  const Figures d = at(0x1p-900);
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(figures(d.of_meshes)[i] == 0x1p-900 * figures(one.of_meshes)[i]);
+  CHECK(d.bounded == 0x1p-900 * one.bounded);
+}
+
+TEST_CASE("The unit of the smaller surface does not matter beside a larger one") {
+  for (double scale : {1e-300, 1e-80, 1e80, 1e300}) {
+    CAPTURE(std::log10(scale));
+    const auto tiny = tetrahedron<test::Mesh>(1e-6 * scale);
+    const auto larger = tetrahedron<test::Mesh>(scale);
+    const double d = quadrille::surface_distance(tiny, larger).hausdorff;
+    CHECK(d / scale == Approx(1 - 1e-6));
+    CHECK(quadrille::bounded_hausdorff(tiny, larger, 1e-3 * scale) / scale ==
+          Approx(1).margin(1e-3));
+    CHECK(quadrille::bounded_hausdorff(larger, tiny, 1e-3 * scale) / scale ==
+          Approx(1).margin(1e-3));
+  }
+}
+
+TEST_CASE("An error far above the size of the surfaces is one too") {
+  const auto small = tetrahedron<test::Mesh>(1e-300), smaller = tetrahedron<test::Mesh>(5e-301);
+  for (double error : {1e-298, 1e-150, 1.0, 1e300, std::numeric_limits<double>::infinity()}) {
+    CAPTURE(std::log10(error));
+    const double d = quadrille::bounded_hausdorff(small, smaller, error);
+    CHECK(d >= 5e-301);
+    CHECK(d <= error);
+  }
+}
+
+TEST_CASE("A flat surface far along its normal keeps its distances") {
+  // Where x is so much greater than the surface, a power of two for the surface is too much for x.
+  const auto flat = [](double size) {
+    test::Soup soup = test::triangle();
+    for (test::Position& p : soup.points)
+      p = {{1e300, size * p[0], size * p[1]}};
+    return soup;
+  };
+  const auto small = test::make_mesh(flat(1e-10)), larger = test::make_mesh(flat(2e-10));
+  CHECK(quadrille::surface_distance(small, larger).hausdorff == Approx(1e-10));
+  CHECK(quadrille::bounded_hausdorff(small, larger, 1e-13) == Approx(1e-10).epsilon(1e-3));
 }
 
 TEMPLATE_TEST_CASE("Any mesh type and kernel will do", "",

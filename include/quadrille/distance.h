@@ -145,6 +145,41 @@ inline double diagonal(const CGAL::Bbox_3& box) {
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
+/// A change of unit by a power of two, which is exact both ways. Distances are measured where the
+/// box of both surfaces has a size of about 1, so that no product of lengths over- or underflows.
+class DistanceUnit {
+public:
+  explicit DistanceUnit(const CGAL::Bbox_3& box) {
+    double extent = 0, farthest = 0;
+    for (int i = 0; i < 3; ++i) {
+      // Half of the extent: the difference of the halves can't overflow.
+      extent = std::max(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
+      farthest = std::max({farthest, std::abs(box.min(i)), std::abs(box.max(i))});
+    }
+    // A flat surface far along its normal must not leave the range of doubles.
+    extent = std::max(extent, 0x1p-1000 * farthest);
+    if (extent > 0)
+      exponent_ = -std::ilogb(extent);
+  }
+
+  double to(double length) const { return std::ldexp(length, exponent_); }
+  double from(double length) const { return std::ldexp(length, -exponent_); }
+
+  DistancePoint to(const DistancePoint& p) const {
+    return DistancePoint(to(p.x()), to(p.y()), to(p.z()));
+  }
+
+  void apply(DistanceSurface& surface) const {
+    for (DistancePoint& p : surface.vertices)
+      p = to(p);
+    for (DistanceTriangle& t : surface.triangles)
+      t = DistanceTriangle(to(t[0]), to(t[1]), to(t[2]));
+  }
+
+private:
+  int exponent_ = 0;
+};
+
 /// Moves the surface by -origin, so that far-away coordinates cost the distances no digits.
 inline void recentre(DistanceSurface& surface, const DistanceVector& origin) {
   for (DistancePoint& p : surface.vertices)
@@ -284,27 +319,37 @@ inline OneSidedDistance one_sided_distance(const DistanceSurface& from, const Di
 inline SurfaceDistance distance_between(DistanceSurface a, DistanceSurface b,
                                         const DistanceSampling& sampling) {
   const CGAL::Bbox_3 box = bounding_box(a.vertices);
-  const DistanceVector centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
-                              (box.zmin() + box.zmax()) / 2);
+  const DistanceVector centre(box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2,
+                              box.zmin() / 2 + box.zmax() / 2);
   recentre(a, centre);
   recentre(b, centre);
+  const DistanceUnit unit(bounding_box(a.vertices) + bounding_box(b.vertices));
+  unit.apply(a);
+  unit.apply(b);
   const auto ab = one_sided_distance(a, DistanceTree(b.triangles), sampling);
   const auto ba = one_sided_distance(b, DistanceTree(a.triangles), sampling);
-  return {.rms = std::hypot(ab.rms, ba.rms) / std::sqrt(2.0),
-          .hausdorff = std::max(ab.hausdorff, ba.hausdorff),
-          .rms_a_to_b = ab.rms,
-          .rms_b_to_a = ba.rms,
-          .hausdorff_a_to_b = ab.hausdorff,
-          .hausdorff_b_to_a = ba.hausdorff};
+  return {.rms = unit.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
+          .hausdorff = unit.from(std::max(ab.hausdorff, ba.hausdorff)),
+          .rms_a_to_b = unit.from(ab.rms),
+          .rms_b_to_a = unit.from(ba.rms),
+          .hausdorff_a_to_b = unit.from(ab.hausdorff),
+          .hausdorff_b_to_a = unit.from(ba.hausdorff)};
 }
 
 using DistanceMesh = CGAL::Surface_mesh<DistancePoint>;
 
+/// The box of the vertices that faces use. Throws where the mesh cannot be measured.
 template <class Mesh>
-DistanceMesh distance_mesh(const Mesh& mesh) {
-  distance_surface(mesh); // throws where the mesh cannot be measured
+CGAL::Bbox_3 distance_box(const Mesh& mesh) {
+  return bounding_box(distance_surface(mesh).vertices);
+}
+
+template <class Mesh>
+DistanceMesh distance_mesh(const Mesh& mesh, const DistanceUnit& unit) {
   DistanceMesh copy;
   CGAL::copy_face_graph(mesh, copy);
+  for (const auto v : vertices(copy))
+    copy.point(v) = unit.to(copy.point(v));
   return copy;
 }
 
@@ -338,6 +383,9 @@ concept MeasurableSoup =
 /// Complexity: O((n + s) log n) for n faces and s samples.
 /// Throws std::invalid_argument when a mesh has no face, a face that is no triangle, or a
 /// coordinate that is not finite.
+///
+/// The unit of the coordinates does not matter, as far as doubles hold them: what is measured is a
+/// copy of both surfaces, scaled by a power of two.
 template <internal::MeasurableMesh MeshA, internal::MeasurableMesh MeshB>
 SurfaceDistance surface_distance(const MeshA& a, const MeshB& b,
                                  const DistanceSampling& sampling = {}) {
@@ -367,14 +415,18 @@ requires internal::MeasurableSoup<PointsA, TrianglesA> &&
 /// polygonal models", 2009). An error of 1e-4 of the bounding-box diagonal costs seconds on 100,000
 /// faces; the time grows as the error falls. A result below `error` says no more than that.
 ///
-/// Mesh types, and what is thrown, are as for surface_distance(); std::invalid_argument also when
-/// `error` is not positive.
+/// Mesh types, the scaled copies, and what is thrown, are as for surface_distance();
+/// std::invalid_argument also when `error` is not positive.
 template <internal::MeasurableMesh MeshA, internal::MeasurableMesh MeshB>
 double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
   if (!(error > 0))
     throw std::invalid_argument("quadrille: the error of bounded_hausdorff() must be positive");
-  return CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<
-      CGAL::Sequential_tag>(internal::distance_mesh(a), internal::distance_mesh(b), error);
+  const internal::DistanceUnit unit(internal::distance_box(a) + internal::distance_box(b));
+  // CGAL squares the error; one so much larger than the surfaces is as good as any above it.
+  const double error_in_unit = std::min(unit.to(error), 0x1p500);
+  return unit.from(CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<
+                   CGAL::Sequential_tag>(internal::distance_mesh(a, unit),
+                                         internal::distance_mesh(b, unit), error_in_unit));
 }
 
 /// The length of the diagonal of the axis-parallel box around the vertices of a mesh; 0 when there
