@@ -103,3 +103,41 @@ TEST_CASE("Normals have length 1") {
     CHECK(normals[v] * (points[v] - CGAL::ORIGIN) > 0.99);
   }
 }
+
+TEST_CASE("Attributes that cannot be compared with positions are refused, those that can are not") {
+  const Soup ball = test::sphere(3);
+  const auto simplified = [&](double scale, double low, double high,
+                              const AttributeQuadric<1>& cost = {}) {
+    std::vector<Point> points =
+        points_of(test::mapped(ball, [&](const Position& p) { return scale * p; }));
+    std::vector<double> values;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      values.push_back(v % 2 == 0 ? low : high);
+    const std::vector<double> before = values;
+    auto triangles = ball.triangles;
+    try {
+      simplify(points, triangles, cost, FaceCount{60},
+               parameters::vertex_attribute_map(CGAL::make_property_map(values)));
+    } catch (const std::invalid_argument& error) {
+      CHECK(values == before);
+      CHECK(triangles == ball.triangles);
+      CHECK_THAT(error.what(), Catch::Contains("attribute 0, from "));
+      return false;
+    }
+    CHECK(triangles.size() <= 60);
+    for (double value : values)
+      CHECK(std::isfinite(value));
+    return true;
+  };
+  CHECK(simplified(1, 0, 1e300));
+  CHECK(simplified(1, -1e-290, 1e-290));
+  CHECK(simplified(1e-200, 0, 255));
+  CHECK(simplified(1e200, 0, 255));
+  CHECK(simplified(1, 7, 7));
+  CHECK_FALSE(simplified(1, -1e308, 1e308));
+  CHECK_FALSE(simplified(1e-200, 0, 1e300));
+  CHECK_FALSE(simplified(1, 0, 1e-320));
+  CHECK_FALSE(simplified(1e-200, 1e300, 1e300));
+  CHECK_FALSE(simplified(1, 0, 1, {.importance = 1e300}));
+  CHECK(simplified(1, 0, 1, {.importance = 1e4}));
+}

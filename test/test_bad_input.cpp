@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -376,6 +377,28 @@ TEST_CASE("Maps that throw leave a soup as it was") {
         REQUIRE((colors == colors_before));
       });
   CHECK(accidents > 2 * before.points.size());
+}
+
+TEST_CASE("A map that throws leaves points as they were that it keeps elsewhere") {
+  const auto soup = point_soup(plate());
+  std::vector<Point> places = soup.points;
+  std::vector<std::size_t> points(places.size());
+  std::iota(points.begin(), points.end(), 0);
+  auto triangles = soup.triangles;
+  const std::size_t accidents = survive_accidents(
+      [&](Fuse* fuse) {
+        const Fused map{boost::make_iterator_property_map(
+                            places.begin(), boost::typed_identity_property_map<std::size_t>()),
+                        fuse};
+        simplify<Quadric, OptimalPlacement>(points, triangles, FaceCount{60},
+                                            CGAL::parameters::point_map(map));
+      },
+      [&] {
+        REQUIRE((places == soup.points));
+        REQUIRE(points.size() == places.size());
+        REQUIRE((triangles == soup.triangles));
+      });
+  CHECK(accidents > places.size());
 }
 
 namespace {

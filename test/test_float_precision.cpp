@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,4 +106,20 @@ TEMPLATE_TEST_CASE("Far away, floats cost no more than what they cannot hold of 
       check(soup, diagonals, GreedyOrder{});
       check(soup, diagonals, RelaxedOrder{});
     }
+}
+
+TEMPLATE_TEST_CASE("At the end of the range of numbers, what is left is in it", "", Mesh, Floats) {
+  using FT = std::remove_cvref_t<decltype(typename TestType::Point().x())>;
+  const double greatest = std::numeric_limits<FT>::max();
+  const Soup ball = test::mapped(test::sphere(3), [&](const Position& p) { return greatest * p; });
+  TestType mesh = test::make_mesh<TestType>(ball);
+  const Report report = simplify(mesh, FaceCount{60});
+  CHECK(report.stop == StopReason::target_met);
+  std::size_t at_the_end = 0;
+  for (const auto v : mesh.vertices())
+    for (int i = 0; i < 3; ++i) {
+      REQUIRE(std::isfinite(mesh.point(v)[i]));
+      at_the_end += std::abs(mesh.point(v)[i]) == std::numeric_limits<FT>::max();
+    }
+  CHECK(at_the_end > 0);
 }
