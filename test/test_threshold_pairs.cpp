@@ -200,12 +200,17 @@ TEST_CASE("Coincident vertices are paired with each other, and with all that are
   }
 }
 
-TEST_CASE("However many vertices coincide, they are refused and nothing breaks") {
+TEST_CASE("However many vertices lie at a place, they are refused and nothing breaks") {
   Soup many;
   add_coincident(many, 100'000, {{1, 2, 3}});
   Soup beside = grid(100, 100);
   add_coincident(beside, 60'000, {{0.3, 0.3, 1}});
-  for (const Soup& soup : {many, beside}) {
+  Soup neighbours; // no number lies between their x, and their y differ by less
+  Random random(1);
+  for (std::size_t i = 0; i < 100'000; ++i)
+    neighbours.points.push_back({{1 + random.below(2) * 0x1p-52, random(0, 0x1p-52), 0}});
+  neighbours.triangles = triangles_over(neighbours.points.size());
+  for (const Soup& soup : {many, beside, neighbours}) {
     const std::size_t faces = soup.triangles.size();
     std::vector<Point> points = points_of(soup);
     auto triangles = soup.triangles;

@@ -86,13 +86,16 @@ private:
       refuse(std::max(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
   }
 
-  // Counting all pairs could take O(n²): it is done at a thousand vertices.
+  // Counting all pairs could take O(n²): up to a thousand vertices are looked at, in an order that
+  // jumps about, until they have met enough others.
   static double estimated_pairs(const internal::ClosePoints& finder, std::size_t points) {
-    const std::size_t step = std::max<std::size_t>(1, points / 1000);
-    double count = 0, samples = 0;
-    for (std::size_t i = 0; i < points; i += step, ++samples)
-      count += finder.count(static_cast<std::uint32_t>(i));
-    return count / samples * static_cast<double>(points) / 2;
+    const std::size_t samples = std::min<std::size_t>(points, 1000);
+    const std::size_t jump = 1627; // a prime, so that no vertex comes twice
+    double count = 0;
+    std::size_t n = 0;
+    for (; n < samples && count < 1e7; ++n)
+      count += finder.count(static_cast<std::uint32_t>(n * jump % samples * (points / samples)));
+    return count / static_cast<double>(n) * static_cast<double>(points) / 2;
   }
 
   [[noreturn]] void refuse(double pairs, double t) const {

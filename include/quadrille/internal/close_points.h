@@ -10,6 +10,7 @@
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Splitters.h>
 #include <CGAL/property_map.h>
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -77,6 +78,20 @@ private:
   using Traits = CGAL::Search_traits_adapter<Entry, CGAL::First_of_pair_property_map<Entry>,
                                              CGAL::Search_traits_3<Kernel>>;
 
+  // Halves the longest side of the box around the points. CGAL's Sliding_midpoint does too, but
+  // takes off one point at a time where no number lies between the two ends.
+  struct Splitter : CGAL::Splitter_base<double> {
+    using Container = CGAL::Point_container<Traits>;
+    using Separator = CGAL::Plane_separator<double>;
+
+    void operator()(Separator& separator, Container& points, Container& lower) const {
+      const double low = points.max_tight_span_lower(), high = points.max_tight_span_upper();
+      const double middle = (low + high) / 2;
+      separator = Separator(points.max_tight_span_coord(), middle > low ? middle : high);
+      points.split(lower, separator);
+    }
+  };
+
   void find_groups() {
     order_.resize(points_.size());
     std::iota(order_.begin(), order_.end(), 0);
@@ -125,7 +140,7 @@ private:
   std::vector<std::uint32_t> order_;    // indices of points, by position, then by index
   std::vector<std::uint32_t> first_;    // of each group in that order, and its end
   std::vector<std::uint32_t> group_of_; // each point
-  CGAL::Kd_tree<Traits> tree_;
+  CGAL::Kd_tree<Traits, Splitter> tree_;
 };
 
 } // namespace quadrille::internal
