@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -65,6 +66,29 @@ Soup shuffled(Soup soup, std::uint64_t seed) {
   return result;
 }
 
+// Faces of which each of the points from `first` to `end` is a corner.
+std::vector<Triangle> triangles_over(std::size_t end, std::size_t first = 0) {
+  std::vector<Triangle> triangles;
+  for (auto v = static_cast<std::uint32_t>(first); v + 2 < end; ++v)
+    triangles.push_back({v, v + 1, v + 2});
+  return triangles;
+}
+
+// n vertices at a position, with faces.
+void add_coincident(Soup& soup, std::size_t n, const Position& p) {
+  const std::size_t first = soup.points.size();
+  soup.points.resize(first + n, p);
+  for (const Triangle& t : triangles_over(first + n, first))
+    soup.triangles.push_back(t);
+}
+
+Soup scaled(Soup soup, int exponent) {
+  for (Position& p : soup.points)
+    for (double& x : p.coordinates)
+      x = std::ldexp(x, exponent);
+  return soup;
+}
+
 Soup two_tetrahedra(double distance) {
   return joined(tetrahedron(), tetrahedron(), {{1 + distance, 0, 0}});
 }
@@ -98,6 +122,7 @@ TEST_CASE("Pairs are those closer than t: a distance of exactly t does not count
     for (int y = 0; y < 7; ++y)
       for (int z = 0; z < 2; ++z)
         lattice.points.push_back({{double(x), double(y), double(z)}});
+  lattice.triangles = triangles_over(lattice.points.size());
   for (const double t : {0.5, 1.0, 2.0, 3.0, 5.0}) {
     CAPTURE(t);
     const double more = std::nextafter(t, 10);
@@ -158,6 +183,108 @@ TEST_CASE("Too many pairs are refused with their number, and nothing is changed"
   CHECK_NOTHROW(emitted(ThresholdPairs::relative(2, per_vertex), soup));
   CHECK_THROWS_AS(emitted(ThresholdPairs::relative(2, std::nextafter(per_vertex, 0)), soup),
                   std::length_error);
+}
+
+TEST_CASE("Coincident vertices are paired with each other, and with all that are close to them") {
+  Soup soup = joined(random_closed(1), random_closed(1), {{0, 0, 0}});
+  add_coincident(soup, 7, soup.points[5]);
+  add_coincident(soup, 3, {{-0.0, 0.0, 0}});
+  add_coincident(soup, 3, {{0.0, -0.0, 0}});
+  soup = shuffled(soup, 2);
+  for (const double t :
+       {std::numeric_limits<double>::denorm_min(), 1e-300, 1e-160, 1e-9, 0.1, 0.3}) {
+    CAPTURE(t);
+    const IndexPairs expected = emitted(ThresholdPairs{t}, soup);
+    CHECK(expected.size() >= soup.points.size() / 2);
+    CHECK(expected == closer_than(std::max(t, 1e-100), soup));
+  }
+}
+
+TEST_CASE("However many vertices lie at a place, they are refused and nothing breaks") {
+  Soup many;
+  add_coincident(many, 100'000, {{1, 2, 3}});
+  Soup beside = grid(100, 100);
+  add_coincident(beside, 60'000, {{0.3, 0.3, 1}});
+  Soup neighbours; // no number lies between their x, and their y differ by less
+  Random random(1);
+  for (std::size_t i = 0; i < 100'000; ++i)
+    neighbours.points.push_back({{1 + random.below(2) * 0x1p-52, random(0, 0x1p-52), 0}});
+  neighbours.triangles = triangles_over(neighbours.points.size());
+  for (const Soup& soup : {many, beside, neighbours}) {
+    const std::size_t faces = soup.triangles.size();
+    std::vector<Point> points = points_of(soup);
+    auto triangles = soup.triangles;
+    CHECK_THROWS_AS(simplify(points, triangles, ThresholdPairs{1e-3}), std::length_error);
+    CHECK(triangles.size() == faces);
+  }
+  CHECK(emitted(ThresholdPairs::relative(0.1), many).empty()); // its box has no size
+}
+
+TEST_CASE("The pairs do not depend on the unit of the mesh") {
+  const Soup soup = two_parts();
+  const double t = 0.07 * diagonal(soup);
+  const IndexPairs expected = closer_than(t, soup);
+  CHECK(expected.size() > 100);
+  for (const int exponent : {-900, -560, -30, 0, 30, 520, 900, 1020}) {
+    CAPTURE(exponent);
+    const Soup other = scaled(soup, exponent);
+    CHECK(emitted(ThresholdPairs{std::ldexp(t, exponent)}, other) == expected);
+    CHECK(emitted(ThresholdPairs::relative(0.07), other) == expected);
+  }
+}
+
+TEST_CASE("The bounding box may be as large and as small as numbers are") {
+  // The corners of a cube, and one point close to the first.
+  Soup soup;
+  for (int i = 0; i < 8; ++i)
+    soup.points.push_back({{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0}});
+  soup.points.push_back({{-0.5, -1, -1}});
+  soup.triangles = triangles_over(9);
+  const IndexPairs expected{{0, 8}};
+  for (const int exponent : {1023, 0, -1073}) { // the diagonal of the first is above all doubles
+    CAPTURE(exponent);
+    CHECK(emitted(ThresholdPairs::relative(0.2), scaled(soup, exponent)) == expected);
+    CHECK(emitted(ThresholdPairs{std::ldexp(1, exponent)}, scaled(soup, exponent)) == expected);
+  }
+  CHECK(emitted(ThresholdPairs{std::numeric_limits<double>::max()}, soup).size() == 36);
+  CHECK(emitted(ThresholdPairs{std::numeric_limits<double>::max()}, scaled(soup, -1000)).size() ==
+        36);
+  CHECK(emitted(ThresholdPairs::relative(1e300), scaled(soup, 1000)).size() == 36);
+}
+
+TEST_CASE("Points that no face uses make no pairs and do not count") {
+  Soup soup = sphere(3);
+  const double t = 0.2;
+  const IndexPairs expected = closer_than(t, soup);
+  CHECK_FALSE(expected.empty());
+  const std::size_t n = soup.points.size();
+  soup.points.resize(n + 300, {{1, 0, 0}});
+  soup.points.push_back({{1e300, 0, 0}}); // nor is the size of the surface theirs
+  soup.triangles.push_back({0, static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n)});
+  CHECK(emitted(ThresholdPairs{t, 20}, soup) == expected);
+  CHECK(emitted(ThresholdPairs::relative(t / std::sqrt(12), 20), soup) == expected);
+  CHECK_NOTHROW(OnSoup::run(soup, Quadric{}, FaceRatio{0.5}, ThresholdPairs{1e-3, 0}));
+
+  soup.triangles.clear();
+  CHECK(emitted(ThresholdPairs{t, 0}, soup).empty());
+}
+
+TEST_CASE("Messages show small numbers as they are") {
+  const auto shows = [](const std::string& number) {
+    return Catch::Matchers::Predicate<std::exception>([=](const std::exception& error) {
+      return std::string(error.what()).find(' ' + number + ' ') != std::string::npos;
+    });
+  };
+  CHECK_THROWS_MATCHES(OnSoup::run(tetrahedron(), Quadric{}, ThresholdPairs{-1e-300}),
+                       std::invalid_argument, shows("-1e-300"));
+  CHECK_THROWS_MATCHES(OnSoup::run(tetrahedron(), Quadric{}, ThresholdPairs(1, -1e-300)),
+                       std::invalid_argument, shows("-1e-300"));
+  Soup soup;
+  add_coincident(soup, 9, {{1, 2, 3}});
+  CHECK_THROWS_MATCHES(emitted(ThresholdPairs(1e-20, 1e-9), soup), std::length_error,
+                       shows("1e-09") && shows("36"));
+  CHECK_THROWS_WITH(emitted(ThresholdPairs(1e-20, 1e-9), soup),
+                    Catch::Contains("closer than 1e-20, more"));
 }
 
 namespace {

@@ -4,25 +4,17 @@
 // This header includes CGAL's kd-tree, which is GPL: a program that includes it comes under the GPL
 // (or CGAL's commercial licence). <quadrille/simplify.h> does not include it.
 
+#include <quadrille/internal/close_points.h>
+#include <quadrille/internal/face_points.h>
+#include <quadrille/internal/text.h>
 #include <quadrille/pairs.h>
-#include <quadrille/vector.h>
-
-#include <CGAL/Fuzzy_sphere.h>
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace quadrille {
@@ -30,6 +22,9 @@ namespace quadrille {
 /// The edges of the surface, and all pairs of vertices that are closer than a threshold t at the
 /// beginning: parts that lie close to each other join. A pair at exactly the distance t does not
 /// count, so t = 0 is the same as EdgePairs.
+///
+/// Points that no face uses make no pairs. A t of less than 2^-1000 times the largest coordinate
+/// counts as that.
 ///
 /// The pairs are found with CGAL's kd-tree, in O(n log n + pairs) for n vertices.
 /// Source: Garland and Heckbert 1997, section 3.2.
@@ -54,119 +49,61 @@ public:
   /// that is negative or not a number.
   void validate() const {
     if (!(t_ >= 0) || !std::isfinite(t_))
-      throw std::invalid_argument("quadrille::ThresholdPairs: the threshold " + std::to_string(t_) +
-                                  " is not a distance");
+      throw std::invalid_argument("quadrille::ThresholdPairs: the threshold " +
+                                  internal::text_of(t_) + " is not a distance");
     if (!(max_pairs_per_vertex_ >= 0))
       throw std::invalid_argument("quadrille::ThresholdPairs: the limit of " +
-                                  std::to_string(max_pairs_per_vertex_) +
+                                  internal::text_of(max_pairs_per_vertex_) +
                                   " pairs a vertex is no number of pairs");
   }
 
   /// Calls emit(i, j) for each pair of points i < j closer than t, ordered by i, then by j. Throws
   /// std::length_error, before the first call, if there are more of them than allowed.
   void operator()(const SurfaceView& surface, const EmitPair& emit) const {
-    const double t = is_relative_ ? t_ * diagonal(surface.points) : t_;
-    if (!(t > 0) || surface.points.empty()) // CGAL's tree is never empty
+    if (!(t_ > 0))
       return;
-    const Finder finder(surface.points);
-    require_few(finder, surface.points.size(), t);
+    const internal::FacePoints points(surface);
+    const double diagonal = points.diagonal();
+    if (points.size() == 0 || (is_relative_ && diagonal == 0))
+      return;
+    const double t = is_relative_ ? t_ * diagonal : points.length_from_mesh(t_);
+    const internal::ClosePoints finder(points.positions(),
+                                       std::clamp(t, points.least, points.greatest));
+    require_few(finder, points.size(), points.length_of_mesh(t));
     std::vector<std::uint32_t> near;
-    for (std::uint32_t i = 0; i < surface.points.size(); ++i) {
-      finder.find_after(i, t, near);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      finder.find_after(i, near);
       for (std::uint32_t j : near)
-        emit(i, j);
+        emit(points.index(i), points.index(j));
     }
   }
 
 private:
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Entry = std::pair<Kernel::Point_3, std::uint32_t>;
-  using Traits = CGAL::Search_traits_adapter<Entry, CGAL::First_of_pair_property_map<Entry>,
-                                             CGAL::Search_traits_3<Kernel>>;
-
-  class Finder {
-  public:
-    explicit Finder(std::span<const Vector<3>> points) : points_(points) {
-      std::vector<Entry> entries;
-      entries.reserve(points.size());
-      for (std::uint32_t i = 0; i < points.size(); ++i)
-        entries.emplace_back(point(i), i);
-      tree_.insert(entries.begin(), entries.end());
-      tree_.build();
-    }
-
-    // All j > i closer to i than t, in order.
-    void find_after(std::uint32_t i, double t, std::vector<std::uint32_t>& near) const {
-      near.clear();
-      for_each_near(i, t, [&](std::uint32_t j) {
-        if (j > i)
-          near.push_back(j);
-      });
-      std::sort(near.begin(), near.end());
-    }
-
-    std::size_t count(std::uint32_t i, double t) const {
-      std::size_t n = 0;
-      for_each_near(i, t, [&](std::uint32_t) { ++n; });
-      return n;
-    }
-
-  private:
-    // The sphere of CGAL is not exact at its surface: it is taken larger, and each hit is tested.
-    template <class Visit>
-    void for_each_near(std::uint32_t i, double t, Visit visit) const {
-      const auto test = [&](const Entry& entry) {
-        if (entry.second != i && squared_distance(points_[i], points_[entry.second]) < t * t)
-          visit(entry.second);
-      };
-      const CGAL::Fuzzy_sphere<Traits> sphere(point(i), t * (1 + 1e-12));
-      tree_.search(boost::make_function_output_iterator(std::cref(test)), sphere);
-    }
-
-    Kernel::Point_3 point(std::uint32_t i) const {
-      return {points_[i][0], points_[i][1], points_[i][2]};
-    }
-
-    std::span<const Vector<3>> points_;
-    CGAL::Kd_tree<Traits> tree_;
-  };
-
-  void require_few(const Finder& finder, std::size_t points, double t) const {
+  void require_few(const internal::ClosePoints& finder, std::size_t points, double t) const {
     const double limit = max_pairs_per_vertex_ * static_cast<double>(points);
-    double pairs = 0;
-    std::vector<std::uint32_t> near;
-    for (std::uint32_t i = 0; i < points; ++i) {
-      finder.find_after(i, t, near);
-      pairs += static_cast<double>(near.size());
-      if (pairs > limit)
-        refuse(finder, points, t);
-    }
+    const double pairs = finder.count_pairs(limit);
+    if (pairs > limit)
+      refuse(std::max(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
   }
 
-  // Counting all pairs could take O(n²): it is done at a thousand vertices.
-  [[noreturn]] void refuse(const Finder& finder, std::size_t points, double t) const {
-    const std::size_t step = std::max<std::size_t>(1, points / 1000);
-    double count = 0, samples = 0;
-    for (std::size_t i = 0; i < points; i += step, ++samples)
-      count += static_cast<double>(finder.count(static_cast<std::uint32_t>(i), t));
-    const double pairs = count / samples * static_cast<double>(points) / 2;
+  // Counting all pairs could take O(n²): up to a thousand vertices are looked at, in an order that
+  // jumps about, until they have met enough others.
+  static double estimated_pairs(const internal::ClosePoints& finder, std::size_t points) {
+    const std::size_t samples = std::min<std::size_t>(points, 1000);
+    const std::size_t jump = 1627; // a prime, so that no vertex comes twice
+    double count = 0;
+    std::size_t n = 0;
+    for (; n < samples && count < 1e7; ++n)
+      count += finder.count(static_cast<std::uint32_t>(n * jump % samples * (points / samples)));
+    return count / static_cast<double>(n) * static_cast<double>(points) / 2;
+  }
+
+  [[noreturn]] void refuse(double pairs, double t) const {
     throw std::length_error("quadrille::ThresholdPairs: about " +
                             std::to_string(std::llround(pairs)) +
-                            " pairs of vertices are closer than " + std::to_string(t) +
-                            ", more than the limit of " + std::to_string(max_pairs_per_vertex_) +
+                            " pairs of vertices are closer than " + internal::text_of(t) +
+                            ", more than the limit of " + internal::text_of(max_pairs_per_vertex_) +
                             " a vertex (the second argument of ThresholdPairs)");
-  }
-
-  static double diagonal(std::span<const Vector<3>> points) {
-    if (points.empty())
-      return 0;
-    Vector<3> low = points[0], high = points[0];
-    for (const Vector<3>& p : points)
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
-    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   }
 
   double t_;
