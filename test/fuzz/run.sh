@@ -1,6 +1,7 @@
 #!/bin/sh
-# Builds the fuzzers and runs each for so many seconds. A new corpus grows in build/fuzz/corpus; what
-# fails is written to build/fuzz as crash-*, to be given to the program that found it.
+# Builds the fuzzers and runs each for so many seconds. Debian packages that are missing are installed
+# first. A new corpus grows in build/fuzz/corpus; what fails is written to build/fuzz as crash-*, to be
+# given to the program that found it, and ends the run with that program's exit status.
 #   sh test/fuzz/run.sh SECONDS [FUZZER...]
 set -eu
 export LC_ALL=C
@@ -10,6 +11,8 @@ shift
 [ $# -gt 0 ] || set -- fuzz_soup fuzz_file
 
 cd -- "$(dirname -- "$0")/../.."
+sh .ci/install_packages.sh cmake clang libclang-rt-dev ninja-build libcgal-dev libcgal-demo \
+  libboost-dev catch2 libopenmesh-dev libeigen3-dev
 cmake --preset fuzz
 cmake --build --preset fuzz --parallel 2 --target "$@"
 
