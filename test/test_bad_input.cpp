@@ -2,6 +2,7 @@
 // surface is as it was.
 
 #include "meshes.h"
+#include "snapshot.h"
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polyhedron_3.h>
@@ -33,40 +34,13 @@ using Catch::Contains;
 using test::Mesh;
 using test::Point;
 using test::Position;
+using test::snapshot;
+using test::Snapshot;
 using test::Soup;
 using Polyhedron = CGAL::Polyhedron_3<test::Kernel>;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Points by their bits, and the corners of each face, all in the order of the mesh.
-struct Snapshot {
-  std::vector<std::array<std::uint64_t, 3>> points;
-  std::vector<std::vector<std::size_t>> faces;
-
-  friend bool operator==(const Snapshot&, const Snapshot&) = default;
-
-  void add(const Point& p) {
-    points.push_back({std::bit_cast<std::uint64_t>(p.x()), std::bit_cast<std::uint64_t>(p.y()),
-                      std::bit_cast<std::uint64_t>(p.z())});
-  }
-};
-
-template <class M>
-Snapshot snapshot(const M& mesh) {
-  Snapshot result;
-  std::map<typename boost::graph_traits<M>::vertex_descriptor, std::size_t> number;
-  for (const auto v : vertices(mesh)) {
-    number[v] = number.size();
-    result.add(get(get(CGAL::vertex_point, mesh), v));
-  }
-  for (const auto f : faces(mesh)) {
-    result.faces.emplace_back();
-    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      result.faces.back().push_back(number.at(v));
-  }
-  return result;
-}
 
 template <class Triangles>
 struct PointSoup {
@@ -84,14 +58,13 @@ PointSoup<Triangles> point_soup(const Soup& soup) {
   return result;
 }
 
-template <class T>
-Snapshot snapshot(const PointSoup<T>& soup) {
-  Snapshot result;
-  for (const Point& p : soup.points)
-    result.add(p);
-  for (const auto& t : soup.triangles)
-    result.faces.emplace_back(t.begin(), t.end());
-  return result;
+template <class Surface>
+Surface make(const Soup& soup) {
+  return test::make_mesh<Surface>(soup);
+}
+template <>
+PointSoup<Triangles> make(const Soup& soup) {
+  return point_soup(soup);
 }
 
 // One name for meshes and soups.
@@ -286,20 +259,35 @@ struct Fused {
 template <class Map>
 Fused(Map, Fuse*) -> Fused<Map>;
 
-// Calls simplify(fuse) with longer and longer fuses, until one does not burn down. Returns how many
-// did.
+// Calls simplify(fuse) with longer and longer fuses, from some length on in larger steps, until one
+// does not burn down. Returns the length of the longest that did.
 template <class Simplify, class Check>
 std::size_t survive_accidents(Simplify simplify, Check check) {
-  for (std::size_t length = 1;; ++length) {
+  std::size_t longest = 0;
+  for (std::size_t length = 1;; length += 1 + (length < 400 ? 0 : length / 16)) {
     Fuse fuse(length);
     try {
       simplify(&fuse);
-      return length - 1;
+      return longest;
     } catch (const Accident&) {
       CAPTURE(length);
       check();
+      longest = length;
     }
   }
+}
+
+// The same with a surface that must be as it was after each accident: calls simplify(surface,
+// fuse).
+template <class Surface, class Simplify>
+std::size_t survive_accidents_of(const Surface& input, Simplify simplify) {
+  Surface surface = input;
+  const Snapshot before = snapshot(surface);
+  return survive_accidents([&](Fuse* fuse) { simplify(surface, fuse); },
+                           [&] {
+                             REQUIRE((snapshot(surface) == before));
+                             REQUIRE(test::is_sound(surface));
+                           });
 }
 
 Soup plate() {
@@ -333,6 +321,49 @@ TEMPLATE_TEST_CASE("A point map that throws leaves the mesh as it was", "", Mesh
   CHECK((report.duplicated_vertices > 0) == joins);
 }
 
+TEMPLATE_TEST_CASE(
+    "Maps of indices, constraints, creases and quadrics that throw leave the mesh as it was", "",
+    Mesh, Polyhedron) {
+  using Traits = boost::graph_traits<TestType>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Edge = typename Traits::edge_descriptor;
+  const bool joins = GENERATE(false, true);
+  TestType mesh = make<TestType>(joins ? neighbours() : test::with_holes(plate(), 1, 20));
+  const Snapshot before = snapshot(mesh);
+  std::map<Vertex, std::size_t> numbers;
+  for (const auto v : vertices(mesh))
+    numbers[v] = numbers.size();
+  std::map<Vertex, bool> fixed_vertices;
+  for (const auto& [v, number] : numbers)
+    fixed_vertices[v] = number == 7;
+  std::map<Edge, bool> fixed_edges, creases;
+  for (const auto e : edges(mesh)) {
+    fixed_edges[e] = numbers[source(e, mesh)] == 11;
+    creases[e] = numbers[source(e, mesh)] % 5 == 0;
+  }
+  std::map<Vertex, QuadricForm<3>> quadrics;
+  const auto fused = [](auto& values, Fuse* fuse) {
+    return Fused{boost::make_assoc_property_map(values), fuse};
+  };
+  Report report;
+  const std::size_t accidents = survive_accidents(
+      [&](Fuse* fuse) {
+        report =
+            run(mesh, FaceCount{60}, ThresholdPairs(joins ? 0.1 : 0),
+                parameters::edge_is_crease_map(
+                    fused(creases, fuse), parameters::vertex_quadric_map(fused(quadrics, fuse)))
+                    .vertex_index_map(fused(numbers, fuse))
+                    .vertex_is_constrained_map(fused(fixed_vertices, fuse))
+                    .edge_is_constrained_map(fused(fixed_edges, fuse)));
+      },
+      [&] {
+        REQUIRE((snapshot(mesh) == before));
+        REQUIRE(test::is_sound(mesh));
+      });
+  CHECK(accidents > 10 * before.points.size());
+  CHECK((report.duplicated_vertices > 0) == joins);
+}
+
 TEMPLATE_TEST_CASE("A colour map that throws leaves mesh and colours as they were", "", Mesh,
                    Polyhedron) {
   TestType mesh = test::make_mesh<TestType>(plate());
@@ -361,16 +392,24 @@ TEST_CASE("Maps that throw leave a soup as it was") {
   unsigned char shade = 0;
   for ([[maybe_unused]] const Point& p : soup.points)
     colors.emplace_back(shade += 7, 99, 7);
+  std::vector<char> is_fixed(soup.points.size(), 0);
+  is_fixed[7] = 1;
+  std::vector<ColorQuadric::Memory> quadrics(soup.points.size());
   const Snapshot before = snapshot(soup);
   const auto colors_before = colors;
   const std::size_t accidents = survive_accidents(
       [&](Fuse* fuse) {
-        const Fused map{boost::make_iterator_property_map(
-                            colors.begin(), boost::typed_identity_property_map<std::size_t>()),
-                        fuse};
+        const auto fused = [fuse](auto& values) {
+          return Fused{boost::make_iterator_property_map(
+                           values.begin(), boost::typed_identity_property_map<std::size_t>()),
+                       fuse};
+        };
         const Fused points{CGAL::Identity_property_map<Point>(), fuse};
         run<ColorQuadric>(soup, FaceCount{60},
-                          CGAL::parameters::vertex_color_map(map).point_map(points));
+                          parameters::vertex_quadric_map(fused(quadrics))
+                              .vertex_color_map(fused(colors))
+                              .vertex_is_constrained_map(fused(is_fixed))
+                              .point_map(points));
       },
       [&] {
         REQUIRE((snapshot(soup) == before));
@@ -417,17 +456,96 @@ struct FusedFilter {
     return true;
   }
 };
+struct FusedPlacement {
+  Fuse* fuse;
+  auto operator()(const auto& cost, const auto& pair) const {
+    fuse->burn();
+    return OptimalPlacement{}(cost, pair);
+  }
+};
+struct FusedPairs {
+  static constexpr bool includes_edges = true;
+  Fuse* fuse;
+  void operator()(const SurfaceView& surface, auto&& emit) const {
+    for (std::size_t v = 1; v < surface.points.size(); v += 10) {
+      fuse->burn();
+      emit(v - 1, v);
+    }
+  }
+};
+// Each of its functions burns the fuse.
+struct FusedCost : Quadric {
+  Fuse* fuse;
+  explicit FusedCost(Fuse* f) : Quadric{.crease_degrees = 60}, fuse(f) {}
+
+  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    fuse->burn();
+    return Quadric::face(p, q, r);
+  }
+  Memory boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    fuse->burn();
+    return Quadric::boundary(p, q, r);
+  }
+  Memory crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    fuse->burn();
+    return Quadric::crease(p, q, r);
+  }
+  double operator()(const auto& pair, const Vector<3>& x) const {
+    fuse->burn();
+    return Quadric::operator()(pair, x);
+  }
+  auto minimizer(const auto& pair) const {
+    fuse->burn();
+    return Quadric::minimizer(pair);
+  }
+  double squared_error(const auto& pair, double value) const {
+    fuse->burn();
+    return Quadric::squared_error(pair, value);
+  }
+};
+struct FusedVisitor : Visitor {
+  Fuse* fuse;
+  explicit FusedVisitor(Fuse* f) : fuse(f) {}
+  bool proceed(const Status&) const {
+    fuse->burn();
+    return true;
+  }
+};
 
 } // namespace
 
-TEST_CASE("Policies that throw leave the mesh as it was") {
-  Mesh mesh = test::make_mesh(plate());
-  const Snapshot before = snapshot(mesh);
-  const auto check = [&] { REQUIRE((snapshot(mesh) == before)); };
-  CHECK(survive_accidents([&](Fuse* fuse) { run(mesh, FusedStop{fuse}); }, check) > 100);
-  mesh = test::make_mesh(plate());
-  CHECK(survive_accidents([&](Fuse* fuse) { run(mesh, FaceCount{60}, FusedFilter{fuse}); }, check) >
-        100);
+TEMPLATE_TEST_CASE("Policies that throw leave the surface as it was", "", Mesh, Polyhedron,
+                   PointSoup<Triangles>) {
+  const auto input = make<TestType>(test::with_holes(plate(), 1, 20));
+  const auto survive = [&](const auto& order) {
+    const auto accidents = [&](const auto& policy) {
+      return survive_accidents_of(input, [&](auto& surface, Fuse* fuse) {
+        run(surface, FaceCount{60}, order, policy(fuse));
+      });
+    };
+    CHECK(accidents([](Fuse* fuse) { return FusedFilter{fuse}; }) > 100);
+    CHECK(accidents([](Fuse* fuse) { return FusedPlacement{fuse}; }) > 100);
+    CHECK(accidents([](Fuse* fuse) { return FusedPairs{fuse}; }) > 10);
+    CHECK(accidents([](Fuse* fuse) { return FusedCost(fuse); }) > 1000);
+    CHECK(survive_accidents_of(input, [&](auto& surface, Fuse* fuse) {
+            run(surface, order, FusedStop{fuse});
+          }) > 10);
+  };
+  survive(GreedyOrder{});
+  survive(RelaxedOrder{});
+  survive(RelaxedOrder{.refresh = true});
+}
+
+TEMPLATE_TEST_CASE("A visitor that throws leaves the surface as it was", "", Mesh, Polyhedron,
+                   PointSoup<Triangles>) {
+  const auto input = make<TestType>(test::with_noise(test::torus(60, 40), 1, 0.01));
+  const auto accidents = [&](const auto& order) {
+    return survive_accidents_of(input, [&](auto& surface, Fuse* fuse) {
+      run(surface, FaceCount{4}, order, CGAL::parameters::visitor(FusedVisitor(fuse)));
+    });
+  };
+  CHECK(accidents(GreedyOrder{}) > 5);
+  CHECK(accidents(RelaxedOrder{}) > 5);
 }
 
 // --- Cancelling ----------------------------------------------------------------------------------
