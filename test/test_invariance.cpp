@@ -3,6 +3,7 @@
 #include "soups.h"
 
 #include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,6 +15,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -73,13 +75,68 @@ TEMPLATE_TEST_CASE("The unit does not matter, and not at all if it is a power of
     CAPTURE(name);
     for (double scale : {1e-8, 1e-5, 1e-3, 0.1, 3.0, 1e3, 1e5, 1e8}) {
       CAPTURE(scale);
-      check<TestType>(soup, [&](const Position& p) { return scale * p; }, 1e-9);
+      check<TestType>(
+          soup, [&](const Position& p) { return scale * p; }, 1e-9);
     }
     for (int exponent : {-900, -300, -26, -1, 1, 26, 300, 900}) {
       CAPTURE(exponent);
       const double scale = std::ldexp(1.0, exponent);
-      check<TestType>(soup, [&](const Position& p) { return scale * p; }, 0);
+      check<TestType>(
+          soup, [&](const Position& p) { return scale * p; }, 0);
     }
+  }
+}
+
+TEST_CASE("Nor does the unit matter to passes, thresholds, limits of error, and attributes") {
+  const Soup soup =
+      test::joined(test::with_noise(test::torus(40, 30), 1, 0.01), test::sphere(3), {{2.41, 0, 0}});
+  for (int exponent : {-900, -560, -26, 1, 300, 900}) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1.0, exponent);
+    const auto scaled = [&](const Position& p) { return scale * p; };
+    const auto check_with = [&](const auto& policies_at) {
+      const auto simplified_at = [&](const Soup& input, double unit) {
+        test::Mesh mesh = test::make_mesh(input);
+        const Report report =
+            std::apply([&](const auto&... policies) { return simplify(mesh, policies...); },
+                       policies_at(unit));
+        return std::pair(test::to_soup(mesh), report);
+      };
+      const auto [result, report] = simplified_at(soup, 1);
+      const auto [at_scale, report_at_scale] = simplified_at(test::mapped(soup, scaled), scale);
+      CHECK(result.triangles.size() < soup.triangles.size() / 2);
+      CHECK(difference(test::mapped(result, scaled), at_scale) == 0);
+      CHECK(report.non_edge_contractions == report_at_scale.non_edge_contractions);
+      return report;
+    };
+    check_with([](double) { return std::tuple(FaceRatio{0.25}, RelaxedOrder{}); });
+    check_with([](double) {
+      return std::tuple(FaceRatio{0.25}, RelaxedOrder{.share = 0.2, .refresh = true});
+    });
+    check_with([](double unit) { return std::tuple(ErrorLimit(0.1 * unit)); });
+    CHECK(check_with([](double unit) {
+            return std::tuple(FaceRatio{0.25}, ThresholdPairs(0.3 * unit));
+          }).non_edge_contractions > 0);
+    CHECK(check_with([](double) {
+            return std::tuple(FaceRatio{0.25}, ThresholdPairs::relative(0.05));
+          }).non_edge_contractions > 0);
+
+    const auto colored = [&](const Soup& input) {
+      std::vector<test::Point> points = test::points_of(input);
+      std::vector<std::array<double, 3>> colors;
+      for (const Position& p : soup.points)
+        colors.push_back({0.5 + 0.3 * p[0], std::sin(5 * p[1]), p[2]});
+      auto triangles = input.triangles;
+      simplify<ColorQuadric, OptimalPlacement>(
+          points, triangles, FaceRatio{0.25},
+          CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+      Soup result{{}, triangles};
+      for (const test::Point& p : points)
+        result.points.push_back({{p.x(), p.y(), p.z()}});
+      return result;
+    };
+    CHECK(difference(test::mapped(colored(soup), scaled), colored(test::mapped(soup, scaled))) ==
+          0);
   }
 }
 
@@ -104,8 +161,10 @@ TEMPLATE_TEST_CASE("The place does not matter, as far as doubles hold the input"
       const double d = factor * test::diagonal(soup);
       const Position offset{{d, -0.7 * d, 0.4 * d}};
       // The same surface near zero: what is left of it there, moved back without rounding.
-      const Soup held = test::mapped(soup, [&](const Position& p) { return (p + offset) - offset; });
-      check<TestType>(held, [&](const Position& p) { return p + offset; }, 1e-15 * factor + 1e-9);
+      const Soup held =
+          test::mapped(soup, [&](const Position& p) { return (p + offset) - offset; });
+      check<TestType>(
+          held, [&](const Position& p) { return p + offset; }, 1e-15 * factor + 1e-9);
     }
   }
 }
@@ -115,10 +174,30 @@ TEMPLATE_TEST_CASE("The direction does not matter", "", Quadric, MemorylessQuadr
     CAPTURE(name);
     const auto turn = [](const Position& p) { return test::tilted(Soup{{p}, {}}).points.front(); };
     check<TestType>(soup, turn, 1e-9);
-    check<TestType>(soup, [](const Position& p) { return Position{{-p[0], p[1], p[2]}}; }, 1e-9);
-    check<TestType>(soup, [](const Position& p) { return Position{{p[0], p[1], -p[2]}}; }, 1e-9);
-    check<TestType>(soup, [](const Position& p) { return Position{{p[1], p[2], p[0]}}; }, 1e-9);
-    check<TestType>(soup, [](const Position& p) { return Position{{p[1], p[0], p[2]}}; }, 1e-9);
+    check<TestType>(
+        soup,
+        [](const Position& p) {
+          return Position{{-p[0], p[1], p[2]}};
+        },
+        1e-9);
+    check<TestType>(
+        soup,
+        [](const Position& p) {
+          return Position{{p[0], p[1], -p[2]}};
+        },
+        1e-9);
+    check<TestType>(
+        soup,
+        [](const Position& p) {
+          return Position{{p[1], p[2], p[0]}};
+        },
+        1e-9);
+    check<TestType>(
+        soup,
+        [](const Position& p) {
+          return Position{{p[1], p[0], p[2]}};
+        },
+        1e-9);
   }
 }
 
