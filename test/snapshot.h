@@ -4,7 +4,6 @@
 #include "meshes.h"
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <array>
@@ -41,9 +40,12 @@ Snapshot snapshot(const M& mesh) {
     result.add(get(get(CGAL::vertex_point, mesh), v));
   }
   for (const auto f : faces(mesh)) {
-    result.faces.emplace_back();
-    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      result.faces.back().push_back(number.at(v));
+    std::vector<std::size_t>& corners = result.faces.emplace_back();
+    auto h = halfedge(f, mesh);
+    do { // in a broken mesh it may never come back
+      corners.push_back(number.at(target(h, mesh)));
+      h = next(h, mesh);
+    } while (h != halfedge(f, mesh) && corners.size() <= number.size());
   }
   return result;
 }

@@ -64,7 +64,7 @@ public:
   bool has_come() const { return allocations_left == 0; }
 };
 
-// Calls simplify(surface) so that its n-th allocation fails, for each n up to 200 and then for
+// Calls simplify(surface) so that its n-th allocation fails, for each n up to 2000 and then for
 // some, until it needs no more. Returns the greatest n for which it failed.
 template <class Surface, class Simplify>
 std::size_t survive_shortages(const Surface& input, Simplify simplify) {
@@ -73,7 +73,7 @@ std::size_t survive_shortages(const Surface& input, Simplify simplify) {
   const Snapshot before = snapshot(input), after = snapshot(expected);
   REQUIRE(before != after);
   std::size_t greatest = 0;
-  for (std::size_t n = 1;; n += 1 + (n < 200 ? 0 : n / 16)) {
+  for (std::size_t n = 1;; n += 1 + (n < 2000 ? 0 : n / 16)) {
     CAPTURE(n);
     bool has_come = false, has_failed = false;
     try {
