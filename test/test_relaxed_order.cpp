@@ -270,8 +270,8 @@ TEST_CASE("An order that makes no sense is refused") {
   const auto with = [&](const RelaxedOrder& order) {
     simplify<Quadric, OptimalPlacement>(mesh, order);
   };
-  CHECK_THROWS_WITH(with({.share = 0}), Catch::Contains("the share 0.000000 is not in (0, 1]"));
-  CHECK_THROWS_WITH(with({.share = 1.5}), Catch::Contains("the share 1.500000 is not in (0, 1]"));
+  CHECK_THROWS_WITH(with({.share = 0}), Catch::Contains("the share 0 is not in (0, 1]"));
+  CHECK_THROWS_WITH(with({.share = 1.5}), Catch::Contains("the share 1.5 is not in (0, 1]"));
   CHECK_THROWS_WITH(with({.threads = 0}), Catch::Contains("0 threads"));
 #ifndef QUADRILLE_WITH_TBB
   CHECK_THROWS_WITH(with({.threads = 2}), Catch::Contains("2 threads need oneTBB"));
