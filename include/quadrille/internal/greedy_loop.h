@@ -164,21 +164,25 @@ private:
     }
     if (!surface_.complex().has_faces(kept))
       return;
-    const bool has_too_many = surface_.complex().degree_bound(kept) > few_faces;
-    new_pairs_.clear();
+    if (surface_.complex().degree_bound(kept) > few_faces) {
+      push_cheapest(kept, are_edges);
+      return;
+    }
     surface_.for_each_pair(scratch_, kept, [&](Index partner, float cost) {
-      if (has_too_many)
-        new_pairs_.push_back({cost, partner});
-      else
-        push(kept, partner, cost);
+      push(kept, partner, cost);
       if (are_edges)
         release_parked(partner);
     });
-    push_cheapest(kept);
   }
 
-  // The others wait as if they were refused.
-  void push_cheapest(Index v) {
+  // Of a vertex of many faces. Its other pairs wait as if they were refused.
+  void push_cheapest(Index v, bool are_edges) {
+    new_pairs_.clear();
+    surface_.for_each_pair(scratch_, v, [&](Index partner, float cost) {
+      new_pairs_.push_back({cost, partner});
+      if (are_edges)
+        release_parked(partner);
+    });
     std::sort(new_pairs_.begin(), new_pairs_.end());
     for (std::size_t i = 0; i < new_pairs_.size(); ++i) {
       const auto [cost, partner] = new_pairs_[i];
@@ -188,8 +192,7 @@ private:
       else
         parked_.park({cost, first, second, time_});
     }
-    if (new_pairs_.size() > most_pairs(v))
-      waiting_.push_back(v);
+    waiting_.push_back(v);
   }
 
   void release_parked(const std::vector<StarFace>& faces) {
@@ -200,6 +203,10 @@ private:
 
   // Its surroundings have changed, so the answer of a filter may.
   void release_parked(Index v) {
+    if (parked_.has(v))
+      release_some(v);
+  }
+  [[gnu::noinline]] void release_some(Index v) { // seldom
     if (!parked_.release(v, most_pairs(v), push_again()))
       waiting_.push_back(v);
   }

@@ -25,6 +25,8 @@ public:
     ++size_;
   }
 
+  bool has(Index vertex) const { return last_entry_[vertex] != none; } ///< any, perhaps forgotten
+
   /// Empties the list of a vertex and calls visit(pair) for each pair that was still parked; or
   /// stops behind the first `most` of these. Returns whether the list is empty.
   template <class Visit>
