@@ -259,12 +259,13 @@ struct Fused {
 template <class Map>
 Fused(Map, Fuse*) -> Fused<Map>;
 
-// Calls simplify(fuse) with longer and longer fuses, from some length on in larger steps, until one
-// does not burn down. Returns the length of the longest that did.
+// Calls simplify(fuse) with longer and longer fuses, beyond `each` in larger steps, until one does
+// not burn down. Returns the length of the longest that did.
 template <class Simplify, class Check>
-std::size_t survive_accidents(Simplify simplify, Check check) {
+std::size_t survive_accidents(Simplify simplify, Check check,
+                              std::size_t each = std::numeric_limits<std::size_t>::max()) {
   std::size_t longest = 0;
-  for (std::size_t length = 1;; length += 1 + (length < 400 ? 0 : length / 16)) {
+  for (std::size_t length = 1;; length += 1 + (length < each ? 0 : length / 16)) {
     Fuse fuse(length);
     try {
       simplify(&fuse);
@@ -280,14 +281,15 @@ std::size_t survive_accidents(Simplify simplify, Check check) {
 // The same with a surface that must be as it was after each accident: calls simplify(surface,
 // fuse).
 template <class Surface, class Simplify>
-std::size_t survive_accidents_of(const Surface& input, Simplify simplify) {
+std::size_t survive_accidents_of(const Surface& input, Simplify simplify, std::size_t each = 400) {
   Surface surface = input;
   const Snapshot before = snapshot(surface);
   return survive_accidents([&](Fuse* fuse) { simplify(surface, fuse); },
                            [&] {
                              REQUIRE((snapshot(surface) == before));
                              REQUIRE(test::is_sound(surface));
-                           });
+                           },
+                           each);
 }
 
 Soup plate() {
@@ -359,7 +361,8 @@ TEMPLATE_TEST_CASE(
       [&] {
         REQUIRE((snapshot(mesh) == before));
         REQUIRE(test::is_sound(mesh));
-      });
+      },
+      400);
   CHECK(accidents > 10 * before.points.size());
   CHECK((report.duplicated_vertices > 0) == joins);
 }
@@ -513,6 +516,16 @@ struct FusedVisitor : Visitor {
 };
 
 } // namespace
+
+TEST_CASE("Policies that throw leave the mesh as it was, at each of their calls") {
+  Mesh mesh = test::make_mesh(plate());
+  const Snapshot before = snapshot(mesh);
+  const auto check = [&] { REQUIRE((snapshot(mesh) == before)); };
+  CHECK(survive_accidents([&](Fuse* fuse) { run(mesh, FusedStop{fuse}); }, check) > 100);
+  mesh = test::make_mesh(plate());
+  CHECK(survive_accidents([&](Fuse* fuse) { run(mesh, FaceCount{60}, FusedFilter{fuse}); }, check) >
+        100);
+}
 
 TEMPLATE_TEST_CASE("Policies that throw leave the surface as it was", "", Mesh, Polyhedron,
                    PointSoup<Triangles>) {

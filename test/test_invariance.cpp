@@ -75,14 +75,12 @@ TEMPLATE_TEST_CASE("The unit does not matter, and not at all if it is a power of
     CAPTURE(name);
     for (double scale : {1e-8, 1e-5, 1e-3, 0.1, 3.0, 1e3, 1e5, 1e8}) {
       CAPTURE(scale);
-      check<TestType>(
-          soup, [&](const Position& p) { return scale * p; }, 1e-9);
+      check<TestType>(soup, [&](const Position& p) { return scale * p; }, 1e-9);
     }
     for (int exponent : {-900, -300, -26, -1, 1, 26, 300, 900}) {
       CAPTURE(exponent);
       const double scale = std::ldexp(1.0, exponent);
-      check<TestType>(
-          soup, [&](const Position& p) { return scale * p; }, 0);
+      check<TestType>(soup, [&](const Position& p) { return scale * p; }, 0);
     }
   }
 }
@@ -161,10 +159,8 @@ TEMPLATE_TEST_CASE("The place does not matter, as far as doubles hold the input"
       const double d = factor * test::diagonal(soup);
       const Position offset{{d, -0.7 * d, 0.4 * d}};
       // The same surface near zero: what is left of it there, moved back without rounding.
-      const Soup held =
-          test::mapped(soup, [&](const Position& p) { return (p + offset) - offset; });
-      check<TestType>(
-          held, [&](const Position& p) { return p + offset; }, 1e-15 * factor + 1e-9);
+      const Soup held = test::mapped(soup, [&](const Position& p) { return (p + offset) - offset; });
+      check<TestType>(held, [&](const Position& p) { return p + offset; }, 1e-15 * factor + 1e-9);
     }
   }
 }
@@ -174,30 +170,10 @@ TEMPLATE_TEST_CASE("The direction does not matter", "", Quadric, MemorylessQuadr
     CAPTURE(name);
     const auto turn = [](const Position& p) { return test::tilted(Soup{{p}, {}}).points.front(); };
     check<TestType>(soup, turn, 1e-9);
-    check<TestType>(
-        soup,
-        [](const Position& p) {
-          return Position{{-p[0], p[1], p[2]}};
-        },
-        1e-9);
-    check<TestType>(
-        soup,
-        [](const Position& p) {
-          return Position{{p[0], p[1], -p[2]}};
-        },
-        1e-9);
-    check<TestType>(
-        soup,
-        [](const Position& p) {
-          return Position{{p[1], p[2], p[0]}};
-        },
-        1e-9);
-    check<TestType>(
-        soup,
-        [](const Position& p) {
-          return Position{{p[1], p[0], p[2]}};
-        },
-        1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{-p[0], p[1], p[2]}}; }, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{p[0], p[1], -p[2]}}; }, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{p[1], p[2], p[0]}}; }, 1e-9);
+    check<TestType>(soup, [](const Position& p) { return Position{{p[1], p[0], p[2]}}; }, 1e-9);
   }
 }
 

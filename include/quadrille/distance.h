@@ -10,26 +10,21 @@
 #ifndef QUADRILLE_DISTANCE_H
 #define QUADRILLE_DISTANCE_H
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
+#include <quadrille/internal/distance_surface.h>
+#include <quadrille/internal/distance_tree.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <random>
 #include <ranges>
 #include <stdexcept>
@@ -58,202 +53,6 @@ struct DistanceSampling {
 };
 
 namespace internal {
-
-using DistancePoint = CGAL::Simple_cartesian<double>::Point_3;
-using DistanceVector = CGAL::Simple_cartesian<double>::Vector_3;
-using DistanceTriangle = CGAL::Simple_cartesian<double>::Triangle_3;
-
-/// A surface as distances see it: triangles, and the vertices that they use.
-struct DistanceSurface {
-  std::vector<DistanceTriangle> triangles;
-  std::vector<DistancePoint> vertices;
-};
-
-template <class Point>
-DistancePoint to_distance_point(const Point& p) {
-  const DistancePoint q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-    throw std::invalid_argument("quadrille: a coordinate of a measured surface is not finite");
-  return q;
-}
-
-inline void require_triangles(const DistanceSurface& surface) {
-  if (surface.triangles.empty())
-    throw std::invalid_argument("quadrille: a surface without faces is at no distance");
-}
-
-template <class Mesh>
-DistanceSurface distance_surface(const Mesh& mesh) {
-  using Traits = boost::graph_traits<Mesh>;
-  const auto position = get(CGAL::vertex_point, mesh);
-  DistanceSurface surface;
-  for (const auto v : vertices(mesh))
-    if (halfedge(v, mesh) != Traits::null_halfedge())
-      surface.vertices.push_back(to_distance_point(get(position, v)));
-  for (const auto f : faces(mesh)) {
-    std::array<DistancePoint, 3> corners;
-    std::size_t degree = 0;
-    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh)) {
-      if (degree < 3)
-        corners[degree] = to_distance_point(get(position, v));
-      ++degree;
-    }
-    if (degree != 3)
-      throw std::invalid_argument("quadrille: a face of a measured surface is not a triangle");
-    surface.triangles.emplace_back(corners[0], corners[1], corners[2]);
-  }
-  require_triangles(surface);
-  return surface;
-}
-
-template <class Points, class Triangles>
-DistanceSurface distance_surface(const Points& points, const Triangles& triangles) {
-  const auto count = static_cast<std::size_t>(std::ranges::distance(points));
-  const auto first = std::ranges::begin(points);
-  using Step = std::iter_difference_t<decltype(first)>;
-  DistanceSurface surface;
-  std::vector<bool> used(count, false);
-  for (const auto& triangle : triangles) {
-    if (std::ranges::distance(triangle) != 3)
-      throw std::invalid_argument("quadrille: a face of a measured surface is not a triangle");
-    std::array<DistancePoint, 3> corners;
-    std::size_t corner = 0;
-    for (const auto vertex : triangle) {
-      const auto v = static_cast<std::size_t>(vertex);
-      if (v >= count)
-        throw std::out_of_range("quadrille: a triangle names a point that does not exist");
-      used[v] = true;
-      corners[corner++] = to_distance_point(first[static_cast<Step>(v)]);
-    }
-    surface.triangles.emplace_back(corners[0], corners[1], corners[2]);
-  }
-  require_triangles(surface);
-  for (std::size_t v = 0; v < count; ++v)
-    if (used[v])
-      surface.vertices.push_back(to_distance_point(first[static_cast<Step>(v)]));
-  return surface;
-}
-
-inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {
-  CGAL::Bbox_3 box;
-  for (const DistancePoint& p : points)
-    box += p.bbox();
-  return box;
-}
-
-inline double diagonal(const CGAL::Bbox_3& box) {
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
-}
-
-/// A change of unit by a power of two, which is exact both ways. Distances are measured where the
-/// box of both surfaces has a size of about 1, so that no product of lengths over- or underflows.
-class DistanceUnit {
-public:
-  explicit DistanceUnit(const CGAL::Bbox_3& box) {
-    double extent = 0, farthest = 0;
-    for (int i = 0; i < 3; ++i) {
-      // Half of the extent: the difference of the halves can't overflow.
-      extent = std::max(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
-      farthest = std::max({farthest, std::abs(box.min(i)), std::abs(box.max(i))});
-    }
-    // A flat surface far along its normal must not leave the range of doubles.
-    extent = std::max(extent, 0x1p-1000 * farthest);
-    if (extent > 0)
-      exponent_ = -std::ilogb(extent);
-  }
-
-  double to(double length) const { return std::ldexp(length, exponent_); }
-  double from(double length) const { return std::ldexp(length, -exponent_); }
-
-  DistancePoint to(const DistancePoint& p) const {
-    return DistancePoint(to(p.x()), to(p.y()), to(p.z()));
-  }
-
-  void apply(DistanceSurface& surface) const {
-    for (DistancePoint& p : surface.vertices)
-      p = to(p);
-    for (DistanceTriangle& t : surface.triangles)
-      t = DistanceTriangle(to(t[0]), to(t[1]), to(t[2]));
-  }
-
-private:
-  int exponent_ = 0;
-};
-
-/// Moves the surface by -origin, so that far-away coordinates cost the distances no digits.
-inline void recentre(DistanceSurface& surface, const DistanceVector& origin) {
-  for (DistancePoint& p : surface.vertices)
-    p = p - origin;
-  for (DistanceTriangle& t : surface.triangles)
-    t = DistanceTriangle(t[0] - origin, t[1] - origin, t[2] - origin);
-}
-
-inline DistancePoint nearest_on_segment(const DistancePoint& a, const DistancePoint& b,
-                                        const DistancePoint& query) {
-  const DistanceVector ab = b - a;
-  const double length2 = ab.squared_length();
-  if (!(length2 > 0))
-    return a;
-  return a + std::clamp(((query - a) * ab) / length2, 0.0, 1.0) * ab;
-}
-
-/// The nearest point of a triangle, which may be a needle or a point: where the foot of the
-/// perpendicular is inside, that; else the best of the three edges. A needle's normal is noise, so
-/// the foot is made a convex combination of the corners and must beat the edges: the answer is
-/// always a point of the triangle.
-inline DistancePoint nearest_on_triangle(const DistanceTriangle& t, const DistancePoint& query) {
-  DistancePoint best = nearest_on_segment(t[0], t[1], query);
-  double best_distance = CGAL::squared_distance(query, best);
-  const auto offer = [&](const DistancePoint& candidate) {
-    const double distance = CGAL::squared_distance(query, candidate);
-    if (distance < best_distance) {
-      best = candidate;
-      best_distance = distance;
-    }
-  };
-  offer(nearest_on_segment(t[1], t[2], query));
-  offer(nearest_on_segment(t[2], t[0], query));
-
-  const DistanceVector ab = t[1] - t[0], ac = t[2] - t[0], aq = query - t[0];
-  const DistanceVector normal = CGAL::cross_product(ab, ac);
-  const double scale = normal.squared_length();
-  const double v = normal * CGAL::cross_product(aq, ac);
-  const double w = normal * CGAL::cross_product(ab, aq);
-  if (scale > 0 && v >= 0 && w >= 0 && v + w <= scale)
-    offer(t[0] + (v / scale) * ab + (w / scale) * ac);
-  return best;
-}
-
-/// The plain kernel, but with a projection onto triangles that bears degenerate ones.
-struct DistanceKernel : CGAL::Simple_cartesian<double> {
-  struct Construct_projected_point_3 {
-    using result_type = DistancePoint;
-    DistancePoint operator()(const DistanceTriangle& t, const DistancePoint& query) const {
-      return nearest_on_triangle(t, query);
-    }
-  };
-  Construct_projected_point_3 construct_projected_point_3_object() const { return {}; }
-};
-
-/// A surface made ready to be asked for its nearest point: O(n log n) to build, about O(log n) a
-/// question.
-class DistanceTree {
-public:
-  explicit DistanceTree(const std::vector<DistanceTriangle>& triangles)
-      : tree_(triangles.begin(), triangles.end()) {
-    tree_.build();
-    tree_.accelerate_distance_queries();
-  }
-
-  double squared_distance(const DistancePoint& query) const {
-    return CGAL::squared_distance(query, tree_.closest_point(query));
-  }
-
-private:
-  using Iterator = std::vector<DistanceTriangle>::const_iterator;
-  using Primitive = CGAL::AABB_triangle_primitive<DistanceKernel, Iterator>;
-  CGAL::AABB_tree<CGAL::AABB_traits<DistanceKernel, Primitive>> tree_;
-};
 
 /// Uniform in [0, 1), the same on every platform, as the distributions of <random> are not.
 inline double uniform(std::mt19937_64& generator) {

@@ -19,6 +19,6 @@ cmake --build --preset fuzz --parallel 2 --target "$@"
 cd build/fuzz
 for fuzzer in "$@"; do
   mkdir -p "corpus/$fuzzer"
-  "test/fuzz/$fuzzer" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=4096 \
+  "test/fuzz/$fuzzer" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
     -print_final_stats=1 "corpus/$fuzzer" "../../test/fuzz/corpus/$fuzzer"
 done

@@ -1,11 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_FACE_POINTS_H
 #define QUADRILLE_INTERNAL_FACE_POINTS_H
 
+#include <quadrille/internal/power_of_two.h>
+#include <quadrille/internal/surface.h>
 #include <quadrille/pairs.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -44,17 +45,7 @@ public:
   double length_from_mesh(double length) const { return std::ldexp(length, exponent_); }
 
   /// Of the bounding box.
-  double diagonal() const {
-    if (positions_.empty())
-      return 0;
-    Vector<3> low = positions_[0], high = positions_[0];
-    for (const Vector<3>& p : positions_)
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
-    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  }
+  double diagonal() const { return Box<3>(positions_).diagonal(); }
 
 private:
   void scale() {
@@ -65,12 +56,10 @@ private:
     if (!(largest > 0))
       return;
     exponent_ = 500 - std::ilogb(largest);
-    // In two steps: 2^exponent itself can be out of range.
-    const double first = std::ldexp(1.0, exponent_ / 2);
-    const double second = std::ldexp(1.0, exponent_ - exponent_ / 2);
+    const PowerOfTwo scaled(exponent_);
     for (Vector<3>& p : positions_)
       for (double& x : p.coordinates)
-        x = x * first * second;
+        x = scaled(x);
   }
 
   std::vector<std::uint32_t> indices_;

@@ -86,10 +86,11 @@ private:
     return [this](const QueuedPair& pair) { return is_outdated(pair); };
   }
 
-  void push(Index v, Index w, float cost) {
+  QueuedPair pair_now(Index v, Index w, float cost) const {
     const auto [first, second] = std::minmax(v, w);
-    queue_.push({cost, first, second, time_}, outdated());
+    return {cost, first, second, time_};
   }
+  void push(Index v, Index w, float cost) { queue_.push(pair_now(v, w, cost), outdated()); }
 
   // A cost that looks at the surface as it is can change while a pair waits.
   bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
@@ -184,14 +185,11 @@ private:
         release_parked(partner);
     });
     std::sort(new_pairs_.begin(), new_pairs_.end());
-    for (std::size_t i = 0; i < new_pairs_.size(); ++i) {
-      const auto [cost, partner] = new_pairs_[i];
-      const auto [first, second] = std::minmax(v, partner);
-      if (i < most_pairs(v))
-        queue_.push({cost, first, second, time_}, outdated());
-      else
-        parked_.park({cost, first, second, time_});
-    }
+    const std::size_t pushed = std::min(most_pairs(v), new_pairs_.size());
+    for (std::size_t i = 0; i < pushed; ++i)
+      push(v, new_pairs_[i].second, new_pairs_[i].first);
+    for (std::size_t i = pushed; i < new_pairs_.size(); ++i)
+      parked_.park(pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
     waiting_.push_back(v);
   }
 

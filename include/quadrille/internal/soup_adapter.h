@@ -92,13 +92,12 @@ public:
 private:
   // What has been overwritten, of each new point.
   struct Undo {
-    std::vector<Point> points; // of those that have moved
-    std::vector<std::size_t> moved;
+    std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
     std::vector<AttributeValue<Attributes>> attributes;
 
     void run(SoupAdapter& adapter, Points& new_points) const {
-      for (std::size_t i = 0; i < points.size(); ++i)
-        put(adapter.map_, new_points[moved[i]], points[i]);
+      for (const auto& [i, p] : points)
+        put(adapter.map_, new_points[i], p);
       if constexpr (Attributes::size > 0)
         for (std::size_t i = 0; i < attributes.size(); ++i)
           adapter.attributes_.put_raw(i, attributes[i]);
@@ -147,8 +146,7 @@ private:
                    Undo& undo) {
     for (std::size_t i = 0; i < left.size(); ++i)
       if (result.is_moved(left[i])) {
-        undo.moved.push_back(i);
-        undo.points.push_back(get(map_, points[i]));
+        undo.points.emplace_back(i, get(map_, points[i]));
         put(map_, points[i], to_cgal<Point>(space(result.position(left[i]))));
       }
   }

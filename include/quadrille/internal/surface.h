@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_H
 #define QUADRILLE_INTERNAL_SURFACE_H
 
+#include <quadrille/internal/power_of_two.h>
 #include <quadrille/internal/text.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/quadric_form.h>
@@ -98,14 +99,12 @@ public:
   }
 
   void apply(std::vector<Vector<N>>& positions) const {
-    // In two steps: 2^exponent itself can be out of range.
-    const double first = std::ldexp(1.0, exponent_ / 2);
-    const double second = std::ldexp(1.0, exponent_ - exponent_ / 2);
+    const PowerOfTwo scaled(exponent_);
     for (Vector<N>& p : positions) {
       for (std::size_t i = 0; i < 3; ++i)
-        p[i] = p[i] * first * second;
+        p[i] = scaled(p[i]);
       for (std::size_t i = 3; i < N; ++i)
-        p[i] = p[i] * weights_[i - 3] * first * second;
+        p[i] = scaled(p[i] * weights_[i - 3]);
     }
   }
 
