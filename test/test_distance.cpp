@@ -194,8 +194,33 @@ TEST_CASE("An error far above the size of the surfaces is one too") {
     CAPTURE(std::log10(error));
     const double d = quadrille::bounded_hausdorff(small, smaller, error);
     CHECK(d >= 5e-301);
-    CHECK(d <= error);
+    CHECK(d <= std::min(error, 2e-300)); // the size of the box
   }
+}
+
+TEST_CASE("An error far below rounding is one too") {
+  for (double place : {0.0, 1.0, 1e6, 1e9}) {
+    CAPTURE(place);
+    const test::Soup soup =
+        test::mapped(test::tilted(test::tetrahedron()), [&](const test::Position& p) {
+          return p + test::Position{{place, 0, 0}};
+        });
+    const auto a = test::make_mesh(soup), b = test::make_mesh(test::with_noise(soup, 7, 1e-4));
+    for (double error : {1e-18, 1e-300})
+      CHECK(quadrille::bounded_hausdorff(a, b, error) ==
+            Approx(quadrille::surface_distance(a, b).hausdorff).margin(1e-9));
+  }
+}
+
+TEST_CASE("Surfaces in a point are measured") {
+  const auto in_one = [](test::Soup soup, double x) {
+    soup.points.assign(soup.points.size(), {{x, 2, 3}});
+    return test::make_mesh(soup);
+  };
+  const auto at = [&](double x) { return in_one(test::tetrahedron(), x); };
+  CHECK(quadrille::bounded_hausdorff(at(1), at(1), 1e-3) == 0);
+  CHECK(quadrille::bounded_hausdorff(at(1), in_one(test::triangle(), 1), 1e-3) == 0);
+  CHECK(quadrille::bounded_hausdorff(at(1), at(4), 1e-3) == Approx(3).margin(1e-3));
 }
 
 TEST_CASE("A flat surface far along its normal keeps its distances") {

@@ -117,22 +117,17 @@ inline OneSidedDistance one_sided_distance(const DistanceSurface& from, const Di
 
 inline SurfaceDistance distance_between(DistanceSurface a, DistanceSurface b,
                                         const DistanceSampling& sampling) {
-  const CGAL::Bbox_3 box = bounding_box(a.vertices);
-  const DistanceVector centre(box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2,
-                              box.zmin() / 2 + box.zmax() / 2);
-  recentre(a, centre);
-  recentre(b, centre);
-  const DistanceUnit unit(bounding_box(a.vertices) + bounding_box(b.vertices));
-  unit.apply(a);
-  unit.apply(b);
+  const DistanceFrame frame(bounding_box(a.vertices) + bounding_box(b.vertices));
+  frame.apply(a);
+  frame.apply(b);
   const auto ab = one_sided_distance(a, DistanceTree(b.triangles), sampling);
   const auto ba = one_sided_distance(b, DistanceTree(a.triangles), sampling);
-  return {.rms = unit.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
-          .hausdorff = unit.from(std::max(ab.hausdorff, ba.hausdorff)),
-          .rms_a_to_b = unit.from(ab.rms),
-          .rms_b_to_a = unit.from(ba.rms),
-          .hausdorff_a_to_b = unit.from(ab.hausdorff),
-          .hausdorff_b_to_a = unit.from(ba.hausdorff)};
+  return {.rms = frame.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
+          .hausdorff = frame.from(std::max(ab.hausdorff, ba.hausdorff)),
+          .rms_a_to_b = frame.from(ab.rms),
+          .rms_b_to_a = frame.from(ba.rms),
+          .hausdorff_a_to_b = frame.from(ab.hausdorff),
+          .hausdorff_b_to_a = frame.from(ba.hausdorff)};
 }
 
 using DistanceMesh = CGAL::Surface_mesh<DistancePoint>;
@@ -144,11 +139,11 @@ CGAL::Bbox_3 distance_box(const Mesh& mesh) {
 }
 
 template <class Mesh>
-DistanceMesh distance_mesh(const Mesh& mesh, const DistanceUnit& unit) {
+DistanceMesh distance_mesh(const Mesh& mesh, const DistanceFrame& frame) {
   DistanceMesh copy;
   CGAL::copy_face_graph(mesh, copy);
   for (const auto v : vertices(copy))
-    copy.point(v) = unit.to(copy.point(v));
+    copy.point(v) = frame.to(copy.point(v));
   return copy;
 }
 
@@ -212,7 +207,9 @@ requires internal::MeasurableSoup<PointsA, TrianglesA> &&
 /// Where surface_distance() samples, this bounds: CGAL subdivides the triangles that may still hold
 /// the largest distance (Tang, Lee and Kim, "Interactive Hausdorff distance computation for general
 /// polygonal models", 2009). An error of 1e-4 of the bounding-box diagonal costs seconds on 100,000
-/// faces; the time grows as the error falls. A result below `error` says no more than that.
+/// faces; the time grows as the error falls, fastest where both surfaces are equally far apart over
+/// whole faces. A result below `error` says no more than that. An error below 2^-40 of the size of
+/// both surfaces together counts as that.
 ///
 /// Mesh types, the scaled copies, and what is thrown, are as for surface_distance();
 /// std::invalid_argument also when `error` is not positive.
@@ -220,12 +217,18 @@ template <internal::MeasurableMesh MeshA, internal::MeasurableMesh MeshB>
 double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
   if (!(error > 0))
     throw std::invalid_argument("quadrille: the error of bounded_hausdorff() must be positive");
-  const internal::DistanceUnit unit(internal::distance_box(a) + internal::distance_box(b));
-  // CGAL squares the error; one so much larger than the surfaces is as good as any above it.
-  const double error_in_unit = std::min(unit.to(error), 0x1p500);
-  return unit.from(CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<
-                   CGAL::Sequential_tag>(internal::distance_mesh(a, unit),
-                                         internal::distance_mesh(b, unit), error_in_unit));
+  const CGAL::Bbox_3 box = internal::distance_box(a) + internal::distance_box(b);
+  const double farthest = internal::diagonal(box);
+  if (farthest == 0)
+    return 0; // all is one point, which CGAL does not measure
+  const internal::DistanceFrame frame(box);
+  // CGAL does not come to an end where an error is lost in rounding, and squares the error.
+  const double error_in_frame = std::clamp(frame.to(error), 0x1p-40, 0x1p500);
+  const double distance = CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<
+      CGAL::Sequential_tag>(internal::distance_mesh(a, frame), internal::distance_mesh(b, frame),
+                            error_in_frame);
+  // Far below a large error CGAL's answer is that error.
+  return std::min(frame.from(distance), farthest);
 }
 
 /// The length of the diagonal of the axis-parallel box around the vertices of a mesh; 0 when there

@@ -201,14 +201,31 @@ void deform(Bytes& bytes, Soup& soup) {
   });
 }
 
+// Two numbers a point that follow the surface and jump here and there, or any at all.
+void make_numbers(Bytes& bytes, Case& result) {
+  const bool is_any = bytes.one_in(8);
+  for (const Position& p : result.soup.points) {
+    if (is_any)
+      result.numbers.push_back({make_coordinate(bytes, true), make_coordinate(bytes, true)});
+    else
+      result.numbers.push_back({p[0] > 0 ? 1 : bytes.byte() / 16.0, bytes.one_in(8) ? -7.0 : 0});
+  }
+  if (bytes.one_in(4))
+    result.weights = {std::ldexp(1.0, bytes.byte() - 128), 1 / 16.0};
+  result.may_be_refused = is_any || result.weights;
+  result.call.cost = CostName::attributes;
+}
+
 } // namespace
 
 Case make_case(Bytes bytes, int size) {
   Case result;
   Soup& soup = result.soup;
   soup = make_base(bytes, bytes.one_in(4) ? 4 * size : size); // passes need larger ones
-  add_parts(bytes, soup);
-  change(bytes, soup);
+  if (!bytes.one_in(2)) { // else a mesh can be made of most
+    add_parts(bytes, soup);
+    change(bytes, soup);
+  }
   deform(bytes, soup);
   result.call = make_call(bytes, soup.triangles.size());
   const bool has_colors = bytes.one_in(2);
@@ -218,6 +235,10 @@ Case make_case(Bytes bytes, int size) {
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     result.is_fixed.push_back(has_fixed && bytes.one_in(4));
   const bool has_kept = bytes.one_in(4);
+  if (bytes.one_in(4))
+    make_numbers(bytes, result);
+  else
+    result.numbers.resize(soup.points.size());
   if (!bytes.one_in(2) || !is_finite(soup))
     return result;
   for (const Triangle& t : soup.triangles)
@@ -252,11 +273,22 @@ std::ostream& operator<<(std::ostream& out, const Call& call) {
              << ", degree " << call.degree << ", cancelled at call " << call.cancel_at;
 }
 
+void write_numbers(std::ostream& out, const Case& input) {
+  out.precision(17);
+  out << "\n# numbers:";
+  for (const Numbers& n : input.numbers)
+    out << ' ' << n[0] << ',' << n[1];
+  if (input.weights)
+    out << "; weights " << (*input.weights)[0] << ' ' << (*input.weights)[1];
+}
+
 std::ostream& operator<<(std::ostream& out, const Case& input) {
   out << "OFF\n# " << (input.is_mesh ? "mesh, " : "soup, ") << input.call << "\n# fixed:";
   for (std::size_t v = 0; v < input.is_fixed.size(); ++v)
     if (input.is_fixed[v])
       out << ' ' << v;
+  if (input.call.cost == CostName::attributes)
+    write_numbers(out, input);
   out << "\n# constrained edges:";
   for (const auto& [v, w] : input.kept)
     out << ' ' << v << '-' << w;
@@ -287,6 +319,7 @@ void simplify(const Case& input, Outcome& outcome) {
     outcome.points.push_back(to_point<Point>(p));
   outcome.triangles = input.soup.triangles;
   outcome.colors = input.colors;
+  outcome.numbers = input.numbers;
   const Call& call = input.call;
   switch (call.cost) {
   case CostName::quadric:
@@ -305,10 +338,22 @@ void simplify(const Case& input, Outcome& outcome) {
   }
   case CostName::edge_length:
     return simplify_with(input, outcome, EdgeLength{});
+  case CostName::attributes: {
+    AttributeQuadric<2> cost;
+    cost.boundary_weight = call.boundary_weight;
+    cost.weighting = call.weighting;
+    if (input.weights)
+      cost.weights = Vector<2>{*input.weights};
+    return simplify_with(input, outcome, cost);
+  }
   }
 }
 
 namespace {
+
+bool has_finite(const Numbers& numbers) {
+  return std::isfinite(numbers[0]) && std::isfinite(numbers[1]);
+}
 
 /// The triangles without those that have two equal corners and without doubles.
 Soup cleaned(Soup soup) {
@@ -384,6 +429,9 @@ private:
   void require_valid() {
     require(is_finite(after_), "a point is not finite");
     require(outcome_.colors.size() >= after_.points.size(), "colours are missing");
+    require(outcome_.numbers.size() >= after_.points.size(), "attributes are missing");
+    for (std::size_t v = 0; v < after_.points.size() && v < outcome_.numbers.size(); ++v)
+      require(has_finite(outcome_.numbers[v]), "an attribute is not finite");
     for (const Triangle& t : after_.triangles)
       for (std::uint32_t v : t)
         require(v < after_.points.size(), "an index of no point");
@@ -520,6 +568,7 @@ private:
 
 bool is_bad(const Case& input) {
   return !is_finite(input.soup) ||
+         !std::all_of(input.numbers.begin(), input.numbers.end(), has_finite) ||
          std::any_of(input.soup.triangles.begin(), input.soup.triangles.end(),
                      [&](const Triangle& t) {
                        return *std::max_element(t.begin(), t.end()) >= input.soup.points.size();
@@ -553,7 +602,7 @@ std::string violation(const Case& input) {
   try {
     simplify(input, outcome);
   } catch (const std::invalid_argument& error) {
-    if (!is_bad(input))
+    if (!is_bad(input) && !input.may_be_refused)
       return std::string("good input is refused: ") + error.what();
     return outcome.triangles == input.soup.triangles ? "" : "thrown, and the soup has changed";
   } catch (const std::logic_error& error) {

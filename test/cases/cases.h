@@ -78,7 +78,7 @@ struct AnyStop {
   }
 };
 
-enum class CostName { quadric, memoryless, color, edge_length };
+enum class CostName { quadric, memoryless, color, edge_length, attributes };
 enum class PlacementName { optimal, endpoint, midpoint };
 
 /// A call of simplify.
@@ -88,7 +88,7 @@ struct Call {
   double boundary_weight = 100;
   double crease_degrees = 180;
   quadrille::Weighting weighting = quadrille::Weighting::by_area;
-  double threshold = 0; ///< of the ThresholdPairs of a soup; a mesh has EdgePairs
+  double threshold = 0; ///< of the ThresholdPairs; 0 is the same as EdgePairs
   AnyStop stop;
   std::optional<quadrille::RelaxedOrder> relaxed; ///< GreedyOrder without it
   quadrille::Topology topology = quadrille::Topology::free;
@@ -98,12 +98,18 @@ struct Call {
   std::size_t cancel_at = std::numeric_limits<std::size_t>::max(); ///< the call of the visitor
 };
 
+/// What AttributeQuadric<2> sees of a vertex.
+using Numbers = std::array<double, 2>;
+
 /// A surface with all that a call may look at.
 struct Case {
   Soup soup;
   std::vector<CGAL::IO::Color> colors;            ///< one per point
+  std::vector<Numbers> numbers;                   ///< one per point, for the cost `attributes`
   std::vector<bool> is_fixed;                     ///< one per point
   std::vector<std::array<std::uint32_t, 2>> kept; ///< constrained edges, for a mesh only
+  std::optional<Numbers> weights;                 ///< of the numbers; the cost's own without them
+  bool may_be_refused = false;                    ///< the numbers may be no lengths
   bool is_mesh = false; ///< a Surface_mesh and no soup; the soup is manifold and oriented then
   Call call;
 };
@@ -120,6 +126,7 @@ struct Outcome {
   std::vector<Point> points;
   std::vector<Triangle> triangles;
   std::vector<CGAL::IO::Color> colors;
+  std::vector<Numbers> numbers;
   quadrille::Report report;
 };
 

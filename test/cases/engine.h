@@ -3,6 +3,7 @@
 
 #include "cases.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -17,8 +18,8 @@
 #include <type_traits>
 
 /// \file
-/// simplify_soup and simplify_mesh: every combination of policies that a case may ask for. Each cost
-/// is compiled by itself.
+/// simplify_soup and simplify_mesh: every combination of policies that a case may ask for. Each
+/// cost is compiled by itself.
 
 namespace test {
 
@@ -59,6 +60,15 @@ quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify s
   return call.relaxed ? with_order(*call.relaxed) : with_order(quadrille::GreedyOrder{});
 }
 
+// The attributes that a cost looks at, or the colours beside one that looks at none.
+template <class Cost, class Numbers, class Colors, class Parameters>
+auto with_attributes(const Numbers& numbers, const Colors& colors, const Parameters& parameters) {
+  if constexpr (std::is_same_v<Cost, quadrille::AttributeQuadric<2>>)
+    return quadrille::parameters::vertex_attribute_map(numbers, parameters);
+  else
+    return parameters.vertex_color_map(colors);
+}
+
 } // namespace detail
 
 template <class Cost>
@@ -66,8 +76,9 @@ void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost) {
   const auto is_fixed = boost::make_function_property_map<std::size_t>(
       [&](std::size_t v) -> bool { return input.is_fixed[v]; });
   const detail::CancelAt visitor(input.call.cancel_at);
-  const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor)
-                         .vertex_color_map(CGAL::make_property_map(outcome.colors));
+  const auto named = detail::with_attributes<Cost>(
+      CGAL::make_property_map(outcome.numbers), CGAL::make_property_map(outcome.colors),
+      CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor));
   const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
   outcome.report = detail::with_policies(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(outcome.points, outcome.triangles, cost, policy..., named);
@@ -78,21 +89,26 @@ template <class Cost>
 void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
   Mesh mesh = make_mesh(input.soup);
   auto colors = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("color").first;
-  for (const auto v : mesh.vertices())
+  auto numbers = mesh.add_property_map<Mesh::Vertex_index, Numbers>("numbers").first;
+  for (const auto v : mesh.vertices()) {
     colors[v] = input.colors[v];
+    numbers[v] = input.numbers[v];
+  }
   const auto is_fixed = boost::make_function_property_map<Mesh::Vertex_index>(
       [&](Mesh::Vertex_index v) -> bool { return input.is_fixed[v]; });
   const std::set<std::array<std::uint32_t, 2>> kept(input.kept.begin(), input.kept.end());
-  const auto is_kept =
-      boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) {
-        const std::uint32_t v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
-        return kept.contains({std::min(v, w), std::max(v, w)});
-      });
+  const auto is_kept = boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) {
+    const std::uint32_t v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    return kept.contains({std::min(v, w), std::max(v, w)});
+  });
   const detail::CancelAt visitor(input.call.cancel_at);
-  const auto named = CGAL::parameters::vertex_is_constrained_map(is_fixed)
-                         .edge_is_constrained_map(is_kept).visitor(visitor)
-                         .vertex_color_map(colors);
-  outcome.report = detail::with_policies(input.call, quadrille::EdgePairs{}, [&](const auto&... policy) {
+  const auto named =
+      detail::with_attributes<Cost>(numbers, colors,
+                                    CGAL::parameters::vertex_is_constrained_map(is_fixed)
+                                        .edge_is_constrained_map(is_kept)
+                                        .visitor(visitor));
+  const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
+  outcome.report = detail::with_policies(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(mesh, cost, policy..., named);
   });
   if (!is_valid_triangle_mesh(mesh))
@@ -100,9 +116,11 @@ void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
   mesh.collect_garbage();
   outcome.points.clear();
   outcome.colors.clear();
+  outcome.numbers.clear();
   for (const auto v : mesh.vertices()) {
     outcome.points.push_back(mesh.point(v));
     outcome.colors.push_back(colors[v]);
+    outcome.numbers.push_back(numbers[v]);
   }
   outcome.triangles = to_soup(mesh).triangles;
 }

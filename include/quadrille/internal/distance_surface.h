@@ -106,19 +106,20 @@ inline double diagonal(const CGAL::Bbox_3& box) {
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-/// A change of unit by a power of two, which is exact both ways. Distances are measured where the
-/// box of both surfaces has a size of about 1, so that no product of lengths over- or underflows.
-class DistanceUnit {
+/// Where distances are measured: around the origin, so that far-away coordinates cost no digits,
+/// and in a unit in which the given box has a size of about 1, so that no product of lengths over-
+/// or underflows. The unit is a power of two, which is exact both ways.
+class DistanceFrame {
 public:
-  explicit DistanceUnit(const CGAL::Bbox_3& box) {
-    double extent = 0, farthest = 0;
+  explicit DistanceFrame(const CGAL::Bbox_3& box) {
+    std::array<double, 3> middle;
+    double extent = 0;
     for (int i = 0; i < 3; ++i) {
-      // Half of the extent: the difference of the halves can't overflow.
+      // By halves: sums and differences of the ends could overflow.
+      middle[static_cast<std::size_t>(i)] = 0.5 * box.min(i) + 0.5 * box.max(i);
       extent = std::max(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
-      farthest = std::max({farthest, std::abs(box.min(i)), std::abs(box.max(i))});
     }
-    // A flat surface far along its normal must not leave the range of doubles.
-    extent = std::max(extent, 0x1p-1000 * farthest);
+    origin_ = DistanceVector(middle[0], middle[1], middle[2]);
     if (extent > 0)
       exponent_ = -std::ilogb(extent);
   }
@@ -127,7 +128,8 @@ public:
   double from(double length) const { return std::ldexp(length, -exponent_); }
 
   DistancePoint to(const DistancePoint& p) const {
-    return DistancePoint(to(p.x()), to(p.y()), to(p.z()));
+    const DistancePoint q = p - origin_;
+    return DistancePoint(to(q.x()), to(q.y()), to(q.z()));
   }
 
   void apply(DistanceSurface& surface) const {
@@ -138,16 +140,9 @@ public:
   }
 
 private:
+  DistanceVector origin_;
   int exponent_ = 0;
 };
-
-/// Moves the surface by -origin, so that far-away coordinates cost the distances no digits.
-inline void recentre(DistanceSurface& surface, const DistanceVector& origin) {
-  for (DistancePoint& p : surface.vertices)
-    p = p - origin;
-  for (DistanceTriangle& t : surface.triangles)
-    t = DistanceTriangle(t[0] - origin, t[1] - origin, t[2] - origin);
-}
 
 } // namespace quadrille::internal
 
