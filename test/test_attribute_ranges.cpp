@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -55,6 +56,20 @@ TEST_CASE("Colours stay between the least and the greatest") {
       at_the_end += x == 1;
     }
   CHECK(at_the_end > 0);
+}
+
+TEST_CASE("Colours of any other range stay in that") {
+  Soup soup = wavy_sheet();
+  std::vector<Point> points = points_of(soup);
+  auto colors = two_colors(points, 5.0, 10.0);
+  simplify<ColorQuadric, OptimalPlacement>(
+      points, soup.triangles, FaceRatio{0.05},
+      CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (double x : colors[v]) {
+      CHECK(x >= 5);
+      CHECK(x <= 10);
+    }
 }
 
 TEST_CASE("Colours of eight bits do not wrap around") {
@@ -140,4 +155,27 @@ TEST_CASE("Attributes that cannot be compared with positions are refused, those 
   CHECK_FALSE(simplified(1e-200, 1e300, 1e300));
   CHECK_FALSE(simplified(1, 0, 1, {.importance = 1e300}));
   CHECK(simplified(1, 0, 1, {.importance = 1e4}));
+}
+
+TEST_CASE("Integers of 64 bits do not wrap around") {
+  const auto check = []<class Integer>(Integer low, Integer high, Integer least, Integer greatest) {
+    Soup soup = wavy_sheet();
+    std::vector<Point> points = points_of(soup);
+    std::vector<Integer> values;
+    for (const Point& p : points)
+      values.push_back(p.x() + 0.3 * std::sin(20 * p.y()) < 0.5 ? low : high);
+    simplify<AttributeQuadric<1>, OptimalPlacement>(
+        points, soup.triangles, FaceRatio{0.05},
+        parameters::vertex_attribute_map(CGAL::make_property_map(values)));
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      CHECK(values[v] >= least);
+      CHECK(values[v] <= greatest);
+    }
+  };
+  constexpr auto top = std::numeric_limits<std::int64_t>::max();
+  constexpr auto above = std::numeric_limits<std::uint64_t>::max();
+  check(std::int64_t{0}, top, -top / 4, top);
+  check(-top, top, -top - 1, top);
+  check(above - above / 4, above, above / 2, above);
+  check(std::uint64_t{0}, above, std::uint64_t{0}, above);
 }

@@ -645,3 +645,31 @@ TEST_CASE("The same input gives the same output, bit for bit") {
     require_same(point_soup(soup), FaceRatio{0.1}, ThresholdPairs::relative(0.02));
   }
 }
+
+namespace {
+
+struct RefuseAll {
+  bool allows(const auto&) const { return false; }
+};
+
+struct CountCalls : Visitor {
+  std::size_t* calls;
+  std::size_t most;
+  CountCalls(std::size_t* c, std::size_t m) : calls(c), most(m) {}
+  bool proceed(const Status&) const { return ++*calls < most; }
+};
+
+} // namespace
+
+TEST_CASE("Visitors are asked every few hundred pairs, and cancel where all of them are refused") {
+  Mesh mesh = test::make_mesh(test::torus(80, 40));
+  std::size_t calls = 0;
+  Report report = run(mesh, RefuseAll{}, CGAL::parameters::visitor(CountCalls(&calls, 1000)));
+  CHECK(report.stop == StopReason::all_pairs_rejected);
+  CHECK(calls >= 5); // of 9,600 pairs
+  CHECK(calls <= 100);
+  calls = 0;
+  report = run(mesh, RefuseAll{}, CGAL::parameters::visitor(CountCalls(&calls, 2)));
+  CHECK(report.stop == StopReason::cancelled);
+  CHECK(calls == 2);
+}

@@ -144,3 +144,16 @@ TEST_CASE("Without an error limit no bound is known") {
   Mesh mesh = test::make_mesh(test::sphere(3));
   CHECK(simplify(mesh, FaceCount{100}).distance_bound == std::numeric_limits<double>::infinity());
 }
+
+TEST_CASE("A relative limit is one on a surface as large as numbers are") {
+  const Mesh input =
+      test::make_mesh(test::mapped(test::with_noise(test::sphere(3), 1, 0.02),
+                                   [](const test::Position& p) { return 1.7e308 * p; }));
+  CHECK(bounding_box_diagonal(input) == std::numeric_limits<double>::max());
+  Mesh mesh = input;
+  CHECK(simplify<Quadric, OptimalPlacement>(mesh, ErrorLimit::relative(0)).contractions == 0);
+  const Report report = simplify<Quadric, OptimalPlacement>(mesh, ErrorLimit::relative(0.001));
+  CHECK(report.contractions > 0);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(report.distance_bound <= 0.001 * std::numeric_limits<double>::max());
+}

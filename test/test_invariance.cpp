@@ -203,3 +203,46 @@ TEMPLATE_TEST_CASE("The numbers of vertices and faces do not matter", "", Quadri
     }
   }
 }
+
+TEST_CASE("Points that no face uses change nothing, wherever they lie and whatever they say") {
+  const auto check = [](const Soup& soup, const auto&... arguments) {
+    const auto simplified_with = [&](double far, double color) {
+      test::PointSoup surface(soup);
+      std::vector<std::array<double, 3>> colors;
+      for (const Position& p : soup.points)
+        colors.push_back({std::sin(5 * p[0]), std::cos(7 * p[1]), 0.5});
+      if (far > 0) {
+        surface.points.push_back({far, -far, far / 3});
+        colors.push_back({color, -color, color});
+      }
+      simplify(surface.points, surface.triangles, arguments...,
+               CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+      colors.resize(surface.points.size());
+      return std::tuple(surface.points, surface.triangles, colors);
+    };
+    const auto alone = simplified_with(0, 0);
+    CHECK(std::get<1>(alone).size() < soup.triangles.size());
+    for (double far : {1e4, 1e20, 3.4e38, 1e150, 1e300})
+      CHECK((simplified_with(far, far) == alone));
+  };
+  const Soup soup = test::random_closed(2);
+  check(soup, Quadric{}, FaceRatio{0.2});
+  check(soup, ColorQuadric{}, FaceRatio{0.2});
+  check(soup, Quadric{}, ErrorLimit::relative(0.05));
+  Soup large = test::with_noise(test::torus(120, 60), 1, 0.01); // renumbered, in disorder
+  test::Random random(1);
+  for (std::size_t f = large.triangles.size(); f > 1; --f)
+    std::swap(large.triangles[f - 1], large.triangles[random.below(f)]);
+  std::vector<std::uint32_t> places(large.points.size());
+  std::iota(places.begin(), places.end(), 0u);
+  for (std::size_t v = places.size(); v > 1; --v)
+    std::swap(places[v - 1], places[random.below(v)]);
+  Soup disordered = large;
+  for (std::size_t v = 0; v < places.size(); ++v)
+    disordered.points[places[v]] = large.points[v];
+  for (auto& triangle : disordered.triangles)
+    for (std::uint32_t& v : triangle)
+      v = places[v];
+  check(disordered, Quadric{}, FaceRatio{0.2});
+  check(disordered, Quadric{}, FaceRatio{0.2}, RelaxedOrder{});
+}

@@ -10,8 +10,14 @@
 
 #include <quadrille/simplify.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory_resource>
 #include <type_traits>
+#include <vector>
 
 using namespace quadrille;
 
@@ -41,4 +47,29 @@ TEMPLATE_TEST_CASE("Every mesh is simplified to a valid one of as many faces", "
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     CHECK(CGAL::is_triangle_mesh(mesh));
   }
+}
+
+TEST_CASE("Soups may lie in containers of any kind, with an allocator of their own") {
+  const test::Soup soup = test::random_with_borders(1);
+  test::PointSoup plain(soup);
+  simplify<Quadric, OptimalPlacement>(plain.points, plain.triangles, FaceRatio{0.2});
+  const auto check = [&](auto points, auto triangles) {
+    for (const test::Position& p : soup.points)
+      points.push_back(test::to_point<test::Point>(p));
+    for (const auto& [a, b, c] : soup.triangles)
+      triangles.push_back({a, b, c});
+    simplify<Quadric, OptimalPlacement>(points, triangles, FaceRatio{0.2});
+    REQUIRE(points.size() == plain.points.size());
+    REQUIRE(triangles.size() == plain.triangles.size());
+    CHECK(std::equal(points.begin(), points.end(), plain.points.begin()));
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      CHECK(std::equal(triangles[f].begin(), triangles[f].end(), plain.triangles[f].begin()));
+  };
+  std::pmr::monotonic_buffer_resource pool;
+  std::pmr::unsynchronized_pool_resource other_pool;
+  check(std::pmr::vector<test::Point>(&pool),
+        std::pmr::vector<std::array<std::uint32_t, 3>>(&other_pool));
+  check(std::pmr::vector<test::Point>(&pool),
+        std::pmr::vector<std::pmr::vector<std::uint32_t>>(&pool));
+  check(std::deque<test::Point>(), std::deque<std::vector<std::uint32_t>>());
 }

@@ -242,6 +242,40 @@ TEST_CASE("Passes join the parts of a soup, and leave nothing degenerate") {
   CHECK_FALSE(test::topology_of(soup).has_doubled_faces);
 }
 
+TEST_CASE("Passes meet targets where a contraction takes many faces, or vertices") {
+  const auto compare = [](const Soup& soup, const auto& stop, auto figure) {
+    const auto figure_after = [&](const auto& order) {
+      test::PointSoup result(soup);
+      const Report report = simplify<EdgeLength, MidpointPlacement>(result.points, result.triangles,
+                                                                    stop, order, NormalFlip{180});
+      INFO(report);
+      REQUIRE(report.stop == StopReason::target_met);
+      REQUIRE(report.vertices_after == result.points.size());
+      return report.*figure;
+    };
+    const std::size_t greedy = figure_after(GreedyOrder{});
+    for (double share : {0.5, 1.0})
+      CHECK(figure_after(RelaxedOrder{.share = share}) == greedy);
+  };
+  Soup apart; // triangles, of which a contraction takes all
+  for (int i = 0; i < 3000; ++i)
+    apart = test::joined(std::move(apart), test::triangle(), {{2.0 * i, 0, 0}});
+  apart = test::with_noise(apart, 1, 0.1);
+  for (std::size_t count : {6000u, 3000u, 999u})
+    compare(apart, VertexCount{count}, &Report::vertices_after);
+  Soup book; // 40 pages at an edge
+  book.points = {{{0, 0, 0}}, {{0, 0, 0.01}}};
+  for (std::uint32_t page = 2; page < 42; ++page) {
+    book.points.push_back({{std::cos(page / 7.0), std::sin(page / 7.0), 0}});
+    book.triangles.push_back({0, 1, page});
+  }
+  Soup books;
+  for (int i = 0; i < 250; ++i)
+    books = test::joined(std::move(books), book, {{3.0 * i, 0, 0}});
+  for (std::size_t count : {8000u, 5000u, 1000u})
+    compare(books, FaceCount{count}, &Report::faces_after);
+}
+
 TEST_CASE("A visitor cancels between passes and leaves a valid mesh") {
   struct Cancel : Visitor {
     bool proceed(const Status& status) const { return status.contractions == 0; }
@@ -273,6 +307,8 @@ TEST_CASE("An order that makes no sense is refused") {
   CHECK_THROWS_WITH(with({.share = 0}), Catch::Contains("the share 0 is not in (0, 1]"));
   CHECK_THROWS_WITH(with({.share = 1.5}), Catch::Contains("the share 1.5 is not in (0, 1]"));
   CHECK_THROWS_WITH(with({.threads = 0}), Catch::Contains("0 threads"));
+  CHECK_THROWS_WITH(with({.threads = 1025}), Catch::Contains("1025 threads are not from 1 to"));
+  CHECK_THROWS_AS(with({.threads = 4'000'000'000}), std::invalid_argument);
 #ifndef QUADRILLE_WITH_TBB
   CHECK_THROWS_WITH(with({.threads = 2}), Catch::Contains("2 threads need oneTBB"));
 #endif

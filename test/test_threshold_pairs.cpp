@@ -366,3 +366,40 @@ TEST_CASE("Neither degenerate nor doubled faces are ever left") {
             .soup));
   }
 }
+
+TEST_CASE("Parts whose faces go in twos reach odd targets with pairs between them") {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const auto below_4 = [&] { return static_cast<double>(random.below(1024)) / 256; };
+    Soup soup;
+    for (std::size_t parts = 2 + random.below(6); parts > 0; --parts) {
+      const Position place{{below_4() / 2, below_4() / 2, below_4() / 2}};
+      soup = joined(soup, with_noise(octahedron(), random.below(1 << 20), 0.2), place);
+    }
+    const std::size_t target = 1 + 2 * random.below(soup.triangles.size() / 2);
+    const ThresholdPairs pairs(0.3 + below_4(), 1e9);
+    const auto check = [&]<class Placement>(Placement) {
+      PointSoup result(soup);
+      const Report report = simplify<Quadric, Placement>(result.points, result.triangles,
+                                                         FaceCount{target}, pairs, NormalFlip{180});
+      INFO(report);
+      REQUIRE(report.stop == StopReason::target_met);
+      REQUIRE(report.faces_after == result.triangles.size());
+      REQUIRE(report.vertices_after == result.points.size());
+      std::vector<std::uint32_t> used;
+      for (const Triangle& t : result.triangles)
+        used.insert(used.end(), t.begin(), t.end());
+      std::sort(used.begin(), used.end());
+      used.erase(std::unique(used.begin(), used.end()), used.end());
+      REQUIRE(used.size() == result.points.size());
+      auto mesh = make_mesh(soup);
+      const Report of_mesh = simplify<Quadric, Placement>(mesh, FaceCount{target}, pairs);
+      REQUIRE(of_mesh.faces_after == mesh.number_of_faces());
+      REQUIRE(of_mesh.vertices_after == mesh.number_of_vertices());
+      REQUIRE(is_valid_triangle_mesh(mesh));
+    };
+    check(OptimalPlacement{});
+    check(EndpointPlacement{});
+  }
+}

@@ -9,8 +9,10 @@
 
 namespace quadrille {
 
-/// The cheapest pair first, always: the order of the 1997 paper, and the default. Costs are
-/// compared as floats; equal ones by the indices of the vertices.
+/// The cheapest pair first: the order of the 1997 paper, and the default. Costs are compared as
+/// floats; equal ones by the indices of the vertices. Of a vertex of more than 64 faces only the
+/// cheapest pairs take part at first, the others when these are done, so that it does not take the
+/// square of its faces at every contraction.
 struct GreedyOrder {};
 
 /// Passes over the surface instead of a queue: all pairs are costed, and the cheapest of them
@@ -32,7 +34,7 @@ struct RelaxedOrder {
   /// have gone into them: a lower error, except at the lowest counts, where thin parts are lost.
   bool refresh = false;
 
-  /// At least 1. More than one needs oneTBB: link quadrille::parallel, or define
+  /// From 1 to 1024. More than one needs oneTBB: link quadrille::parallel, or define
   /// QUADRILLE_WITH_TBB. Policies are then called from several threads at a time.
   unsigned threads = 1;
 
@@ -42,8 +44,9 @@ struct RelaxedOrder {
     if (!(share > 0 && share <= 1))
       throw std::invalid_argument("quadrille::RelaxedOrder: the share " + internal::text_of(share) +
                                   " is not in (0, 1]");
-    if (threads == 0)
-      throw std::invalid_argument("quadrille::RelaxedOrder: 0 threads");
+    if (threads == 0 || threads > 1024)
+      throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(threads) +
+                                  " threads are not from 1 to 1024");
 #ifndef QUADRILLE_WITH_TBB
     if (threads > 1)
       throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(threads) +

@@ -44,16 +44,17 @@ namespace quadrille {
 ///   AttributeQuadric
 /// - vertex_quadric_map: written, the quadrics of the vertices that are left
 ///
-/// What is left keeps its descriptors, so property maps stay right. As in CGAL, meshes that only
-/// mark what is removed (Surface_mesh, OpenMesh) are left for the caller to tidy up:
-/// `mesh.collect_garbage()`.
+/// Vertices and edges without a face go, constrained or not. What is left keeps its descriptors, so
+/// property maps stay right. As in CGAL, meshes that only mark what is removed (Surface_mesh,
+/// OpenMesh) are left for the caller to tidy up: `mesh.collect_garbage()`.
 ///
 /// Time O(n log n) for n faces and close to linear on meshes; a vertex of d faces adds O(d²) if
 /// many of its pairs are refused. About 100 to 150 bytes a face beside the mesh. Throws
 /// std::invalid_argument for a face that is not a triangle, a vertex that is not finite, attributes
 /// that no weight makes comparable with positions, or a policy that makes no sense,
 /// std::length_error above 2³⁰ faces, and what the user's own maps, policies and visitors throw. If
-/// it throws, the mesh is as it was; what it has put into maps is put back, as far as they let it,
+/// it throws, the mesh is as it was; what it has put into maps is put back, as far as they let it
+/// (but for vertex_quadric_map, which nobody else fills),
 /// and vertices that it had added are removed again, which a mesh that marks what is removed may
 /// count as garbage.
 template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Mesh,

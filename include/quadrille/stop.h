@@ -25,7 +25,8 @@ struct FaceCount {
   bool is_passed(const Status& status) const { return status.faces < faces; }
 };
 
-/// Stops when `ratio` of the input's faces are left. ratio lies in [0, 1].
+/// Stops when `ratio` of the input's faces are left, degenerate and doubled ones not counted. ratio
+/// lies in [0, 1].
 struct FaceRatio {
   double ratio = 0.5;
 

@@ -18,6 +18,24 @@
 
 namespace quadrille::internal {
 
+/// A position and its attributes as one point, and the attributes of such a point.
+template <std::size_t N>
+Vector<3 + N> join(const Vector<3>& position, const Vector<N>& attributes) {
+  Vector<3 + N> joined;
+  std::copy(position.coordinates.begin(), position.coordinates.end(), joined.coordinates.begin());
+  std::copy(attributes.coordinates.begin(), attributes.coordinates.end(),
+            joined.coordinates.begin() + 3);
+  return joined;
+}
+
+template <std::size_t D>
+Vector<D - 3> attributes_of(const Vector<D>& joined) {
+  Vector<D - 3> attributes;
+  std::copy(joined.coordinates.begin() + 3, joined.coordinates.end(),
+            attributes.coordinates.begin());
+  return attributes;
+}
+
 /// Attributes of the vertices, for a cost that looks at positions only.
 struct NoAttributes {
   static constexpr std::size_t size = 0;
@@ -31,25 +49,30 @@ public:
   static constexpr std::size_t size = N;
   using Value = typename boost::property_traits<Map>::value_type;
 
-  explicit AttributeMap(Map map) : map_(map) {
-    low_.coordinates.fill(0);
-    high_.coordinates.fill(1);
-  }
+  explicit AttributeMap(Map map) : map_(map) {}
 
   template <class Key>
-  Vector<N> read(const Key& key) {
+  Vector<N> read(const Key& key) const {
     Vector<N> attributes;
     const Value value = get(map_, key);
-    for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t i = 0; i < N; ++i)
       attributes[i] = to_double(component(value, i));
-      low_[i] = std::min(low_[i], attributes[i]);
-      high_[i] = std::max(high_[i], attributes[i]);
-    }
     return attributes;
   }
 
-  /// Puts the attributes in the range of their type: a colour of numbers stays between the least
-  /// and the greatest that were read, or in [0, 1] where they all lay there; a normal gets
+  /// Of the vertices that faces use: colours will stay in it, or in [0, 1] where they all lie
+  /// there.
+  template <class Box>
+  void limit(const Box& box) {
+    low_ = attributes_of(box.low);
+    high_ = attributes_of(box.high);
+    if (std::ranges::min(low_.coordinates) >= 0 && std::ranges::max(high_.coordinates) <= 1) {
+      low_.coordinates.fill(0);
+      high_.coordinates.fill(1);
+    }
+  }
+
+  /// Puts the attributes in the range of their type: a colour stays in its limits, a normal gets
   /// length 1.
   template <class Key>
   void write(const Key& key, Vector<N> attributes) {
@@ -89,12 +112,17 @@ private:
 
   template <class T>
   static T in_range(double x) {
-    if constexpr (std::integral<T>)
-      return static_cast<T>(
-          std::llround(std::clamp(x, static_cast<double>(std::numeric_limits<T>::min()),
-                                  static_cast<double>(std::numeric_limits<T>::max()))));
-    else
+    if constexpr (std::integral<T>) {
+      using Limits = std::numeric_limits<T>; // as a double max() of 64 bits is one too many
+      const double rounded = std::round(x);
+      if (!(rounded > static_cast<double>(Limits::min())))
+        return Limits::min();
+      if (rounded >= static_cast<double>(Limits::max()))
+        return Limits::max();
+      return static_cast<T>(rounded);
+    } else {
       return to_number<T>(x);
+    }
   }
 
   static Value value(Value old, const Vector<N>& attributes) {
@@ -127,24 +155,6 @@ struct AttributeValueOf<NoAttributes> {
 };
 template <class Attributes>
 using AttributeValue = typename AttributeValueOf<Attributes>::type;
-
-/// A position and its attributes as one point, and the attributes of such a point.
-template <std::size_t N>
-Vector<3 + N> join(const Vector<3>& position, const Vector<N>& attributes) {
-  Vector<3 + N> joined;
-  std::copy(position.coordinates.begin(), position.coordinates.end(), joined.coordinates.begin());
-  std::copy(attributes.coordinates.begin(), attributes.coordinates.end(),
-            joined.coordinates.begin() + 3);
-  return joined;
-}
-
-template <std::size_t D>
-Vector<D - 3> attributes_of(const Vector<D>& joined) {
-  Vector<D - 3> attributes;
-  std::copy(joined.coordinates.begin() + 3, joined.coordinates.end(),
-            attributes.coordinates.begin());
-  return attributes;
-}
 
 } // namespace quadrille::internal
 

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <ranges>
 #include <stdexcept>
 #include <vector>
@@ -102,8 +103,11 @@ inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {
   return box;
 }
 
+/// At most the greatest double.
 inline double diagonal(const CGAL::Bbox_3& box) {
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  const auto half = [&](int i) { return 0.5 * box.max(i) - 0.5 * box.min(i); };
+  return 2 *
+         std::min(std::hypot(half(0), half(1), half(2)), std::numeric_limits<double>::max() / 2);
 }
 
 /// Where distances are measured: around the origin, so that far-away coordinates cost no digits,

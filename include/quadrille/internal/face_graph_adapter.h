@@ -49,6 +49,8 @@ public:
     index_vertices();
     read_vertices(surface);
     read_faces(surface);
+    if constexpr (Attributes::size > 0)
+      attributes_.limit(surface.box());
     return surface;
   }
   /// Gives memory back that write() can fill anew.

@@ -53,6 +53,8 @@ private:
 
   StopReason contract_pairs() {
     while (const std::optional<QueuedPair> next = next_pair()) {
+      if (is_cancelled())
+        return StopReason::cancelled;
       const Candidate candidate = surface_.evaluate(next->first, next->second);
       if (has_become_dearer(candidate, *next)) {
         push(next->first, next->second, static_cast<float>(candidate.cost));
@@ -67,11 +69,9 @@ private:
       else if (surface_.is_enough())
         return StopReason::target_met;
       else if (surface_.overshoots(scratch_) && !is_last_resort_)
-        keep_as_last_resort(*next);
+        overshooting_.push_back(*next);
       else
         contract(*next, candidate);
-      if (is_cancelled())
-        return StopReason::cancelled;
     }
     return final_reason();
   }
@@ -100,14 +100,24 @@ private:
       return false;
   }
 
-  // When the queue is empty, the cheapest of the pairs that would go beyond the target.
+  // The cheapest; those that would go beyond the target when there are no others.
   std::optional<QueuedPair> next_pair() {
     prefetch();
     std::optional<QueuedPair> next = queue_.pop(outdated());
     while (next ? is_bare(*next) : release_waiting())
       next = queue_.pop(outdated());
-    is_last_resort_ = !next && last_resort_;
-    return is_last_resort_ ? std::exchange(last_resort_, std::nullopt) : next;
+    is_last_resort_ = !next;
+    return next ? next : next_overshooting();
+  }
+
+  // They came in the order of their costs.
+  std::optional<QueuedPair> next_overshooting() {
+    while (first_overshooting_ < overshooting_.size()) {
+      const QueuedPair& pair = overshooting_[first_overshooting_++];
+      if (!is_outdated(pair) && !is_bare(pair))
+        return pair;
+    }
+    return std::nullopt;
   }
 
   // Pairs lie anywhere, so most of the time would go into waiting for memory.
@@ -136,11 +146,6 @@ private:
     if (surface_.is_enough() || has_met_distance_)
       return StopReason::target_met;
     return parked_.size() == 0 ? StopReason::no_pair_left : StopReason::all_pairs_rejected;
-  }
-
-  void keep_as_last_resort(const QueuedPair& pair) {
-    if (!last_resort_)
-      last_resort_ = pair;
   }
 
   void park(const QueuedPair& pair, Rejection cause) {
@@ -237,8 +242,8 @@ private:
     return faces <= few_faces ? all : std::max<std::size_t>(1, few_faces * few_faces / faces);
   }
 
-  bool is_cancelled() const {
-    return time_ % 256 == 0 && !surface_.policies().visitor.proceed(surface_.status());
+  bool is_cancelled() {
+    return ++pairs_seen_ % 256 == 0 && !surface_.policies().visitor.proceed(surface_.status());
   }
 
   PairContraction<Policies>& surface_;
@@ -250,8 +255,10 @@ private:
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: cost and partner
   std::vector<Index> waiting_;                     // vertices with pairs that were left behind
   std::uint32_t time_to_release_ = 0;              // these
-  std::optional<QueuedPair> last_resort_;
-  bool is_last_resort_ = false;
+  std::vector<QueuedPair> overshooting_;           // pairs that would go beyond the target
+  std::size_t first_overshooting_ = 0;             // of them that has not had its turn
+  bool is_last_resort_ = false;                    // does one of them have it now?
+  std::size_t pairs_seen_ = 0;
   bool has_met_distance_ = false;
 };
 

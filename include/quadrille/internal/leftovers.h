@@ -55,10 +55,14 @@ public:
 
   /// A vertex whose last face is gone with the contraction of the star is gone too.
   void drop_bare_vertices(Index kept) {
-    for (const StarFace& f : scratch_.star.shared)
-      for (Index v : {f.second, f.third})
-        drop_if_bare(v);
+    drop_bare_corners(kept);
     drop_if_bare(kept);
+  }
+
+  /// The same where the lists of `kept` are not up to date.
+  void drop_bare_vertices_in_pass(Index kept) {
+    drop_bare_corners(kept);
+    scratch_.tally.vertices += scratch_.star.first.empty() && scratch_.star.second.empty();
   }
 
 private:
@@ -76,6 +80,14 @@ private:
         complex_.kill(faces[i].face);
         ++scratch_.tally.faces;
       }
+  }
+
+  // Third corners of the faces that are gone.
+  void drop_bare_corners(Index kept) {
+    for (const StarFace& f : scratch_.star.shared)
+      for (Index v : {f.second, f.third})
+        if (v != kept)
+          drop_if_bare(v);
   }
 
   void drop_if_bare(Index v) {

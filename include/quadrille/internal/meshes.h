@@ -100,8 +100,12 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
       reader.fix_vertices(fixed_vertices, input);
     if constexpr (is_given<decltype(fixed_edges)>)
       reader.fix_edges(fixed_edges, input);
-    if constexpr (is_given<decltype(creases)>)
+    if constexpr (is_given<decltype(creases)>) {
+      static_assert(
+          requires(const Cost cost) { cost.crease_degrees; },
+          "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
       reader.name_creases(creases, input);
+    }
     reader.release();
     return input;
   };
@@ -115,6 +119,11 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
   using Point = std::ranges::range_value_t<Points>;
+  const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
+  const auto creases = get_parameter(named, parameters::edge_is_crease);
+  static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)>,
+                "quadrille::simplify: a soup has no edges for a map: pass "
+                "vertex_is_constrained_map, or simplify a mesh");
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
   auto attributes = pick_attributes<Cost>(named);

@@ -174,6 +174,8 @@ public:
     complex_.relabel(kept, gone);
     kill_shared(scratch);
     move(scratch, kept, gone, candidate);
+    if (!is_topology_kept_)
+      Leftovers(complex_, scratch).drop_bare_vertices_in_pass(kept);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
@@ -184,8 +186,6 @@ public:
       pack();
     else
       complex_.build_lists(threads());
-    if (!is_topology_kept_)
-      progress_.status.vertices = count_vertices();
     if (refresh) {
       for (auto& [v, w] : creases_)
         v = image(v), w = image(w);
@@ -292,7 +292,7 @@ public:
 
 private:
   static Scale<dimension> scale_of(const SurfaceInput<dimension>& input, const Cost& cost) {
-    const Box<dimension> box(input.positions);
+    const Box<dimension> box = input.box();
     Scale<dimension> scale(box);
     if constexpr (requires {
                     cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);

@@ -76,11 +76,9 @@ private:
   // As many as the stop policy, asked before each, would let pass in a row.
   std::size_t allowed_contractions() const {
     const Status now = surface_.status();
-    // Where topology is free, doubled faces go too.
-    const std::size_t faces_per_contraction = surface_.is_topology_kept() ? 2 : 4;
     const auto status_after = [&](std::size_t contractions) {
       Status after = now;
-      after.faces -= std::min(after.faces, faces_per_contraction * contractions);
+      after.faces -= std::min(after.faces, faces_per_contraction() * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
       after.next_error = 0;
@@ -94,6 +92,20 @@ private:
       (stop(status_after(middle - 1)) ? refused : allowed) = middle;
     }
     return allowed;
+  }
+
+  // Where topology is free, doubled faces go too, and all faces at an edge, and what is bare then:
+  // what a contraction takes counts as that of several.
+  std::size_t faces_per_contraction() const { return surface_.is_topology_kept() ? 2 : 4; }
+  std::size_t contractions_for(std::size_t faces, std::size_t vertices) const {
+    const std::size_t each = faces_per_contraction();
+    return std::max(vertices, (faces + each - 1) / each);
+  }
+  std::size_t most_contractions_for(const PairStar& star) const {
+    if (surface_.is_topology_kept())
+      return 1;
+    const std::size_t doubled = std::min(star.first.size(), star.second.size());
+    return contractions_for(star.shared.size() + doubled, star.shared.size() + 2);
   }
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
@@ -200,12 +212,16 @@ private:
   void contract_inside(Block& block, Worker& worker) {
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size(); ++i) {
-      if (is_touched(proposals[i]))
+      if (is_over(proposals[i]))
         continue;
       if (proposals[i].second < block.end && block.allowance > 0) {
         gather(worker.scratch, proposals[i]);
-        if (is_inside(worker.scratch.star, block)) {
-          block.allowance -= contract(worker.scratch, proposals[i]);
+        const PairStar& star = worker.scratch.star;
+        if (is_inside(star, block) && most_contractions_for(star) <= block.allowance) {
+          const Tally& tally = worker.scratch.tally;
+          const std::size_t faces = tally.faces, vertices = tally.vertices;
+          contract(worker.scratch, proposals[i]);
+          block.allowance -= contractions_for(tally.faces - faces, tally.vertices - vertices);
           continue;
         }
       }
@@ -224,7 +240,7 @@ private:
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && !surface_.is_enough(); ++i) {
       prefetch(proposals, i); // a block is in the cache, these lie anywhere
-      if (is_touched(proposals[i]))
+      if (is_over(proposals[i]))
         continue;
       gather(worker.scratch, proposals[i]);
       contract(worker.scratch, proposals[i]);
@@ -239,8 +255,13 @@ private:
     surface_.prefetch(peek, [](Index) {});
   }
 
-  bool is_touched(const Proposal& proposal) const {
-    return is_touched_[proposal.first] | is_touched_[proposal.second];
+  // Has an end been contracted in this pass, or lost its faces?
+  bool is_over(const Proposal& proposal) const {
+    if (is_touched_[proposal.first] | is_touched_[proposal.second])
+      return true;
+    const TriangleComplex& complex = surface_.complex();
+    return !surface_.is_topology_kept() &&
+           (!complex.has_faces(proposal.first) || !complex.has_faces(proposal.second));
   }
 
   void gather(Scratch& scratch, const Proposal& proposal) {
@@ -256,19 +277,18 @@ private:
     return inside;
   }
 
-  // Is it done?
-  bool contract(Scratch& scratch, const Proposal& proposal) {
+  // Unless it is refused.
+  void contract(Scratch& scratch, const Proposal& proposal) {
     const auto [cost, first, second] = proposal;
     const Candidate candidate = surface_.evaluate(first, second);
     if (const auto cause = surface_.rejection(scratch, first, second, candidate)) {
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
-      return false;
+      return;
     }
     if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch))
-      return false;
+      return;
     surface_.contract_in_pass(scratch, first, second, candidate);
     is_touched_[first] = is_touched_[second] = 1;
-    return true;
   }
 
   bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {

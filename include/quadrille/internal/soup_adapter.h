@@ -45,6 +45,8 @@ public:
     surface.triangles.reserve(std::ranges::size(triangles_));
     for (const auto& triangle : triangles_)
       surface.triangles.push_back(read_triangle(triangle, surface));
+    if constexpr (Attributes::size > 0)
+      attributes_.limit(surface.box());
     return surface;
   }
 
@@ -61,7 +63,7 @@ public:
   /// soup stays as it was. Calls tell(new index, v, result) for each point v that is left.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
-    Points points;
+    Points points = empty_like(points_);
     std::vector<Index> left;
     std::vector<Index> new_index(result.vertex_count(), none);
     for (Index v = 0; v < result.vertex_count(); ++v) {
@@ -72,7 +74,7 @@ public:
       left.push_back(v);
       points.push_back(points_[v]);
     }
-    Triangles triangles;
+    Triangles triangles = empty_like(triangles_);
     for (Index face = 0; face < result.face_count(); ++face)
       if (result.has_face(face))
         triangles.push_back(renumbered(triangles_[face], result.corners(face), new_index));
@@ -103,6 +105,15 @@ private:
           adapter.attributes_.put_raw(i, attributes[i]);
     }
   };
+
+  // With the same allocator, else they can't be swapped.
+  template <class Container>
+  static Container empty_like(const Container& container) {
+    if constexpr (requires { Container(container.get_allocator()); })
+      return Container(container.get_allocator());
+    else
+      return Container();
+  }
 
   Vector<dimension> read_position(std::size_t v) {
     const Vector<3> position = from_cgal(get(map_, points_[v]));

@@ -30,7 +30,7 @@ public:
   SpatialOrder(SurfaceInput<N>& surface, unsigned threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    rank_ = ranks(sorted_by(curve_keys(surface.positions, threads)));
+    rank_ = ranks(sorted_by(curve_keys(surface, threads)));
     for (auto& [v, w] : surface.creases)
       v = rank_[v], w = rank_[w];
     for_each_range(threads, surface.triangles.size(), [&](const auto& range, std::size_t) {
@@ -64,9 +64,9 @@ private:
   }
 
   template <std::size_t N>
-  static std::vector<std::uint32_t> curve_keys(const std::vector<Vector<N>>& positions,
-                                               unsigned threads) {
-    const Box<N> box(positions);
+  static std::vector<std::uint32_t> curve_keys(const SurfaceInput<N>& surface, unsigned threads) {
+    const std::vector<Vector<N>>& positions = surface.positions;
+    const Box<N> box = surface.box();
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
@@ -75,7 +75,7 @@ private:
       for (Index v = range.begin; v < range.end; ++v)
         for (std::size_t i = 0; i < 3; ++i) {
           const double half = 0.5 * positions[v][i] - 0.5 * box.low[i];
-          const double cell = extent > 0 ? half / extent * 1023 : 0;
+          const double cell = extent > 0 ? std::clamp(half / extent, 0.0, 1.0) * 1023 : 0;
           keys[v] |= spread(static_cast<std::uint32_t>(cell)) << i;
         }
     });

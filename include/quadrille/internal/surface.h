@@ -16,9 +16,44 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// The least and the greatest of each coordinate.
+template <std::size_t N>
+struct Box {
+  Vector<N> low, high;
+
+  explicit Box(const std::vector<Vector<N>>& positions)
+      : Box(positions, [](std::size_t) { return true; }) {}
+
+  /// Of the positions v for which counts(v).
+  template <class Counts>
+  Box(const std::vector<Vector<N>>& positions, Counts counts) {
+    bool is_first = true;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      if (!counts(v))
+        continue;
+      const Vector<N>& p = positions[v];
+      if (std::exchange(is_first, false))
+        low = high = p;
+      for (std::size_t i = 0; i < N; ++i) {
+        low[i] = std::min(low[i], p[i]);
+        high[i] = std::max(high[i], p[i]);
+      }
+    }
+  }
+
+  /// Half of the extent: the difference of the halves can't overflow.
+  double half_extent(std::size_t i) const { return 0.5 * high[i] - 0.5 * low[i]; }
+  /// At most the greatest double.
+  double diagonal() const {
+    const double half = std::hypot(half_extent(0), half_extent(1), half_extent(2));
+    return 2 * std::min(half, std::numeric_limits<double>::max() / 2);
+  }
+};
 
 /// What an adapter reads.
 template <std::size_t N>
@@ -29,6 +64,15 @@ struct SurfaceInput {
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   Topology default_topology = Topology::kept;
   bool has_doubled_faces = false; ///< may it have them? They are dropped then.
+
+  /// Of the vertices that faces use: others may lie anywhere.
+  Box<N> box() const {
+    std::vector<bool> is_used(positions.size(), false);
+    for (const auto& [a, b, c] : triangles)
+      if (a != b && b != c && c != a)
+        is_used[a] = is_used[b] = is_used[c] = true;
+    return Box<N>(positions, [&](std::size_t v) -> bool { return is_used[v]; });
+  }
 
   void fix(Index v) {
     is_fixed.resize(positions.size(), false);
@@ -44,27 +88,6 @@ void require_finite(const Vector<N>& position, std::size_t vertex) {
       "quadrille::simplify: vertex " + std::to_string(vertex) +
       (is_finite(space(position)) ? " has an attribute that is not finite" : " is not finite"));
 }
-
-/// The least and the greatest of each coordinate.
-template <std::size_t N>
-struct Box {
-  Vector<N> low, high;
-
-  explicit Box(const std::vector<Vector<N>>& positions) {
-    if (positions.empty())
-      return;
-    low = high = positions.front();
-    for (const Vector<N>& p : positions)
-      for (std::size_t i = 0; i < N; ++i) {
-        low[i] = std::min(low[i], p[i]);
-        high[i] = std::max(high[i], p[i]);
-      }
-  }
-
-  /// Half of the extent: the difference of the halves can't overflow.
-  double half_extent(std::size_t i) const { return 0.5 * high[i] - 0.5 * low[i]; }
-  double diagonal() const { return 2 * std::hypot(half_extent(0), half_extent(1), half_extent(2)); }
-};
 
 /// Between the mesh's units and the engine's. Lengths change by a power of two, which is exact both
 /// ways: the engine works on a surface of a fixed size, so that no product of lengths over- or
