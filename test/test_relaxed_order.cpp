@@ -276,6 +276,29 @@ TEST_CASE("Passes meet targets where a contraction takes many faces, or vertices
     compare(books, FaceCount{count}, &Report::faces_after);
 }
 
+TEST_CASE("Passes know how many vertices are left where faces are few and far between") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    Soup soup = test::with_noise(test::grid(60, 60), seed, 0.01);
+    std::erase_if(soup.triangles, [&](const auto&) { return random.below(8) > seed % 8; });
+    soup = test::without_isolated_points(soup);
+    const std::size_t target = soup.points.size() * (2 + random.below(3)) / 5;
+    for (bool counts_vertices : {true, false}) {
+      test::PointSoup result(soup);
+      const auto stop = [&](const Status& status) {
+        return (counts_vertices ? status.vertices : 2 * status.faces) <= target;
+      };
+      const Report report = simplify<Quadric, OptimalPlacement>(result.points, result.triangles,
+                                                                stop, RelaxedOrder{.share = 1});
+      INFO(report);
+      REQUIRE(report.vertices_after == result.points.size());
+      REQUIRE(report.vertices_after ==
+              test::without_isolated_points({soup.points, result.triangles}).points.size());
+    }
+  }
+}
+
 TEST_CASE("A visitor cancels between passes and leaves a valid mesh") {
   struct Cancel : Visitor {
     bool proceed(const Status& status) const { return status.contractions == 0; }

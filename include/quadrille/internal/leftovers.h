@@ -13,21 +13,27 @@
 
 namespace quadrille::internal {
 
-/// Does the contraction of a pair take the last face of a vertex that is fixed, where topology is
-/// free? The faces that vanish may be the last of the pair, or of their third vertex and its edge
-/// to the pair.
-template <class IsFixed>
-bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b, IsFixed is_fixed) {
-  if (star.first.empty() && star.second.empty() && (is_fixed(a) || is_fixed(b)))
-    return true;
+/// Does the predicate hold of a vertex that no face of the star of the pair (a, b) has but those
+/// that vanish with its contraction?
+template <class Predicate>
+bool any_cut_off(const PairStar& star, Index b, Predicate predicate) {
   const auto is_at = [](Index v) {
     return [v](const StarFace& f) { return f.second == v || f.third == v; };
   };
   return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
     const Index v = f.second == b ? f.third : f.second;
-    return is_fixed(v) && std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
-           std::none_of(star.second.begin(), star.second.end(), is_at(v));
+    return std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
+           std::none_of(star.second.begin(), star.second.end(), is_at(v)) && predicate(v);
   });
+}
+
+/// Does the contraction of a pair take the last face of a vertex that is fixed, where topology is
+/// free? The faces that vanish may be the last of the pair, or of their third vertex and its edge
+/// to the pair.
+template <class IsFixed>
+bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b, IsFixed is_fixed) {
+  return (star.first.empty() && star.second.empty() && (is_fixed(a) || is_fixed(b))) ||
+         any_cut_off(star, b, is_fixed);
 }
 
 /// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
@@ -55,14 +61,21 @@ public:
 
   /// A vertex whose last face is gone with the contraction of the star is gone too.
   void drop_bare_vertices(Index kept) {
-    drop_bare_corners(kept);
+    for (const StarFace& f : scratch_.star.shared)
+      for (Index v : {f.second, f.third})
+        drop_if_bare(v);
     drop_if_bare(kept);
   }
 
-  /// The same where the lists of `kept` are not up to date.
-  void drop_bare_vertices_in_pass(Index kept) {
-    drop_bare_corners(kept);
-    scratch_.tally.vertices += scratch_.star.first.empty() && scratch_.star.second.empty();
+  /// The same where the list of a vertex that has been contracted is not up to date: none of these
+  /// may be cut off.
+  void drop_bare_vertices_in_pass(Index b) {
+    const PairStar& star = scratch_.star;
+    any_cut_off(star, b, [&](Index v) {
+      drop_if_bare(v);
+      return false;
+    });
+    scratch_.tally.vertices += star.first.empty() && star.second.empty();
   }
 
 private:
@@ -80,14 +93,6 @@ private:
         complex_.kill(faces[i].face);
         ++scratch_.tally.faces;
       }
-  }
-
-  // Third corners of the faces that are gone.
-  void drop_bare_corners(Index kept) {
-    for (const StarFace& f : scratch_.star.shared)
-      for (Index v : {f.second, f.third})
-        if (v != kept)
-          drop_if_bare(v);
   }
 
   void drop_if_bare(Index v) {

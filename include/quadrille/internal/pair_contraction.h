@@ -168,14 +168,15 @@ public:
   }
 
   /// The same, for any number of pairs that have no end in common; then end_pass() is called.
-  /// Pairs whose stars have no vertex in common may be contracted at the same time.
+  /// Pairs whose stars have no vertex in common may be contracted at the same time. Where topology
+  /// is free, no end of an earlier pair may be cut off: see any_cut_off().
   void contract_in_pass(Scratch& scratch, Index a, Index b, const Candidate& candidate) {
     const auto [kept, gone] = choose(a, b, candidate);
     complex_.relabel(kept, gone);
     kill_shared(scratch);
     move(scratch, kept, gone, candidate);
     if (!is_topology_kept_)
-      Leftovers(complex_, scratch).drop_bare_vertices_in_pass(kept);
+      Leftovers(complex_, scratch).drop_bare_vertices_in_pass(b);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If

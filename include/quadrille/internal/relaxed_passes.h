@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_RELAXED_PASSES_H
 
 #include <quadrille/internal/digit_sort.h>
+#include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/parallel.h>
 #include <quadrille/internal/scratch.h>
@@ -285,10 +286,16 @@ private:
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
       return;
     }
-    if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch))
+    if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch) ||
+        cuts_off_touched(scratch.star, second))
       return;
     surface_.contract_in_pass(scratch, first, second, candidate);
     is_touched_[first] = is_touched_[second] = 1;
+  }
+
+  bool cuts_off_touched(const PairStar& star, Index second) const {
+    return !surface_.is_topology_kept() &&
+           any_cut_off(star, second, [this](Index v) { return is_touched_[v] != 0; });
   }
 
   bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
