@@ -213,9 +213,10 @@ private:
   void contract_inside(Block& block, Worker& worker) {
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size(); ++i) {
-      if (is_over(proposals[i]))
+      const bool is_own = proposals[i].second < block.end; // else another thread may write to it
+      if (is_over(proposals[i].first) || (is_own && is_over(proposals[i].second)))
         continue;
-      if (proposals[i].second < block.end && block.allowance > 0) {
+      if (is_own && block.allowance > 0) {
         gather(worker.scratch, proposals[i]);
         const PairStar& star = worker.scratch.star;
         if (is_inside(star, block) && most_contractions_for(star) <= block.allowance) {
@@ -241,7 +242,7 @@ private:
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && !surface_.is_enough(); ++i) {
       prefetch(proposals, i); // a block is in the cache, these lie anywhere
-      if (is_over(proposals[i]))
+      if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       gather(worker.scratch, proposals[i]);
       contract(worker.scratch, proposals[i]);
@@ -256,13 +257,9 @@ private:
     surface_.prefetch(peek, [](Index) {});
   }
 
-  // Has an end been contracted in this pass, or lost its faces?
-  bool is_over(const Proposal& proposal) const {
-    if (is_touched_[proposal.first] | is_touched_[proposal.second])
-      return true;
-    const TriangleComplex& complex = surface_.complex();
-    return !surface_.is_topology_kept() &&
-           (!complex.has_faces(proposal.first) || !complex.has_faces(proposal.second));
+  // Has it been contracted in this pass, or lost its faces?
+  bool is_over(Index v) const {
+    return is_touched_[v] || (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
   }
 
   void gather(Scratch& scratch, const Proposal& proposal) {
