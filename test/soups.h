@@ -288,6 +288,26 @@ inline Soup joined(Soup a, const Soup& b, const Position& d = {}) {
   return a;
 }
 
+/// The same surface with other numbers of its points and triangles.
+inline Soup shuffled(Soup soup, std::uint64_t seed) {
+  Random random(seed);
+  const auto shuffle = [&](auto& values) {
+    for (std::size_t i = values.size(); i > 1; --i)
+      std::swap(values[i - 1], values[random.below(i)]);
+  };
+  std::vector<std::uint32_t> number(soup.points.size());
+  std::iota(number.begin(), number.end(), 0);
+  shuffle(number);
+  Soup result = soup;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    result.points[number[v]] = soup.points[v];
+  for (Triangle& t : result.triangles)
+    for (std::uint32_t& v : t)
+      v = number[v];
+  shuffle(result.triangles);
+  return result;
+}
+
 /// Drops points of no triangle; the others keep their order.
 inline Soup without_isolated_points(const Soup& soup) {
   constexpr auto unused = ~std::uint32_t{0};

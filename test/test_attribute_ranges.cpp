@@ -39,18 +39,24 @@ std::vector<std::array<T, 3>> two_colors(const std::vector<Point>& points, T low
   return colors;
 }
 
-} // namespace
-
-TEST_CASE("Colours stay between the least and the greatest") {
+// What is left of the colours of the sheet, of `low` and `high`.
+std::vector<std::array<double, 3>> simplified_colors(double low, double high) {
   Soup soup = wavy_sheet();
   std::vector<Point> points = points_of(soup);
-  auto colors = two_colors(points, 0.0, 1.0);
+  auto colors = two_colors(points, low, high);
   simplify<ColorQuadric, OptimalPlacement>(
       points, soup.triangles, FaceRatio{0.05},
       CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+  colors.resize(points.size());
+  return colors;
+}
+
+} // namespace
+
+TEST_CASE("Colours stay between the least and the greatest") {
   std::size_t at_the_end = 0;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (double x : colors[v]) {
+  for (const auto& color : simplified_colors(0, 1))
+    for (double x : color) {
       CHECK(x >= 0);
       CHECK(x <= 1);
       at_the_end += x == 1;
@@ -59,14 +65,8 @@ TEST_CASE("Colours stay between the least and the greatest") {
 }
 
 TEST_CASE("Colours of any other range stay in that") {
-  Soup soup = wavy_sheet();
-  std::vector<Point> points = points_of(soup);
-  auto colors = two_colors(points, 5.0, 10.0);
-  simplify<ColorQuadric, OptimalPlacement>(
-      points, soup.triangles, FaceRatio{0.05},
-      CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (double x : colors[v]) {
+  for (const auto& color : simplified_colors(5, 10))
+    for (double x : color) {
       CHECK(x >= 5);
       CHECK(x <= 10);
     }

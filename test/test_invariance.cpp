@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -185,19 +184,9 @@ TEMPLATE_TEST_CASE("The numbers of vertices and faces do not matter", "", Quadri
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       CAPTURE(seed);
       test::Random random(seed);
-      std::vector<std::uint32_t> number(soup.points.size());
-      std::iota(number.begin(), number.end(), 0);
-      for (std::size_t i = number.size(); i > 1; --i)
-        std::swap(number[i - 1], number[random.below(i)]);
-      Soup other = soup;
-      for (std::size_t v = 0; v < number.size(); ++v)
-        other.points[number[v]] = soup.points[v];
-      for (test::Triangle& t : other.triangles) {
-        t = {number[t[0]], number[t[1]], number[t[2]]};
+      Soup other = test::shuffled(soup, seed);
+      for (test::Triangle& t : other.triangles)
         std::rotate(t.begin(), t.begin() + random.below(3), t.end());
-      }
-      for (std::size_t i = other.triangles.size(); i > 1; --i)
-        std::swap(other.triangles[i - 1], other.triangles[random.below(i)]);
       CHECK(test::is_same_surface(simplified<TestType>(other), expected,
                                   1e-10 * test::diagonal(soup)));
     }
@@ -229,20 +218,7 @@ TEST_CASE("Points that no face uses change nothing, wherever they lie and whatev
   check(soup, Quadric{}, FaceRatio{0.2});
   check(soup, ColorQuadric{}, FaceRatio{0.2});
   check(soup, Quadric{}, ErrorLimit::relative(0.05));
-  Soup large = test::with_noise(test::torus(120, 60), 1, 0.01); // renumbered, in disorder
-  test::Random random(1);
-  for (std::size_t f = large.triangles.size(); f > 1; --f)
-    std::swap(large.triangles[f - 1], large.triangles[random.below(f)]);
-  std::vector<std::uint32_t> places(large.points.size());
-  std::iota(places.begin(), places.end(), 0u);
-  for (std::size_t v = places.size(); v > 1; --v)
-    std::swap(places[v - 1], places[random.below(v)]);
-  Soup disordered = large;
-  for (std::size_t v = 0; v < places.size(); ++v)
-    disordered.points[places[v]] = large.points[v];
-  for (auto& triangle : disordered.triangles)
-    for (std::uint32_t& v : triangle)
-      v = places[v];
-  check(disordered, Quadric{}, FaceRatio{0.2});
+  const Soup disordered = test::shuffled(test::with_noise(test::torus(120, 60), 1, 0.01), 1);
+  check(disordered, Quadric{}, FaceRatio{0.2}); // is renumbered
   check(disordered, Quadric{}, FaceRatio{0.2}, RelaxedOrder{});
 }

@@ -274,6 +274,15 @@ TEST_CASE("Passes meet targets where a contraction takes many faces, or vertices
     books = test::joined(std::move(books), book, {{3.0 * i, 0, 0}});
   for (std::size_t count : {8000u, 5000u, 1000u})
     compare(books, FaceCount{count}, &Report::faces_after);
+  Soup bound_twice; // where one edge goes, its pages are left, and few vertices go with many faces
+  book.points.push_back({{0.2, 0.2, 0}});
+  book.points.push_back({{0.2, 0.2, 0.5}});
+  for (std::uint32_t page = 2; page < 42; ++page)
+    book.triangles.push_back({42, 43, page});
+  for (int i = 0; i < 250; ++i)
+    bound_twice = test::joined(std::move(bound_twice), book, {{3.0 * i, 0, 0}});
+  for (std::size_t count : {16'000u, 12'000u})
+    compare(bound_twice, FaceCount{count}, &Report::faces_after);
 }
 
 TEST_CASE("Passes know how many vertices are left where faces are few and far between") {

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,26 +43,6 @@ IndexPairs closer_than(double t, const Soup& soup) {
 
 bool is_identical(const Soup& a, const Soup& b) {
   return a.points == b.points && a.triangles == b.triangles;
-}
-
-// Vertices and faces in an order of chance.
-Soup shuffled(Soup soup, std::uint64_t seed) {
-  Random random(seed);
-  const auto shuffle = [&](auto& values) {
-    for (std::size_t i = values.size(); i > 1; --i)
-      std::swap(values[i - 1], values[random.below(i)]);
-  };
-  std::vector<std::uint32_t> number(soup.points.size());
-  std::iota(number.begin(), number.end(), 0);
-  shuffle(number);
-  Soup result = soup;
-  for (std::size_t v = 0; v < number.size(); ++v)
-    result.points[number[v]] = soup.points[v];
-  for (Triangle& t : result.triangles)
-    for (std::uint32_t& v : t)
-      v = number[v];
-  shuffle(result.triangles);
-  return result;
 }
 
 // Faces of which each of the points from `first` to `end` is a corner.
@@ -387,12 +366,8 @@ TEST_CASE("Parts whose faces go in twos reach odd targets with pairs between the
       REQUIRE(report.stop == StopReason::target_met);
       REQUIRE(report.faces_after == result.triangles.size());
       REQUIRE(report.vertices_after == result.points.size());
-      std::vector<std::uint32_t> used;
-      for (const Triangle& t : result.triangles)
-        used.insert(used.end(), t.begin(), t.end());
-      std::sort(used.begin(), used.end());
-      used.erase(std::unique(used.begin(), used.end()), used.end());
-      REQUIRE(used.size() == result.points.size());
+      REQUIRE(without_isolated_points({soup.points, result.triangles}).points.size() ==
+              result.points.size());
       auto mesh = make_mesh(soup);
       const Report of_mesh = simplify<Quadric, Placement>(mesh, FaceCount{target}, pairs);
       REQUIRE(of_mesh.faces_after == mesh.number_of_faces());

@@ -54,9 +54,8 @@ namespace quadrille {
 /// that no weight makes comparable with positions, or a policy that makes no sense,
 /// std::length_error above 2³⁰ faces, and what the user's own maps, policies and visitors throw. If
 /// it throws, the mesh is as it was; what it has put into maps is put back, as far as they let it
-/// (but for vertex_quadric_map, which nobody else fills),
-/// and vertices that it had added are removed again, which a mesh that marks what is removed may
-/// count as garbage.
+/// (but for vertex_quadric_map, which nobody else fills), and vertices that it had added are
+/// removed again, which a mesh that marks what is removed may count as garbage.
 template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Mesh,
           class... Arguments>
 requires internal::Fitting<Cost, Placement, Arguments...> && internal::FaceGraph<Mesh>

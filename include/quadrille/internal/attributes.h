@@ -60,15 +60,17 @@ public:
     return attributes;
   }
 
-  /// Of the vertices that faces use: colours will stay in it, or in [0, 1] where they all lie
-  /// there.
-  template <class Box>
-  void limit(const Box& box) {
-    low_ = attributes_of(box.low);
-    high_ = attributes_of(box.high);
-    if (std::ranges::min(low_.coordinates) >= 0 && std::ranges::max(high_.coordinates) <= 1) {
-      low_.coordinates.fill(0);
-      high_.coordinates.fill(1);
+  /// Colours will stay in the range of those that faces use, or in [0, 1] where these lie there.
+  template <class Surface>
+  void limit([[maybe_unused]] const Surface& surface) {
+    if constexpr (A == Attribute::color) {
+      const auto box = surface.box();
+      low_ = attributes_of(box.low);
+      high_ = attributes_of(box.high);
+      if (std::ranges::min(low_.coordinates) >= 0 && std::ranges::max(high_.coordinates) <= 1) {
+        low_.coordinates.fill(0);
+        high_.coordinates.fill(1);
+      }
     }
   }
 

@@ -50,7 +50,7 @@ public:
     read_vertices(surface);
     read_faces(surface);
     if constexpr (Attributes::size > 0)
-      attributes_.limit(surface.box());
+      attributes_.limit(surface);
     return surface;
   }
   /// Gives memory back that write() can fill anew.

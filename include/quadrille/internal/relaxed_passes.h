@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_RELAXED_PASSES_H
 #define QUADRILLE_INTERNAL_RELAXED_PASSES_H
 
+#include <quadrille/internal/allowance.h>
 #include <quadrille/internal/digit_sort.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/pair_contraction.h>
@@ -24,7 +25,7 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order) {
+      : surface_(surface), order_(order), allowance_(surface.is_topology_kept()) {
     for (Scratch& scratch : surface.scratches())
       workers_.emplace_back(scratch);
   }
@@ -34,7 +35,7 @@ public:
     for (;;) {
       const Status before = surface_.status();
       const std::size_t least = std::max(least_contractions, before.vertices / least_part);
-      const std::size_t quota = allowed_contractions();
+      const std::size_t quota = allowance_.contractions(surface_.policies().stop, before);
       if (quota < least)
         return true;
       pass(quota);
@@ -73,41 +74,6 @@ private:
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
   static constexpr Index sample_step = 16;
   static constexpr std::size_t pairs_per_contraction = 4; // so many find enough that can be done
-
-  // As many as the stop policy, asked before each, would let pass in a row.
-  std::size_t allowed_contractions() const {
-    const Status now = surface_.status();
-    const auto status_after = [&](std::size_t contractions) {
-      Status after = now;
-      after.faces -= std::min(after.faces, faces_per_contraction() * contractions);
-      after.vertices -= contractions;
-      after.contractions += contractions;
-      after.next_error = 0;
-      return after;
-    };
-    const auto& stop = surface_.policies().stop;
-    std::size_t allowed = 0; // the first `allowed` are, `refused` are not
-    std::size_t refused = now.vertices + 1;
-    while (refused - allowed > 1) {
-      const std::size_t middle = allowed + (refused - allowed) / 2;
-      (stop(status_after(middle - 1)) ? refused : allowed) = middle;
-    }
-    return allowed;
-  }
-
-  // Where topology is free, doubled faces go too, and all faces at an edge, and what is bare then:
-  // what a contraction takes counts as that of several.
-  std::size_t faces_per_contraction() const { return surface_.is_topology_kept() ? 2 : 4; }
-  std::size_t contractions_for(std::size_t faces, std::size_t vertices) const {
-    const std::size_t each = faces_per_contraction();
-    return std::max(vertices, (faces + each - 1) / each);
-  }
-  std::size_t most_contractions_for(const PairStar& star) const {
-    if (surface_.is_topology_kept())
-      return 1;
-    const std::size_t doubled = std::min(star.first.size(), star.second.size());
-    return contractions_for(star.shared.size() + doubled, star.shared.size() + 2);
-  }
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
   void pass(std::size_t quota) {
@@ -219,11 +185,11 @@ private:
       if (is_own && block.allowance > 0) {
         gather(worker.scratch, proposals[i]);
         const PairStar& star = worker.scratch.star;
-        if (is_inside(star, block) && most_contractions_for(star) <= block.allowance) {
+        if (is_inside(star, block) && allowance_.most_used(star) <= block.allowance) {
           const Tally& tally = worker.scratch.tally;
           const std::size_t faces = tally.faces, vertices = tally.vertices;
           contract(worker.scratch, proposals[i]);
-          block.allowance -= contractions_for(tally.faces - faces, tally.vertices - vertices);
+          block.allowance -= allowance_.used(tally.faces - faces, tally.vertices - vertices);
           continue;
         }
       }
@@ -306,6 +272,7 @@ private:
 
   PairContraction<Policies>& surface_;
   RelaxedOrder order_;
+  Allowance allowance_;
   std::vector<unsigned char> is_touched_; // no bits: threads write to it
   std::vector<Block> blocks_;
   std::vector<Worker> workers_;

@@ -46,7 +46,7 @@ public:
     for (const auto& triangle : triangles_)
       surface.triangles.push_back(read_triangle(triangle, surface));
     if constexpr (Attributes::size > 0)
-      attributes_.limit(surface.box());
+      attributes_.limit(surface);
     return surface;
   }
 
