@@ -133,9 +133,10 @@ void add_policies(CLI::App& app, Options& options) {
   app.add_option(
          "--cost", options.cost,
          "which pair is contracted first: by distance to the planes of all faces so far, of the "
-         "current faces, with colours or texture coordinates as further dimensions, or the "
-         "shortest")
-      ->check(CLI::IsMember({"quadric", "memoryless", "color", "texture", "length"}))
+         "current faces, the same and of lost thin parts, with colours or texture coordinates as "
+         "further dimensions, or the shortest")
+      ->check(
+          CLI::IsMember({"quadric", "memoryless", "thin-features", "color", "texture", "length"}))
       ->capture_default_str();
   app.add_option("--placement", options.placement,
                  "where the vertex goes (default: optimal, or midpoint with --cost length)")
@@ -215,6 +216,8 @@ quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
     return simplify(mesh, options, quadrille::EdgeLength{});
   if (options.cost == "memoryless")
     return simplify(mesh, options, with_boundary_weight(quadrille::MemorylessQuadric{}, options));
+  if (options.cost == "thin-features")
+    return simplify(mesh, options, with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
   if (options.cost == "color")
     return simplify(mesh, options, with_boundary_weight(quadrille::ColorQuadric{}, options),
                     parameters::vertex_color_map(CGAL::make_property_map(mesh.colors)));

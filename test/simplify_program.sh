@@ -103,7 +103,7 @@ for options in '' '--pairs-closer-than 1' '--cost memoryless' '--cost length' '-
 done
 
 # Costs, placements, topology, pairs
-for cost in quadric memoryless color texture length; do
+for cost in quadric memoryless thin-features color texture length; do
   run 0 --cost $cost --ratio 0.2 sheet.off out.off
   expect out.off '^STCOFF'
   expect_faces out.off 160

@@ -17,7 +17,8 @@ using namespace test;
 
 // --- The models ----------------------------------------------------------------------------------
 
-static_assert(CostPolicy<Quadric> && CostPolicy<EdgeLength> && CostPolicy<MemorylessQuadric>);
+static_assert(CostPolicy<Quadric> && CostPolicy<EdgeLength>);
+static_assert(CostPolicy<MemorylessQuadric> && CostPolicy<ThinFeatureQuadric>);
 static_assert(CostPolicy<AttributeQuadric<1>> && CostPolicy<AttributeQuadric<7>>);
 static_assert(CostPolicy<ColorQuadric> && CostPolicy<TextureQuadric> && CostPolicy<NormalQuadric>);
 static_assert(PlacementPolicy<OptimalPlacement, Quadric>);

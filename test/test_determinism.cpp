@@ -66,6 +66,8 @@ TEMPLATE_TEST_CASE("Twenty runs give the same bytes", "", (std::tuple<Quadric, G
                    (std::tuple<Quadric, RelaxedOrder>),
                    (std::tuple<MemorylessQuadric, GreedyOrder>),
                    (std::tuple<MemorylessQuadric, RelaxedOrder>),
+                   (std::tuple<ThinFeatureQuadric, GreedyOrder>),
+                   (std::tuple<ThinFeatureQuadric, RelaxedOrder>),
                    (std::tuple<ColorQuadric, GreedyOrder>),
                    (std::tuple<ColorQuadric, RelaxedOrder>)) {
   const auto& [cost, order] = TestType();

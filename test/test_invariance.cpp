@@ -69,7 +69,7 @@ void check(const Soup& soup, Map map, double tolerance) {
 } // namespace
 
 TEMPLATE_TEST_CASE("The unit does not matter, and not at all if it is a power of two", "", Quadric,
-                   MemorylessQuadric) {
+                   MemorylessQuadric, ThinFeatureQuadric) {
   for (const auto& [name, soup] : surfaces()) {
     CAPTURE(name);
     for (double scale : {1e-8, 1e-5, 1e-3, 0.1, 3.0, 1e3, 1e5, 1e8}) {

@@ -52,7 +52,7 @@ namespace quadrille {
 ///   }
 /// };
 /// ```
-/// Models: Quadric, AttributeQuadric<N>, EdgeLength.
+/// Models: Quadric, MemorylessQuadric, ThinFeatureQuadric, AttributeQuadric<N>, EdgeLength.
 template <class C>
 concept CostPolicy = std::copy_constructible<C> && requires {
   requires C::dimension >= 3;

@@ -15,6 +15,7 @@
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/topology.h>
 #include <quadrille/visitor.h>
 

@@ -82,6 +82,8 @@ Call make_call(Bytes& bytes, std::size_t faces) {
     call.weighting = Weighting::uniform;
   if (bytes.one_in(16))
     call.cancel_at = 1 + bytes.below(32);
+  if (call.cost == CostName::memoryless && bytes.one_in(2))
+    call.cost = CostName::thin_feature;
   return call;
 }
 
@@ -222,7 +224,7 @@ Case make_case(Bytes bytes, int size) {
   Case result;
   Soup& soup = result.soup;
   soup = make_base(bytes, bytes.one_in(4) ? 4 * size : size); // passes need larger ones
-  if (!bytes.one_in(2)) { // else a mesh can be made of most
+  if (!bytes.one_in(2)) {                                     // else a mesh can be made of most
     add_parts(bytes, soup);
     change(bytes, soup);
   }
@@ -330,6 +332,11 @@ void simplify(const Case& input, Outcome& outcome) {
   case CostName::memoryless:
     return simplify_with(input, outcome,
                          MemorylessQuadric{.boundary_weight = call.boundary_weight});
+  case CostName::thin_feature: {
+    ThinFeatureQuadric cost;
+    cost.boundary_weight = call.boundary_weight;
+    return simplify_with(input, outcome, cost);
+  }
   case CostName::color: {
     ColorQuadric cost;
     cost.boundary_weight = call.boundary_weight;

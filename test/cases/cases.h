@@ -78,7 +78,7 @@ struct AnyStop {
   }
 };
 
-enum class CostName { quadric, memoryless, color, edge_length, attributes };
+enum class CostName { quadric, memoryless, color, edge_length, attributes, thin_feature };
 enum class PlacementName { optimal, endpoint, midpoint };
 
 /// A call of simplify.

@@ -14,6 +14,7 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -159,7 +160,8 @@ public:
 private:
   static constexpr bool has_fast_costs =
       std::same_as<typename Policies::Placement, OptimalPlacement> &&
-      (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric>);
+      (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric> ||
+       std::same_as<Cost, ThinFeatureQuadric>);
 
   static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
 
@@ -204,13 +206,28 @@ private:
     for (; i < end; i += 2) {
       const Two two = {pairs[i], pairs[std::min(i + 1, end - 1)]};
       const auto& [p, q] = two;
-      const Lanes values =
-          least_values(current_[p.first], {&current_[p.second], &current_[q.second]},
-                       {star.shared_with(p.second, policies_.cost, positions_),
-                        star.shared_with(q.second, policies_.cost, positions_)},
-                       ways(two), squared_reaches(two));
+      auto [values, positions] =
+          minima(current_[p.first], {&current_[p.second], &current_[q.second]},
+                 {star.shared_with(p.second, policies_.cost, positions_),
+                  star.shared_with(q.second, policies_.cost, positions_)},
+                 ways(two), squared_reaches(two));
+      if constexpr (std::same_as<Cost, ThinFeatureQuadric>)
+        values += losses(two, positions);
       write(two, values, costs + i);
     }
+  }
+
+  // Both pairs have their first vertex in common.
+  Lanes losses(const Two& two, const LaneVector& positions) const {
+    const auto& [p, q] = two;
+    const auto planes = [&](Index v) -> const auto& {
+      return memories_[v].planes;
+    };
+    const Lanes trace =
+        planes(p.first).trace() + Lanes{planes(p.second).trace(), planes(q.second).trace()};
+    return policies_.cost.loss(
+        growth(planes(p.first), {&planes(p.second), &planes(q.second)}, ways(two), positions),
+        trace);
   }
 
   void write(const Two& two, Lanes values, float* costs) const {

@@ -134,11 +134,17 @@ inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
   return value_if_found(c + dot(g, x), factorization, x, d, squared_reach); // Ax = −g
 }
 
+/// Values, and the positions that have them.
+struct LaneMinima {
+  Lanes values;
+  LaneVector positions;
+};
+
 /// The same for memoryless costs: see MemorylessQuadric::join and minimizer.
-inline Lanes least_values(const MemorylessQuadric::Current& first,
-                          const std::array<const MemorylessQuadric::Current*, 2>& others,
-                          const std::array<MemorylessQuadric::Current, 2>& shared,
-                          const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
+inline LaneMinima minima(const MemorylessQuadric::Current& first,
+                         const std::array<const MemorylessQuadric::Current*, 2>& others,
+                         const std::array<MemorylessQuadric::Current, 2>& shared,
+                         const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
   const auto& [p, q] = others;
   const auto& [s, t] = shared;
   const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
@@ -159,8 +165,23 @@ inline Lanes least_values(const MemorylessQuadric::Current& first,
   const Lanes slope = dot(normal, across);
   const Lanes off = dot(other_area, d) - dot(normal, x);
   const Lanes way = slope > 0 ? off / slope : Lanes{};
-  return value_if_found(dot(bd, d) - dot(bd, x) + way * way * slope, factorization,
-                        x + way * across, d, squared_reach);
+  const LaneVector position = x + way * across;
+  return {value_if_found(dot(bd, d) - dot(bd, x) + way * way * slope, factorization, position, d,
+                         squared_reach),
+          position};
+}
+
+/// How much farther from the planes, in sum of squares, the positions x are than the points where
+/// the forms are at home. The first form belongs to both.
+inline Lanes growth(const QuadricForm<3>& first, const std::array<const QuadricForm<3>*, 2>& others,
+                    const std::array<Vector<3>, 2>& displacements, const LaneVector& x) {
+  const auto& [p, q] = others;
+  const LaneVector y = x - LaneVector::of(displacements[0], displacements[1]);
+  const LaneMatrix a = LaneMatrix::twice(first.matrix());
+  const LaneMatrix b = LaneMatrix::of(p->matrix(), q->matrix());
+  const LaneVector g = LaneVector::twice(first.gradient());
+  const LaneVector h = LaneVector::of(p->gradient(), q->gradient());
+  return dot(a * x, x) + 2.0 * dot(g, x) + dot(b * y, y) + 2.0 * dot(h, y);
 }
 
 } // namespace quadrille::internal

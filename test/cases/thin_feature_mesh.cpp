@@ -1,0 +1,3 @@
+#include "engine.h"
+
+template void test::simplify_mesh(const Case&, Outcome&, const quadrille::ThinFeatureQuadric&);
