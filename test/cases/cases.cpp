@@ -3,6 +3,7 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <algorithm>
 #include <bit>
