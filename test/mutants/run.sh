@@ -40,7 +40,7 @@ passes() {
     verdict="DOES NOT COMPILE"
     return 1
   }
-  timeout 120 "$folder/test_$1" --abort >"$folder/log" 2>&1 || {
+  timeout 300 "$folder/test_$1" --abort >"$folder/log" 2>&1 || {
     verdict="killed by test_$1"
     return 1
   }

@@ -56,7 +56,7 @@ public:
 
   PairContraction(SurfaceInput<dimension> input, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, policies.cost)),
-        complex_(input.positions.size(), take_triangles(input), spare_corners(input),
+        complex_(input.positions.size(), take_triangles(input), merges_at_once,
                  threads_of(policies.order)),
         scratches_(threads_of(policies.order), Scratch(input.positions.size())),
         pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch().marks)),
@@ -305,9 +305,7 @@ private:
   }
 
   // Passes merge nothing before few faces are left.
-  static std::size_t spare_corners(const SurfaceInput<dimension>& input) {
-    return std::same_as<typename Policies::Order, RelaxedOrder> ? 0 : input.triangles.size();
-  }
+  static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
 
   // A pair policy of the user's wants to see them once more.
   static std::vector<TriangleComplex::Triangle> take_triangles(SurfaceInput<dimension>& input) {

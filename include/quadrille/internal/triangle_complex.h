@@ -34,10 +34,10 @@ public:
 
   TriangleComplex() = default;
 
-  /// Builds the lists in linear time, with room for so many corners beside those that there are. A
-  /// triangle with two equal vertices is dead from the beginning.
+  /// Builds the lists in linear time; if `will_merge`, with room for as many more corners as there
+  /// are faces. A triangle with two equal vertices is dead from the beginning.
   TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
-                  std::size_t spare_corners = 0, unsigned threads = 1);
+                  bool will_merge = false, unsigned threads = 1);
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
@@ -175,7 +175,7 @@ private:
 };
 
 inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
-                                        std::size_t spare_corners, unsigned threads)
+                                        bool will_merge, unsigned threads)
     : faces_(std::move(triangles)), lists_(vertex_count) {
   check_size(vertex_count, faces_.size());
   for (Index face = 0; face < faces_.size(); ++face) {
@@ -183,7 +183,7 @@ inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Tr
     if (a == b || b == c || c == a)
       kill(face);
   }
-  pool_.reserve(3 * faces_.size() + spare_corners);
+  pool_.reserve((will_merge ? 4 : 3) * faces_.size());
   build_lists(threads);
 }
 
