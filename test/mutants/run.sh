@@ -33,7 +33,7 @@ passes() {
   case $1 in
     any_order) options="-O1 -Itest/any_order" ;;
     parallel) options=-DQUADRILLE_WITH_TBB libraries=-ltbb ;;
-    error_limit | float_precision | targets) options=-O1 ;; # take minutes without
+    error_limit | float_precision | targets | thin_features) options=-O1 ;; # take minutes without
   esac
   $compile -include "$folder/prelude.h" $options -Itest -I"$folder/include" "test/test_$1.cpp" \
     "$folder/main.o" $libraries -o "$folder/test_$1" 2>"$folder/log" || {
