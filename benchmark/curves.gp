@@ -6,7 +6,8 @@ rows(model, contender) = sprintf("<awk -F, '$1 == \"%s\" && $3 == \"CGAL GH plan
   $1 == \"%s\" && $3 == \"%s\" {faces[++n] = $2; rms[n] = $4} \
   END {for (i = 1; i <= n; i++) print faces[i], rms[i] / unit[faces[i]]}' %s", \
   model, model, contender, table)
-names = "'Quadrille' 'Quadrille memoryless' 'Quadrille thin features' 'Quadrille relaxed refreshed' 'CGAL GH plane' 'CGAL Lindstrom-Turk'"
+names = "'Quadrille' 'Quadrille memoryless' 'Quadrille thin features' \
+  'Quadrille relaxed refreshed' 'CGAL GH plane' 'CGAL Lindstrom-Turk'"
 colours = "#d7191c #e66101 #1a9641 #8c510a #2166ac #92c5de"
 set logscale x
 set xlabel "faces"
@@ -18,7 +19,7 @@ set key top right noenhanced
 set multiplot layout 2,2
 do for [model in "cow fandisk_large armadillo bunny00"] {
   set title model noenhanced
-  plot for [i=1:6] rows(model, word(names, i)) using 1:2 with linespoints linewidth 1.5 \
+  plot for [i=1:words(names)] rows(model, word(names, i)) using 1:2 with linespoints linewidth 1.5 \
     pointtype 7 linecolor rgb word(colours, i) title word(names, i)
   unset key
 }

@@ -11,8 +11,8 @@ for model in cow fandisk_large armadillo bunny00; do
   for faces in 64 125 250 500 1000 2000 4000 8000 16000; do
     [ $model-$faces = cow-4000 ] && break
     benchmark/quadrille_benchmark --runs 1 --faces $faces --out results/curves --only \
-      Quadrille 'Quadrille memoryless' 'Quadrille thin features' 'Quadrille relaxed refreshed' 'CGAL GH plane' \
-      'CGAL Lindstrom-Turk' -- data/meshes/$model.off >&2
+      Quadrille 'Quadrille memoryless' 'Quadrille thin features' 'Quadrille relaxed refreshed' \
+      'CGAL GH plane' 'CGAL Lindstrom-Turk' -- data/meshes/$model.off >&2
   done
 done
 # Of each row the model, the number asked for, the contender and the error: no name has a comma.

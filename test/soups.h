@@ -288,6 +288,11 @@ inline Soup joined(Soup a, const Soup& b, const Position& d = {}) {
   return a;
 }
 
+/// The same points and triangles, with the same numbers, bit for bit?
+inline bool is_identical(const Soup& a, const Soup& b) {
+  return a.points == b.points && a.triangles == b.triangles;
+}
+
 /// The same surface with other numbers of its points and triangles.
 inline Soup shuffled(Soup soup, std::uint64_t seed) {
   Random random(seed);

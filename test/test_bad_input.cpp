@@ -185,15 +185,16 @@ TEMPLATE_TEST_CASE("Policies that make no sense are refused", "", Mesh, Polyhedr
     require_refused(mesh, "boundary_weight", Quadric{.boundary_weight = weight});
     require_refused(mesh, "crease_weight", Quadric{.crease_weight = weight});
     require_refused(mesh, "boundary_weight", MemorylessQuadric{.boundary_weight = weight});
-    ThinFeatureQuadric cost;
-    cost.boundary_weight = weight;
-    require_refused(mesh, "boundary_weight", cost);
-    cost = ThinFeatureQuadric();
-    cost.loss_weight = weight;
-    require_refused(mesh, "quadrille::ThinFeatureQuadric: loss_weight", cost);
-    cost = ThinFeatureQuadric();
-    cost.loss_tolerance = weight;
-    require_refused(mesh, "quadrille::ThinFeatureQuadric: loss_tolerance", cost);
+    const auto thin_features = [&](double ThinFeatureQuadric::*member) {
+      ThinFeatureQuadric cost;
+      cost.*member = weight;
+      return cost;
+    };
+    require_refused(mesh, "boundary_weight", thin_features(&ThinFeatureQuadric::boundary_weight));
+    require_refused(mesh, "quadrille::ThinFeatureQuadric: loss_weight",
+                    thin_features(&ThinFeatureQuadric::loss_weight));
+    require_refused(mesh, "quadrille::ThinFeatureQuadric: loss_tolerance",
+                    thin_features(&ThinFeatureQuadric::loss_tolerance));
   }
   for (double degrees : {-1.0, 181.0, not_a_number})
     require_refused(mesh, "crease_degrees", Quadric{.crease_degrees = degrees});

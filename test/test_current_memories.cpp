@@ -1,4 +1,5 @@
 // What a memoryless cost says of a pair, through any number of contractions, is what its faces say.
+#include "contractions.h"
 #include "soups.h"
 
 #include <quadrille/simplify.h>
@@ -18,19 +19,6 @@ namespace {
 using namespace quadrille;
 using internal::Index;
 using test::Soup;
-
-// Half of the extent is 2^20 and more: the engine's unit is the mesh's then.
-Soup large(const Soup& soup) {
-  return test::mapped(soup,
-                      [&](const test::Position& p) { return 0x1p22 / test::diagonal(soup) * p; });
-}
-
-internal::SurfaceInput<3> input_of(const Soup& soup) {
-  internal::SurfaceInput<3> input;
-  input.positions = soup.points;
-  input.triangles = soup.triangles;
-  return input;
-}
 
 template <class Surface>
 Soup soup_of(const Surface& surface) {
@@ -92,7 +80,6 @@ std::vector<std::pair<Index, float>> pairs_of(Surface& surface, Index v) {
 template <class Surface>
 std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps) {
   test::Random random(seed);
-  internal::Scratch& scratch = surface.scratch();
   std::size_t contractions = 0;
   for (int step = 0; step < steps; ++step) {
     const Soup soup = soup_of(surface);
@@ -111,14 +98,10 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
     for (int attempt = 0; attempt < 100; ++attempt) {
       const test::Triangle t = soup.triangles[random.below(soup.triangles.size())];
       const auto [a, b] = std::minmax(t[0], t[1]);
-      const auto candidate = surface.evaluate(a, b);
-      surface.gather(scratch, a, b);
-      if (surface.rejection(scratch, a, b, candidate))
-        continue;
-      surface.contract(scratch, a, b, candidate);
-      surface.count(scratch.tally);
-      ++contractions;
-      break;
+      if (test::contract(surface, a, b)) {
+        ++contractions;
+        break;
+      }
     }
   }
   return contractions;
@@ -127,8 +110,8 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
 template <class... Arguments>
 void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) {
   const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>(arguments...);
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input_of(large(soup)),
-                                                                             policies);
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(
+      test::input_of(test::large(soup)), policies);
   CHECK(contract_and_compare(surface, seed, 12) > 8);
 }
 
@@ -156,21 +139,16 @@ TEST_CASE("Current memories follow where topology is free") {
 }
 
 TEST_CASE("A memoryless position of least cost keeps the volume") {
-  const Soup soup = large(test::with_noise(test::sphere(2), 1, 0.02));
+  const Soup soup = test::large(test::with_noise(test::sphere(2), 1, 0.02));
   const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input_of(soup),
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(test::input_of(soup),
                                                                              policies);
   const double before = test::volume(soup);
-  internal::Scratch& scratch = surface.scratch();
   for (Index v = 0; v < 40; v += 3) {
     if (!surface.complex().has_faces(v))
       continue;
     const Index w = pairs_of(surface, v).front().first;
-    const auto candidate = surface.evaluate(std::min(v, w), std::max(v, w));
-    surface.gather(scratch, std::min(v, w), std::max(v, w));
-    if (surface.rejection(scratch, std::min(v, w), std::max(v, w), candidate))
-      continue;
-    surface.contract(scratch, std::min(v, w), std::max(v, w), candidate);
-    CHECK(test::volume(soup_of(surface)) == Approx(before).epsilon(1e-9));
+    if (test::contract(surface, std::min(v, w), std::max(v, w)))
+      CHECK(test::volume(soup_of(surface)) == Approx(before).epsilon(1e-9));
   }
 }

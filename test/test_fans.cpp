@@ -1,5 +1,6 @@
 // Vertices of very many faces, most of whose contractions are refused, cost about the square of
 // these, not the cube.
+#include "contractions.h"
 #include "meshes.h"
 #include "soups.h"
 
@@ -92,8 +93,7 @@ TEST_CASE("Pairs of a vertex of many faces are not all looked at again at each c
 }
 
 TEST_CASE("Dear pairs of a vertex of many faces get their turn when the cheap ones are refused") {
-  // Half of the extent is 2^20 and more: the engine's unit is the mesh's then.
-  Soup soup = test::mapped(gear(100), [](const test::Position& p) { return 0x1.8p20 * p; });
+  Soup soup = test::large(gear(100));
   for (std::size_t v = 1; v < soup.points.size(); ++v) // the other side gets nearer
     soup.points[v][0] += 0x1p19;
   const OnlyFarOnes filter{0x1.8p19};

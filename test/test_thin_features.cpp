@@ -1,4 +1,5 @@
 // ThinFeatureQuadric: MemorylessQuadric where nothing is lost, and thin parts that stay.
+#include "contractions.h"
 #include "meshes.h"
 #include "soups.h"
 
@@ -8,9 +9,11 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -18,6 +21,7 @@ namespace {
 
 using namespace quadrille;
 using internal::Index;
+using test::is_identical;
 using test::Mesh;
 using test::read_model;
 using test::Soup;
@@ -36,33 +40,63 @@ Soup simplified(const Mesh& input, const Cost& cost, const Arguments&... argumen
   return test::to_soup(mesh);
 }
 
-bool is_identical(const Soup& a, const Soup& b) {
-  return a.points == b.points && a.triangles == b.triangles;
-}
-
-// A plane of a face, as each of its corners remembers it.
+// A plane of a face.
 struct Plane {
   Vector<3> point, normal; // of unit length
   double area;
-
-  double squared_distance_to(const Vector<3>& x) const {
-    return std::pow(dot(normal, x - point), 2);
-  }
 };
 
-// What two vertices remember costs at one position.
-double value(const std::vector<Plane>& planes, const Vector<3>& x) {
-  double sum = 0;
-  for (const Plane& plane : planes)
-    sum += plane.area * plane.squared_distance_to(x);
-  return sum;
+// The planes of the faces that have gone into each vertex.
+class Remembered {
+public:
+  explicit Remembered(const Soup& soup) : planes_(soup.points.size()) {
+    for (const test::Triangle& t : soup.triangles) {
+      const Vector<3>& p = soup.points[t[0]];
+      const Vector<3> normal = double_area_vector(p, soup.points[t[1]], soup.points[t[2]]);
+      const double length = std::sqrt(squared_length(normal));
+      for (Index v : t)
+        planes_[v].push_back({p, (1 / length) * normal, length / 2});
+    }
+  }
+
+  // The area-weighted sum of squared distances of x to what v remembers.
+  double value(Index v, const Vector<3>& x) const {
+    double sum = 0;
+    for (const Plane& plane : planes_[v])
+      sum += plane.area * std::pow(dot(plane.normal, x - plane.point), 2);
+    return sum;
+  }
+
+  // A third of it: each face has three corners.
+  double area(Index v) const {
+    double sum = 0;
+    for (const Plane& plane : planes_[v])
+      sum += plane.area / 3;
+    return sum;
+  }
+
+  void merge(Index v, Index w) {
+    planes_[v].insert(planes_[v].end(), planes_[w].begin(), planes_[w].end());
+    planes_[w] = planes_[v];
+  }
+
+private:
+  std::vector<std::vector<Plane>> planes_;
+};
+
+template <class Policies>
+auto surface_of(const Soup& soup, const Policies& policies) {
+  return std::make_unique<internal::PairContraction<Policies>>(test::input_of(soup), policies);
 }
 
-double area(const std::vector<Plane>& planes) {
-  double sum = 0;
-  for (const Plane& plane : planes)
-    sum += plane.area / 3;
-  return sum;
+// Beyond the tolerance; not above 0 where there is none.
+template <class Surface>
+double excess(Surface& surface, const Remembered& remembered, Index v, Index w, double tolerance) {
+  const auto target = surface.evaluate(v, w).target;
+  const double growth = remembered.value(v, target) + remembered.value(w, target) -
+                        remembered.value(v, surface.position(v)) -
+                        remembered.value(w, surface.position(w));
+  return growth - 3 * std::pow(tolerance * (remembered.area(v) + remembered.area(w)), 2);
 }
 
 } // namespace
@@ -95,64 +129,34 @@ TEST_CASE("A loss is what the squared distances to remembered planes grow by, be
   const auto memoryless = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
   std::size_t losses = 0, others = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    Soup soup = test::with_noise(test::uv_sphere(10, 9), seed, 0.03);
-    // Half of the extent is 2^20 and more: the engine's unit is the mesh's then.
-    soup = test::mapped(soup, [&, unit = 0x1p22 / test::diagonal(soup)](const test::Position& p) {
-      return unit * p;
-    });
-    internal::SurfaceInput<3> input;
-    input.positions = soup.points;
-    input.triangles = soup.triangles;
-    std::vector<std::vector<Plane>> remembered(soup.points.size());
-    for (const test::Triangle& t : soup.triangles) {
-      const Vector<3> normal =
-          double_area_vector(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
-      const double length = std::sqrt(squared_length(normal));
-      for (Index v : t)
-        remembered[v].push_back({soup.points[t[0]], (1 / length) * normal, length / 2});
-    }
-    internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, policies);
-    internal::PairContraction<std::remove_const_t<decltype(memoryless)>> without(input, memoryless);
-    internal::Scratch& scratch = surface.scratch();
+    const Soup soup = test::large(test::with_noise(test::uv_sphere(10, 9), seed, 0.03));
+    Remembered remembered(soup);
+    const auto surface = surface_of(soup, policies);
+    const auto without = surface_of(soup, memoryless);
     test::Random random(seed);
     for (int step = 0; step < 30; ++step) {
-      struct Pair {
-        Index first, second;
+      std::vector<std::array<Index, 2>> pairs;
+      const auto compare = [&](Index v, Index w, float listed_cost) {
+        CAPTURE(seed, step, v, w);
+        const double cost = surface->evaluate(v, w).cost;
+        REQUIRE(listed_cost == Approx(cost).epsilon(1e-6));
+        const double loss = excess(*surface, remembered, v, w, tolerance);
+        ++(loss > 0 ? losses : others);
+        const double expected = without->evaluate(v, w).cost + weight * std::max(0.0, loss);
+        REQUIRE(cost == Approx(expected).epsilon(1e-5));
+        pairs.push_back({v, w});
       };
-      std::vector<Pair> allowed;
-      for (Index v = 0; v < surface.vertex_capacity(); ++v) {
-        if (!surface.complex().has_faces(v))
-          continue;
-        surface.for_each_pair(scratch, v, [&](Index w, float listed_cost) {
-          if (w < v)
-            return;
-          const auto candidate = surface.evaluate(v, w);
-          CAPTURE(seed, step, v, w);
-          REQUIRE(listed_cost == Approx(candidate.cost).epsilon(1e-6));
-          std::vector<Plane> planes = remembered[v];
-          planes.insert(planes.end(), remembered[w].begin(), remembered[w].end());
-          const double growth = value(planes, candidate.target) -
-                                value(remembered[v], surface.position(v)) -
-                                value(remembered[w], surface.position(w));
-          const double excess = growth - 3 * std::pow(tolerance * area(planes), 2);
-          ++(excess > 0 ? losses : others);
-          const double expected = without.evaluate(v, w).cost + weight * std::max(0.0, excess);
-          REQUIRE(candidate.cost == Approx(expected).epsilon(1e-5));
-          allowed.push_back({v, w});
+      for (Index v = 0; v < surface->vertex_capacity(); ++v)
+        surface->for_each_pair(surface->scratch(), v, [&](Index w, float listed_cost) {
+          if (v < w)
+            compare(v, w, listed_cost);
         });
-      }
       for (int attempt = 0; attempt < 20; ++attempt) {
-        const auto [a, b] = allowed[random.below(allowed.size())];
-        const auto candidate = surface.evaluate(a, b);
-        surface.gather(scratch, a, b);
-        if (surface.rejection(scratch, a, b, candidate))
+        const auto [a, b] = pairs[random.below(pairs.size())];
+        if (!test::contract(*surface, a, b))
           continue;
-        surface.contract(scratch, a, b, candidate);
-        surface.count(scratch.tally);
-        without.gather(without.scratch(), a, b);
-        without.contract(without.scratch(), a, b, without.evaluate(a, b));
-        remembered[a].insert(remembered[a].end(), remembered[b].begin(), remembered[b].end());
-        remembered[b] = remembered[a];
+        REQUIRE(test::contract(*without, a, b));
+        remembered.merge(a, b);
         break;
       }
     }

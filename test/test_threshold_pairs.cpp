@@ -41,10 +41,6 @@ IndexPairs closer_than(double t, const Soup& soup) {
   return all;
 }
 
-bool is_identical(const Soup& a, const Soup& b) {
-  return a.points == b.points && a.triangles == b.triangles;
-}
-
 // Faces of which each of the points from `first` to `end` is a corner.
 std::vector<Triangle> triangles_over(std::size_t end, std::size_t first = 0) {
   std::vector<Triangle> triangles;
