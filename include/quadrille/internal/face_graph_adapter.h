@@ -102,7 +102,7 @@ public:
     if (!result.is_closed())
       collect_border(result);
     choose_halfedges(result);
-    doomed_edges_.reserve(num_edges(mesh_));
+    doomed_edges_.resize(num_edges(mesh_));
     write_points(result, tell);
     write_connectivity();
     return umbrellas_.duplicates().size();
@@ -207,19 +207,20 @@ private:
 
   template <class Result>
   void collect_faces(const Result& result) {
-    std::vector<Index> numbers(num_faces(mesh_)); // of the faces that are left
-    faces_.resize(numbers.size());
-    doomed_faces_.resize(numbers.size());
-    std::size_t left = 0;
+    const std::size_t left = result.count_faces();
+    std::vector<Index> numbers(left + 1); // of the faces that are left
+    faces_.resize(left + 1);
+    doomed_faces_.resize(result.face_count() - left + 1);
+    std::size_t found = 0;
     Index face = 0;
     for (Face f : faces(mesh_)) { // without a branch: it is hard to guess
-      numbers[left] = face;
-      faces_[left] = f;
-      doomed_faces_[face - left] = f;
-      left += result.has_face(face++);
+      numbers[found] = face;
+      faces_[found] = f;
+      doomed_faces_[face - found] = f;
+      found += result.has_face(face++);
     }
-    faces_.resize(left);
-    doomed_faces_.resize(face - left);
+    faces_.pop_back();
+    doomed_faces_.pop_back();
     sides_.reserve(3 * left);
     halfedges_.reserve(3 * left);
     for (std::size_t i = 0; i < left; ++i) {
@@ -325,10 +326,15 @@ private:
       link_face(static_cast<Index>(i));
     for (const auto& [in, out] : umbrellas_.border_links())
       set_next(opposite(chosen_[in], mesh_), opposite(chosen_[out], mesh_), mesh_);
-    for (Edge e : edges(mesh_))
-      if (face(halfedge(e, mesh_), mesh_) == no_face &&
-          face(opposite(halfedge(e, mesh_), mesh_), mesh_) == no_face)
-        doomed_edges_.push_back(e);
+    std::size_t doomed = 0;
+    for (Edge e : edges(mesh_)) { // without a branch: it is hard to guess
+      const Halfedge h = halfedge(e, mesh_);
+      const bool has_left = face(h, mesh_) != no_face;
+      const bool has_right = face(opposite(h, mesh_), mesh_) != no_face;
+      doomed_edges_[doomed] = e;
+      doomed += !(has_left | has_right);
+    }
+    doomed_edges_.resize(doomed);
     for (Face f : doomed_faces_)
       remove_face(f, mesh_);
     for (Edge e : doomed_edges_)

@@ -200,27 +200,24 @@ private:
   // Counts each at once, so that a target is met as exactly as in greedy order.
   void contract_between(Worker& worker) {
     worker.proposals.clear();
-    for (const Block& block : blocks_) {
-      std::copy(block.rest.begin(), block.rest.end(), worker.proposals.extend(block.rest.size()));
-      worker.proposals.add(block.rest.size());
+    std::size_t count = 0;
+    for (const Block& block : blocks_)
+      count += block.rest.size();
+    Proposal* next = worker.proposals.extend(count);
+    for (Block& block : blocks_) {
+      next = std::copy(block.rest.begin(), block.rest.end(), next);
+      block.rest = std::vector<Proposal>(); // gives its memory back
     }
+    worker.proposals.add(count);
     sort(worker);
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && !surface_.is_enough(); ++i) {
-      prefetch(proposals, i); // a block is in the cache, these lie anywhere
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       gather(worker.scratch, proposals[i]);
       contract(worker.scratch, proposals[i]);
       surface_.count(worker.scratch.tally);
     }
-  }
-
-  [[gnu::always_inline]] void prefetch(const Room<Proposal>& proposals, std::size_t i) const {
-    const auto peek = [&](std::size_t ahead) {
-      return i + ahead < proposals.size() ? &proposals[i + ahead] : nullptr;
-    };
-    surface_.prefetch(peek, [](Index) {});
   }
 
   // Has it been contracted in this pass, or lost its faces?

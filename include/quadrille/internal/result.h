@@ -21,6 +21,8 @@ public:
   std::size_t vertex_count() const { return surface_.vertex_capacity(); }
   std::size_t face_count() const { return surface_.complex().face_capacity(); }
 
+  /// Those that are left.
+  std::size_t count_faces() const { return surface_.complex().live_faces(); }
   bool has_face(Index face) const { return !surface_.complex().is_dead(order_.face_rank(face)); }
   /// Each as image() tells it.
   const TriangleComplex::Triangle& corners(Index face) const {
