@@ -127,7 +127,8 @@ TEST_CASE("Bounds stay with their faces when these get new numbers") {
   TriangleComplex complex(6, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}});
   DistanceBounds bounds(4);
   PairStar star;
-  star.first = {StarFace(1, 2, 3), StarFace(3, 4, 5)};
+  for (const StarFace& f : {StarFace(1, 2, 3), StarFace(3, 4, 5)})
+    star.first.add_if(true, f);
   bounds.set(star, {0.25f, 2.0f});
   CHECK(bounds.greatest(complex) == 2);
   complex.kill(0);

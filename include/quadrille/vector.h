@@ -62,7 +62,8 @@ constexpr Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
 
 /// Twice the area vector of the triangle pqr: its length is twice the area, its direction the
 /// normal.
-constexpr Vector<3> double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+[[gnu::always_inline]] constexpr Vector<3>
+double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
   return cross(q - p, r - p);
 }
 

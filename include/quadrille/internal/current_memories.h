@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <new>
 #include <vector>
 
 namespace quadrille::internal {
@@ -44,6 +45,7 @@ private:
 template <class Cost>
 class CurrentStar {
 public:
+  using Current = typename Cost::Current;
   static constexpr std::size_t most_faces = 16;
 
   template <class Positions>
@@ -53,13 +55,14 @@ public:
       const StarFace f = PairStar::star_face(complex, face, i);
       second_[size_] = f.second;
       third_[size_] = f.third;
-      faces_[size_++] = cost.current_face(positions[v], positions[f.second], positions[f.third]);
+      ::new (&faces_[size_++]) // in its place: a copy would wait until all of it has been written
+          Current(cost.current_face(positions[v], positions[f.second], positions[f.third]));
     });
   }
 
   /// See SharedCurrent.
   template <class Positions>
-  typename Cost::Current shared_with(Index w, const Cost& cost, const Positions& positions) const {
+  Current shared_with(Index w, const Cost& cost, const Positions& positions) const {
     SharedCurrent<Cost> shared;
     for (std::size_t i = 0; i < size_; ++i)
       if (second_[i] == w || third_[i] == w)
@@ -71,7 +74,9 @@ private:
   Index v_;
   std::size_t size_ = 0;
   std::array<Index, most_faces> second_, third_;
-  std::array<typename Cost::Current, most_faces> faces_;
+  union { // so that it is not filled before it is used
+    std::array<Current, most_faces> faces_;
+  };
 };
 
 /// The same for any number of faces. It marks the neighbours.
@@ -122,11 +127,22 @@ public:
   using Current = typename Cost::Current;
 
   CurrentMemories() = default;
+  /// is_interior(v) tells of vertices that have no boundary edge for certain.
+  template <class IsInterior>
   CurrentMemories(const Cost& cost, const Positions& positions, TriangleComplex& complex,
-                  Marks& marks)
+                  Marks& marks, IsInterior is_interior)
       : current_(positions.size()) {
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      if (complex.is_dead(face))
+        continue;
+      const auto [p, q, r] = complex.vertices(face);
+      const Current now = cost.current_face(positions[p], positions[q], positions[r]);
+      for (Index v : {p, q, r})
+        current_[v] += now;
+    }
     for (Index v = 0; v < positions.size(); ++v)
-      recompute(v, cost, positions, complex, marks);
+      if (!is_interior(v))
+        add_boundary(v, cost, positions, complex, marks);
   }
 
   const Current& operator[](Index v) const { return current_[v]; }
@@ -176,13 +192,18 @@ public:
       const StarFace f = PairStar::star_face(complex, face, i);
       sum += cost.current_face(positions[v], positions[f.second], positions[f.third]);
     });
-    for (const EdgeAt& edge : edges_.gather(complex, v, marks))
-      if (edge.faces == 1)
-        sum +=
-            cost.current_boundary(positions[v], positions[edge.other], positions[edge.opposite[0]]);
+    add_boundary(v, cost, positions, complex, marks);
   }
 
 private:
+  void add_boundary(Index v, const Cost& cost, const Positions& positions, TriangleComplex& complex,
+                    Marks& marks) {
+    for (const EdgeAt& edge : edges_.gather(complex, v, marks))
+      if (edge.faces == 1)
+        current_[v] +=
+            cost.current_boundary(positions[v], positions[edge.other], positions[edge.opposite[0]]);
+  }
+
   void forget(const StarFace& f, Index corner, const Cost& cost, const Positions& positions) {
     const Current old =
         cost.current_face(positions[corner], positions[f.second], positions[f.third]);

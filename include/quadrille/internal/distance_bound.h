@@ -194,7 +194,8 @@ inline bool closes_up(const PairStar& star, Index a, Index b) {
     std::sort(ends.begin(), ends.end());
     return begins == ends;
   };
-  std::vector<StarFace> at_a = star.first, at_b = star.second;
+  std::vector<StarFace> at_a(star.first.begin(), star.first.end()),
+      at_b(star.second.begin(), star.second.end());
   for (const StarFace& f : star.shared) { // as a sees it
     at_a.push_back(f);
     at_b.push_back(f.second == b ? StarFace(f.face, f.third, a) : StarFace(f.face, a, f.second));

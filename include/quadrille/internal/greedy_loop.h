@@ -198,7 +198,7 @@ private:
     waiting_.push_back(v);
   }
 
-  void release_parked(const std::vector<StarFace>& faces) {
+  void release_parked(const Room<StarFace>& faces) {
     for (const StarFace& f : faces)
       for (Index v : {f.second, f.third})
         release_parked(v);

@@ -53,9 +53,9 @@ public:
 
   /// The same for the faces that the contraction of the star has changed.
   void drop_doubled_faces() {
-    scratch_.faces = scratch_.star.first;
-    scratch_.faces.insert(scratch_.faces.end(), scratch_.star.second.begin(),
-                          scratch_.star.second.end());
+    const PairStar& star = scratch_.star;
+    scratch_.faces.assign(star.first.begin(), star.first.end());
+    scratch_.faces.insert(scratch_.faces.end(), star.second.begin(), star.second.end());
     drop_doubled();
   }
 

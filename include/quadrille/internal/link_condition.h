@@ -189,7 +189,7 @@ private:
 
   // Of an oriented vertex, all neighbours but those of its shared faces are second vertices.
   template <class Visit>
-  void for_each_neighbour(const std::vector<StarFace>& faces, Index v, Visit visit) const {
+  void for_each_neighbour(const Room<StarFace>& faces, Index v, Visit visit) const {
     if (is_oriented(v)) {
       for (const StarFace& f : faces)
         visit(f.second);
@@ -201,7 +201,7 @@ private:
     }
   }
 
-  static bool has_link_edge(const std::vector<StarFace>& star, Index p, Index q) {
+  static bool has_link_edge(const Room<StarFace>& star, Index p, Index q) {
     return std::any_of(star.begin(), star.end(), [&](const StarFace& f) {
       return (f.second == p && f.third == q) || (f.second == q && f.third == p);
     });
@@ -217,7 +217,7 @@ private:
     return has_vertex(star.first, opposite) || has_vertex(star.second, opposite);
   }
 
-  static bool has_vertex(const std::vector<StarFace>& star, Index v) {
+  static bool has_vertex(const Room<StarFace>& star, Index v) {
     return std::any_of(star.begin(), star.end(),
                        [&](const StarFace& f) { return f.second == v || f.third == v; });
   }

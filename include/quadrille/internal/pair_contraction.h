@@ -113,11 +113,12 @@ public:
 
   /// Where the pair goes and what that costs.
   Candidate evaluate(Index a, Index b) const {
-    const Pair pair = costs_.view(a, b);
-    const Position target = costs_.target(a, b, pair);
-    const double cost = costs_(pair, target);
-    const double squared = squared_error(policies_.cost, pair, cost);
-    return {pair, target, cost, scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)))};
+    Candidate candidate{costs_.view(a, b), {}, 0, 0};
+    candidate.target = costs_.target(a, b, candidate.pair);
+    candidate.cost = costs_(candidate.pair, candidate.target);
+    const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
+    candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+    return candidate;
   }
 
   /// Gathers the star of a pair, for the three functions that follow.
@@ -193,7 +194,7 @@ public:
       std::erase_if(creases_, [](const auto& crease) { return crease[0] == crease[1]; });
       remember();
     } else {
-      costs_.see(complex_, scratch().marks);
+      costs_.see(complex_, scratch().marks, interior());
     }
   }
 
@@ -353,6 +354,9 @@ private:
 
   // Known to be inside the surface: without the link condition nothing is.
   bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
+  auto interior() const {
+    return [this](Index v) { return is_interior(v); };
+  }
 
   bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
     return costs_.is_any_fixed() && !is_topology_kept_ &&
@@ -388,8 +392,7 @@ private:
       if (const Index p = numbering_.vertices.find(v), q = numbering_.vertices.find(w);
           p != none && q != none)
         creases.push_back({p, q}); // else it has lost its faces
-    costs_.remember(
-        complex_, scratch().marks, creases, [this](Index v) { return is_interior(v); }, threads());
+    costs_.remember(complex_, scratch().marks, creases, interior(), threads());
   }
 
   // What is gone takes no more time or room in a cache.

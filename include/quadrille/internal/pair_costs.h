@@ -65,12 +65,13 @@ public:
                 unsigned threads) {
     InitialMemories<Cost>::compute(memories_, policies_.cost, positions_, complex, marks, creases,
                                    is_interior, threads);
-    see(complex, marks);
+    see(complex, marks, is_interior);
   }
   /// A cost that looks at the surface as it is now sees all of it anew.
-  void see(TriangleComplex& complex, Marks& marks) {
+  template <class IsInterior>
+  void see(TriangleComplex& complex, Marks& marks, IsInterior is_interior) {
     if constexpr (asks_for_current<Cost>)
-      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex, marks);
+      current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex, marks, is_interior);
   }
   /// The same around a contraction: before, and after.
   void forget(const PairStar& star, Index a, Index b) requires asks_for_current<Cost> {

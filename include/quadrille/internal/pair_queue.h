@@ -47,11 +47,10 @@ public:
   }
 
   template <class IsOutdated>
-  void push(const QueuedPair& pair, IsOutdated is_outdated) {
+  void push(QueuedPair pair, IsOutdated is_outdated) {
     const std::size_t bucket = bucket_of(pair.cost);
     if (bucket < open_end_) {
-      heap_.push_back(pair);
-      std::push_heap(heap_.begin(), heap_.end(), later);
+      push_to_heap(pair);
       return;
     }
     if (blocks_.size() == size_to_drop_at_ && free_ == end_of_list)
@@ -103,15 +102,29 @@ private:
     return std::bit_cast<std::uint32_t>(cost) >> (31 - 13);
   }
 
-  void append(std::size_t index, const QueuedPair& pair) {
+  [[gnu::noinline]] void push_to_heap(const QueuedPair& pair) {
+    heap_.push_back(pair);
+    std::push_heap(heap_.begin(), heap_.end(), later);
+  }
+
+  // Part by part: a copy of the whole would wait until the parts, just computed, have been written.
+  [[gnu::always_inline]] void append(std::size_t index, QueuedPair pair) {
     Bucket& bucket = buckets_[index];
-    if (bucket.size == Block::capacity) {
-      const std::uint32_t added = new_block();
-      blocks_[added].next = bucket.first;
-      bucket = {added, 0};
-      lowest_ = std::min(lowest_, index);
-    }
-    blocks_[bucket.first].pairs[bucket.size++] = pair;
+    if (bucket.size == Block::capacity)
+      begin_block(index);
+    QueuedPair& place = blocks_[bucket.first].pairs[bucket.size++];
+    place.cost = pair.cost;
+    place.first = pair.first;
+    place.second = pair.second;
+    place.stamp = pair.stamp;
+  }
+
+  [[gnu::noinline]] void begin_block(std::size_t index) {
+    Bucket& bucket = buckets_[index];
+    const std::uint32_t added = new_block();
+    blocks_[added].next = bucket.first;
+    bucket = {added, 0};
+    lowest_ = std::min(lowest_, index);
   }
 
   std::uint32_t new_block() {

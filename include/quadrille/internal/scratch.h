@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_SCRATCH_H
 
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/room.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/report.h>
 
@@ -21,36 +22,6 @@ struct Tally {
 
 struct VertexPair {
   Index first, second;
-};
-
-/// A list whose length is set without a look at its values: what is written by loops that can't
-/// afford to branch.
-template <class T>
-class Room {
-public:
-  std::size_t size() const { return size_; }
-  void clear() { size_ = 0; }
-
-  /// The place behind the list, for at most `count` values more.
-  T* extend(std::size_t count) {
-    if (values_.size() < size_ + count)
-      values_.resize(2 * (size_ + count));
-    return values_.data() + size_;
-  }
-  /// So many of them have been written.
-  void add(std::size_t count) { size_ += count; }
-  /// Writes a value, and lets it stay or not: without a branch.
-  void add_if(bool stays, const T& value) {
-    *extend(1) = value;
-    add(stays);
-  }
-
-  const T& operator[](std::size_t i) const { return values_[i]; }
-  const T* data() const { return values_.data(); }
-
-private:
-  std::vector<T> values_;
-  std::size_t size_ = 0;
 };
 
 /// What the steps of a contraction need beside the surface. Threads that work on parts of a surface

@@ -67,11 +67,11 @@ struct SurfaceInput {
 
   /// Of the vertices that faces use: others may lie anywhere.
   Box<N> box() const {
-    std::vector<bool> is_used(positions.size(), false);
+    std::vector<unsigned char> is_used(positions.size(), 0); // no bits: these take longer to set
     for (const auto& [a, b, c] : triangles)
       if (a != b && b != c && c != a)
-        is_used[a] = is_used[b] = is_used[c] = true;
-    return Box<N>(positions, [&](std::size_t v) -> bool { return is_used[v]; });
+        is_used[a] = is_used[b] = is_used[c] = 1;
+    return Box<N>(positions, [&](std::size_t v) { return is_used[v] != 0; });
   }
 
   void fix(Index v) {
@@ -99,8 +99,11 @@ public:
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
-    if (extent > 0)
-      exponent_ = size_exponent - std::ilogb(extent);
+    if (extent > 0) {
+      const int exponent = size_exponent - std::ilogb(extent);
+      to_engine_ = PowerOfTwo(exponent);
+      to_mesh_ = PowerOfTwo(-exponent);
+    }
     weights_.coordinates.fill(1);
   }
 
@@ -122,16 +125,15 @@ public:
   }
 
   void apply(std::vector<Vector<N>>& positions) const {
-    const PowerOfTwo scaled(exponent_);
     for (Vector<N>& p : positions) {
       for (std::size_t i = 0; i < 3; ++i)
-        p[i] = scaled(p[i]);
+        p[i] = to_engine_(p[i]);
       for (std::size_t i = 3; i < N; ++i)
-        p[i] = scaled(p[i] * weights_[i - 3]);
+        p[i] = to_engine_(p[i] * weights_[i - 3]);
     }
   }
 
-  double length_of_mesh(double length) const { return std::ldexp(length, -exponent_); }
+  double length_of_mesh(double length) const { return to_mesh_(length); }
 
   Vector<N> position_of_mesh(Vector<N> p) const {
     for (std::size_t i = 0; i < N; ++i)
@@ -166,7 +168,7 @@ private:
   static constexpr int size_exponent = 20;
   static constexpr double greatest_range = 0x1p40; // its square times an area, too
 
-  int exponent_ = 0;
+  PowerOfTwo to_engine_{0}, to_mesh_{0};
   double diagonal_;
   Vector<N - 3> weights_;
 };

@@ -115,9 +115,10 @@ inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
 /// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
 /// point `displacement` from it. A value that can't be had so, because the matrix is singular or
 /// the position lies further than √reach from both points, is NaN.
-inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
-                          const std::array<const QuadricForm<3>*, 2>& others,
-                          const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
+[[gnu::always_inline]] inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
+                                                 const std::array<const QuadricForm<3>*, 2>& others,
+                                                 const std::array<Vector<3>, 2>& displacements,
+                                                 Lanes squared_reach) {
   // The sum, about the first point: see QuadricForm::sum_about_first.
   const auto& [p, q] = firsts;
   const auto& [r, s] = others;

@@ -1,0 +1,46 @@
+#ifndef QUADRILLE_INTERNAL_ROOM_H
+#define QUADRILLE_INTERNAL_ROOM_H
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A list whose length is set without a look at its values: what is written by loops that can't
+/// afford to branch.
+template <class T>
+class Room {
+public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+
+  /// The place behind the list, for at most `count` values more.
+  T* extend(std::size_t count) {
+    if (values_.size() < size_ + count)
+      values_.resize(std::max(2 * values_.size(), size_ + count));
+    return values_.data() + size_;
+  }
+  /// So many of them have been written.
+  void add(std::size_t count) { size_ += count; }
+  /// Writes a value, and lets it stay or not: without a branch.
+  void add_if(bool stays, const T& value) {
+    *extend(1) = value;
+    add(stays);
+  }
+
+  const T& operator[](std::size_t i) const { return values_[i]; }
+  const T& front() const { return values_.front(); }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size_; }
+  const T* data() const { return values_.data(); }
+
+private:
+  std::vector<T> values_;
+  std::size_t size_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ROOM_H
