@@ -200,15 +200,10 @@ private:
   // Counts each at once, so that a target is met as exactly as in greedy order.
   void contract_between(Worker& worker) {
     worker.proposals.clear();
-    std::size_t count = 0;
-    for (const Block& block : blocks_)
-      count += block.rest.size();
-    Proposal* next = worker.proposals.extend(count);
-    for (Block& block : blocks_) {
-      next = std::copy(block.rest.begin(), block.rest.end(), next);
-      block.rest = std::vector<Proposal>(); // gives its memory back
+    for (const Block& block : blocks_) {
+      std::copy(block.rest.begin(), block.rest.end(), worker.proposals.extend(block.rest.size()));
+      worker.proposals.add(block.rest.size());
     }
-    worker.proposals.add(count);
     sort(worker);
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && !surface_.is_enough(); ++i) {

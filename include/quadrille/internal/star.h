@@ -16,7 +16,7 @@ struct StarFace {
   StarFace(Index f, Index s, Index t) : face(f), second(s), third(t) {}
 
   // Part by part: see PairQueue::append.
-  void set(Index f, Index s, Index t) { face = f, second = s, third = t; }
+  void set(const StarFace& f) { face = f.face, second = f.second, third = f.third; }
 };
 
 /// The faces around a pair of vertices: those of one end only, which a contraction changes, and
@@ -32,17 +32,17 @@ struct PairStar {
     StarFace* const theirs = second.extend(complex.degree_bound(b));
     std::size_t our_count = 0, both_count = 0, their_count = 0;
     complex.for_each_corner(a, [&](Index face, Index i) { // without a branch: it is hard to guess
-      const auto [v, w] = others(complex, face, i);
-      const bool is_shared = (v == b) | (w == b);
-      ours[our_count].set(face, v, w);
-      both[both_count].set(face, v, w);
+      const StarFace f = star_face(complex, face, i);
+      const bool is_shared = (f.second == b) | (f.third == b);
+      ours[our_count].set(f);
+      both[both_count].set(f);
       both_count += is_shared;
       our_count += !is_shared;
     });
     complex.for_each_corner(b, [&](Index face, Index i) {
-      const auto [v, w] = others(complex, face, i);
-      theirs[their_count].set(face, v, w);
-      their_count += (v != a) & (w != a);
+      const StarFace f = star_face(complex, face, i);
+      theirs[their_count].set(f);
+      their_count += (f.second != a) & (f.third != a);
     });
     first.add(our_count);
     shared.add(both_count);
@@ -50,18 +50,11 @@ struct PairStar {
   }
 
   static StarFace star_face(const TriangleComplex& complex, Index face, Index i) {
-    const auto [v, w] = others(complex, face, i);
-    return {face, v, w};
+    const auto& v = complex.vertices(face);
+    return {face, v[next_place(i)], v[previous_place(i)]};
   }
 
 private:
-  struct Two {
-    Index second, third;
-  };
-  static Two others(const TriangleComplex& complex, Index face, Index i) {
-    const auto& v = complex.vertices(face);
-    return {v[next_place(i)], v[previous_place(i)]};
-  }
   // From a table in a number: compilers make jumps of conditions.
   static Index next_place(Index i) { return 0b00'10'01u >> 2 * i & 3; }
   static Index previous_place(Index i) { return 0b01'00'10u >> 2 * i & 3; }
