@@ -110,8 +110,9 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
 template <class... Arguments>
 void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) {
   const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>(arguments...);
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(
-      test::input_of(test::large(soup)), policies);
+  const auto input = test::input_of(test::large(soup));
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
+                                                                             policies);
   CHECK(contract_and_compare(surface, seed, 12) > 8);
 }
 
@@ -141,7 +142,8 @@ TEST_CASE("Current memories follow where topology is free") {
 TEST_CASE("A memoryless position of least cost keeps the volume") {
   const Soup soup = test::large(test::with_noise(test::sphere(2), 1, 0.02));
   const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(test::input_of(soup),
+  const auto input = test::input_of(soup);
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
                                                                              policies);
   const double before = test::volume(soup);
   for (Index v = 0; v < 40; v += 3) {

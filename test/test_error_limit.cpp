@@ -133,9 +133,9 @@ TEST_CASE("Bounds stay with their faces when these get new numbers") {
   CHECK(bounds.greatest(complex) == 2);
   complex.kill(0);
   complex.kill(2);
-  bounds.pack(complex.left_faces());
+  bounds.pack_if([&](Index face) { return !complex.is_dead(face); });
   const std::vector<Index> vertices = complex.left_vertices();
-  complex.pack(vertices, complex.left_faces());
+  complex.pack(vertices);
   CHECK(bounds.greatest(complex) == 2);
   complex.kill(1);
   CHECK(bounds.greatest(complex) == 0.25);

@@ -47,6 +47,25 @@ TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "",
   }
 }
 
+TEST_CASE("So does it where blocks are so many that they are joined") {
+  const Mesh input = test::make_mesh(test::with_noise(test::torus(400, 200), 1, 1e-3));
+  REQUIRE(input.number_of_vertices() == 80000);
+  const std::size_t target = GENERATE(30000, 150000); // the second in one pass
+  Soup of_one;
+  for (unsigned threads : {1u, 2u, 3u}) {
+    CAPTURE(target, threads);
+    Mesh mesh = input;
+    const Report report = simplify<Quadric, OptimalPlacement>(mesh, FaceCount{target},
+                                                              RelaxedOrder{.threads = threads});
+    CHECK(report.faces_after == target);
+    const Soup soup = test::to_soup(mesh);
+    if (threads == 1)
+      of_one = soup;
+    REQUIRE(soup.points == of_one.points);
+    REQUIRE(soup.triangles == of_one.triangles);
+  }
+}
+
 TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was") {
   Mesh mesh = read_model("bunny00");
   const Soup before = test::to_soup(mesh);

@@ -86,7 +86,8 @@ private:
 
 template <class Policies>
 auto surface_of(const Soup& soup, const Policies& policies) {
-  return std::make_unique<internal::PairContraction<Policies>>(test::input_of(soup), policies);
+  const auto input = test::input_of(soup);
+  return std::make_unique<internal::PairContraction<Policies>>(input, input.box(), policies);
 }
 
 // Beyond the tolerance; not above 0 where there is none.

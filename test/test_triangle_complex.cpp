@@ -21,6 +21,8 @@ namespace {
 
 using quadrille::internal::Index;
 using quadrille::internal::Marks;
+using quadrille::internal::none;
+using quadrille::internal::Numbering;
 using quadrille::internal::Origins;
 using quadrille::internal::PairLists;
 using quadrille::internal::TriangleComplex;
@@ -147,28 +149,26 @@ TEST_CASE("Random merges and deaths leave the same corners as in plain sets") {
   }
 }
 
-TEST_CASE("What is left gets new numbers in the same order, and its own back") {
+TEST_CASE("What is left gets new numbers in the same order, and its origins are known") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 20));
   Random random(seed);
   const Index vertices = 50;
   const std::vector<Triangle> triangles = random_triangles(random, vertices);
   TriangleComplex complex(vertices, triangles);
   Model model = model_of(triangles); // by first numbers
-  const std::size_t all_faces = complex.face_capacity();
-  Origins vertex_origins, face_origins;
+  Origins vertex_origins(vertices, {}), face_origins(complex.face_capacity(), {});
   for (int round = 0; round < 3; ++round) {
     for (Index f = 0; f < complex.face_capacity(); ++f)
       if (!complex.is_dead(f) && random.below(3) == 0) {
         complex.kill(f);
         model.erase(face_origins[f]);
       }
-    std::vector<Index> left_vertices = complex.left_vertices();
-    std::vector<Index> left_faces = complex.left_faces();
-    complex.pack(left_vertices, left_faces);
-    vertex_origins.leave(left_vertices);
-    face_origins.leave(left_faces);
+    const std::vector<Index> left_vertices = complex.left_vertices();
+    face_origins.pack_if([&](Index face) { return !complex.is_dead(face); });
+    complex.pack(left_vertices);
+    complex.fill_lists();
+    vertex_origins.pack(left_vertices);
     REQUIRE(complex.face_capacity() == model.size());
-    REQUIRE(complex.vertex_capacity() == vertex_origins.all().size());
     std::set<Index> named;
     Index number = 0;
     for (const auto& [face, t] : model) {
@@ -178,32 +178,40 @@ TEST_CASE("What is left gets new numbers in the same order, and its own back") {
       named.insert(t.begin(), t.end());
       ++number;
     }
-    REQUIRE(vertex_origins.all() == std::vector<Index>(named.begin(), named.end()));
+    REQUIRE(complex.vertex_capacity() == named.size());
+    const std::vector<Index> numbers = vertex_origins.inverse();
+    REQUIRE(numbers.size() == vertices);
     for (Index v = 0; v < vertices; ++v)
-      if (named.count(v) == 0)
-        REQUIRE(vertex_origins.find(v) == quadrille::internal::none);
+      REQUIRE((numbers[v] == none) == (named.count(v) == 0));
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-      REQUIRE(vertex_origins.find(vertex_origins[v]) == v);
+      REQUIRE(numbers[vertex_origins[v]] == v);
       REQUIRE(corners_at(complex, v).size() == corners_at(model, vertex_origins[v]).size());
     }
   }
-  complex.unpack(vertex_origins.all(), vertices, face_origins.all(), all_faces);
-  REQUIRE(complex.vertex_capacity() == vertices);
-  REQUIRE(complex.face_capacity() == all_faces);
-  for (Index f = 0; f < all_faces; ++f) {
-    REQUIRE(complex.is_dead(f) == (model.count(f) == 0));
-    if (!complex.is_dead(f))
-      REQUIRE(complex.vertices(f) == model[f]);
-  }
-  for (Index v = 0; v < vertices; ++v)
-    REQUIRE(complex.has_faces(v) == !corners_at(model, v).empty());
 }
 
-TEST_CASE("Nothing left out, all have the numbers that they had") {
-  const Origins origins;
-  CHECK(origins.empty());
-  CHECK(origins[17] == 17);
-  CHECK(origins.find(17) == 17);
+TEST_CASE("Where nothing has been left out, origins are those that were given, or the numbers") {
+  const Origins none_given(20, {});
+  CHECK(none_given[17] == 17);
+  CHECK(none_given.inverse()[17] == 17);
+  const Origins given(3, {2, 0, 1});
+  CHECK(given[0] == 2);
+  CHECK(given.inverse() == std::vector<Index>{1, 2, 0});
+}
+
+TEST_CASE("Images are told by origins, whether merges were or not") {
+  const bool by_origins = GENERATE(false, true);
+  Numbering numbering({4, {3, 1, 0, 2}}, {0, {}}, by_origins);
+  numbering.merge(1, 0); // by origins, 3 into 1
+  numbering.merge(2, 1); // 1 into 0
+  numbering.use_origins();
+  CHECK(numbering.image(3) == 0);
+  CHECK(numbering.image(1) == 0);
+  CHECK(numbering.image(0) == 0);
+  CHECK(numbering.image(2) == 2);
+  numbering.vertices.pack({2, 3}); // 0 and 2
+  numbering.merge(1, 0);           // 0 into 2
+  CHECK(numbering.image(3) == 2);
 }
 
 TEST_CASE("More faces or vertices than 32 bits can number are refused with their numbers") {

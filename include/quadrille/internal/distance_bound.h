@@ -242,7 +242,11 @@ public:
         of_face_[f.face] = *bound++;
   }
 
-  void pack(const std::vector<Index>& faces) { internal::pack(of_face_, faces); }
+  /// Leaves out those of faces for which is_left(face) is false.
+  template <class IsLeft>
+  void pack_if(IsLeft is_left) {
+    internal::pack_if(of_face_, is_left);
+  }
 
   /// Of the faces that are left.
   double greatest(const TriangleComplex& complex) const {

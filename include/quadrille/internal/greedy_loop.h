@@ -33,7 +33,7 @@ public:
       : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
-    surface_.for_each_pair_above(scratch_, 0, static_cast<Index>(stamp_.size()),
+    surface_.for_each_pair_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
                                  [&](Index v, Index w, float cost) { push(v, w, cost); });
   }
 

@@ -4,67 +4,93 @@
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The numbers that vertices, or faces, had before what is gone was left out, once or several
-/// times.
+/// The numbers that vertices, or faces, have for whoever made the surface.
 class Origins {
 public:
-  Index operator[](Index number) const { return of_.empty() ? number : of_[number]; }
+  /// `of`: theirs; empty if these are 0, 1, …
+  Origins(std::size_t count, std::vector<Index> of) : of_(std::move(of)), first_count_(count) {}
 
-  /// The inverse; `none` for what has been left out.
-  Index find(Index origin) const {
-    if (of_.empty())
-      return origin;
-    const auto at = std::lower_bound(of_.begin(), of_.end(), origin);
-    return at != of_.end() && *at == origin ? static_cast<Index>(at - of_.begin()) : none;
+  std::size_t first_count() const { return first_count_; }
+  Index operator[](Index number) const { return of_.empty() ? number : of_[number]; }
+  /// The numbers now; `none` for what has been left out.
+  std::vector<Index> inverse() const {
+    std::vector<Index> numbers(first_count_, none);
+    const std::size_t count = of_.empty() ? first_count_ : of_.size();
+    for (Index i = 0; i < count; ++i)
+      numbers[(*this)[i]] = i;
+    return numbers;
   }
 
-  /// Those that are not among `left`, ascending indices and at least one, are left out.
-  void leave(std::vector<Index> left) {
+  /// Leaves out those that are not among `left`, ascending numbers and at least one.
+  void pack(std::vector<Index> left) {
     if (of_.empty())
       of_ = std::move(left);
     else
-      pack(of_, left);
+      internal::pack(of_, left);
   }
-
-  bool empty() const { return of_.empty(); } ///< Nothing has been left out.
-  const std::vector<Index>& all() const { return of_; }
+  /// Leaves out those for which is_left(number) is false.
+  template <class IsLeft>
+  void pack_if(IsLeft is_left) {
+    if (of_.empty()) {
+      of_.resize(first_count_);
+      std::iota(of_.begin(), of_.end(), 0);
+    }
+    internal::pack_if(of_, is_left);
+  }
 
 private:
   std::vector<Index> of_;
+  std::size_t first_count_;
 };
 
-/// What vertices have become part of, and the first numbers of vertices and faces.
+/// What vertices have become part of, and where vertices and faces come from.
 class Numbering {
 public:
-  Numbering(std::size_t vertex_count, std::size_t face_count)
-      : merged_into_(vertex_count, none), face_count_(face_count) {}
+  /// Without `by_origins`, a merge has not to look up any, but no vertex may be left out before
+  /// use_origins() is called.
+  Numbering(Origins vertex_origins, Origins face_origins, bool by_origins)
+      : vertices(std::move(vertex_origins)), faces(std::move(face_origins)),
+        merged_into_(vertices.first_count(), none), is_by_origins_(by_origins) {}
 
-  /// By the numbers that they have now.
-  void merge(Index kept, Index gone) { merged_into_[vertices[gone]] = vertices[kept]; }
-  void prefetch(Index v) const { internal::prefetch(&merged_into_[vertices[v]]); }
-
-  /// What a vertex has become part of, both by their first numbers.
-  Index image(Index v) const {
-    while (merged_into_[v] != none)
-      v = merged_into_[v];
-    return v;
+  void merge(Index kept, Index gone) {
+    if (is_by_origins_)
+      merged_into_[vertices[gone]] = vertices[kept];
+    else
+      merged_into_[gone] = kept;
+  }
+  [[gnu::always_inline]] void prefetch(Index v) const {
+    internal::prefetch(&merged_into_[is_by_origins_ ? vertices[v] : v]);
   }
 
-  std::size_t first_vertex_count() const { return merged_into_.size(); }
-  std::size_t first_face_count() const { return face_count_; }
+  void use_origins() {
+    if (std::exchange(is_by_origins_, true))
+      return;
+    std::vector<Index> by_origins(merged_into_.size(), none);
+    for (Index v = 0; v < merged_into_.size(); ++v)
+      if (merged_into_[v] != none)
+        by_origins[vertices[v]] = vertices[merged_into_[v]];
+    merged_into_ = std::move(by_origins);
+  }
+
+  /// The origin of what the vertex of an origin has become part of. By origins only.
+  Index image(Index origin) const {
+    while (merged_into_[origin] != none)
+      origin = merged_into_[origin];
+    return origin;
+  }
 
   Origins vertices, faces;
 
 private:
-  std::vector<Index> merged_into_; // of each vertex that is gone, by first numbers
-  std::size_t face_count_;
+  std::vector<Index> merged_into_; // of each vertex that is gone
+  bool is_by_origins_;
 };
 
 } // namespace quadrille::internal

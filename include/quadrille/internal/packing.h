@@ -24,6 +24,18 @@ std::vector<Index> indices_of(const Values& values, Condition condition) {
   return indices;
 }
 
+/// Moves the values of numbers for which is_left(number) holds to the front. No memory is given
+/// back.
+template <class Values, class IsLeft>
+void pack_if(Values& values, IsLeft is_left) {
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch: it is hard to guess
+    values[left] = values[i];
+    left += is_left(static_cast<Index>(i));
+  }
+  values.resize(left);
+}
+
 /// Moves the values of what is left (ascending indices) to the front. No memory is given back.
 template <class Values>
 void pack(Values& values, const std::vector<Index>& left) {
@@ -32,28 +44,6 @@ void pack(Values& values, const std::vector<Index>& left) {
   for (std::size_t i = 0; i < left.size(); ++i)
     values[i] = values[left[i]];
   values.resize(left.size());
-}
-
-/// Moves them back. The values of what is not left are any.
-template <class Values>
-void unpack(Values& values, const std::vector<Index>& left, std::size_t size) {
-  if (values.empty())
-    return;
-  values.resize(size);
-  for (std::size_t i = left.size(); i-- > 0;)
-    values[left[i]] = values[i];
-}
-
-/// The same, with a value for these.
-template <class Values>
-void unpack(Values& values, const std::vector<Index>& left, std::size_t size,
-            const typename Values::value_type& other) {
-  unpack(values, left, size);
-  for (std::size_t i = 0, next = 0; i < size; ++i)
-    if (next < left.size() && left[next] == i)
-      ++next;
-    else
-      values[i] = other;
 }
 
 } // namespace quadrille::internal

@@ -54,15 +54,17 @@ public:
     double cost, error;
   };
 
-  PairContraction(SurfaceInput<dimension> input, const Policies& policies)
-      : policies_(policies), scale_(scale_of(input, policies.cost)),
+  PairContraction(SurfaceInput<dimension> input, const Box<dimension>& box,
+                  const Policies& policies)
+      : policies_(policies), scale_(scale_of(box, policies.cost)),
         complex_(input.positions.size(), take_triangles(input), merges_at_once,
                  threads_of(policies.order)),
         scratches_(threads_of(policies.order), Scratch(input.positions.size())),
         pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch().marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
         creases_(std::move(input.creases)),
-        numbering_(input.positions.size(), complex_.face_capacity()),
+        numbering_({input.positions.size(), std::move(input.vertex_origins)},
+                   {complex_.face_capacity(), std::move(input.face_origins)}, !merges_at_once),
         costs_(policies, complex_, scaled(std::move(input.positions)), std::move(input.is_fixed)) {
     if (!is_topology_kept_ || input.has_doubled_faces)
       drop_doubled_faces();
@@ -190,7 +192,7 @@ public:
       complex_.build_lists(threads());
     if (refresh) {
       for (auto& [v, w] : creases_)
-        v = image(v), w = image(w);
+        v = numbering_.image(v), w = numbering_.image(w);
       std::erase_if(creases_, [](const auto& crease) { return crease[0] == crease[1]; });
       remember();
     } else {
@@ -211,14 +213,14 @@ public:
       visit(scratch.pairs[i].second, scratch.costs[i]);
   }
 
-  /// Calls visit(v, w, cost) for each pair of a vertex v in [begin, end) with one of a higher
-  /// number.
+  /// Calls visit(v, w, cost) for each pair of a vertex v = begin, begin + step, … below `end` with
+  /// one of a higher number.
   template <class Visit>
-  void for_each_pair_above(Scratch& scratch, Index begin, Index end, Visit visit) {
+  void for_each_pair_above(Scratch& scratch, Index begin, Index end, Index step, Visit visit) {
     constexpr std::size_t many = 256; // evaluated in one go
     for (Index v = begin; v < end;) {
       scratch.pairs.clear();
-      for (; v < end && scratch.pairs.size() < many; ++v)
+      for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v))
         find_pairs(scratch, v, v + 1);
       costs_.evaluate_all(scratch);
       for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
@@ -262,12 +264,12 @@ public:
   }
 
   /// Gives memory back that only contractions need, and unless `keeps_memories` what vertices
-  /// remember. Vertices and faces have their numbers of the beginning again.
+  /// remember.
   void release(bool keeps_memories) {
     complex_.release_corners();
     costs_.release(keeps_memories);
-    unpack();
     scratches_.clear();
+    numbering_.use_origins();
     distances_ = DistanceBounds(0);
   }
 
@@ -281,8 +283,7 @@ public:
   Scratch& scratch() { return scratches_.front(); }
 
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
-  /// What a vertex has become part of, both by their first numbers.
-  Index image(Index v) const { return numbering_.image(v); }
+  const Numbering& numbering() const { return numbering_; }
   /// Had the surface no border, nor will it have one?
   bool is_closed() const { return is_topology_kept_ && link_condition_.is_closed(); }
   bool is_moved(Index v) const { return is_moved_[v] != 0; }
@@ -293,8 +294,7 @@ public:
   auto mean_quadric(Index v) const { return scale_.mean_of_mesh(costs_.memory(v)); }
 
 private:
-  static Scale<dimension> scale_of(const SurfaceInput<dimension>& input, const Cost& cost) {
-    const Box<dimension> box = input.box();
+  static Scale<dimension> scale_of(const Box<dimension>& box, const Cost& cost) {
     Scale<dimension> scale(box);
     if constexpr (requires {
                     cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
@@ -388,40 +388,32 @@ private:
 
   void remember() {
     std::vector<std::array<Index, 2>> creases;
-    for (const auto& [v, w] : creases_)
-      if (const Index p = numbering_.vertices.find(v), q = numbering_.vertices.find(w);
-          p != none && q != none)
-        creases.push_back({p, q}); // else it has lost its faces
+    if (!creases_.empty()) {
+      const std::vector<Index> numbers = numbering_.vertices.inverse();
+      for (const auto& [v, w] : creases_)
+        if (const Index p = numbers[v], q = numbers[w]; p != none && q != none)
+          creases.push_back({p, q}); // else it has lost its faces
+    }
     costs_.remember(complex_, scratch().marks, creases, interior(), threads());
   }
 
   // What is gone takes no more time or room in a cache.
   void pack() {
-    complex_.release_corners(); // they are listed anew after that
-    std::vector<Index> vertices = complex_.left_vertices(threads()), faces = complex_.left_faces();
+    std::vector<Index> vertices = complex_.left_vertices(threads());
+    const auto is_left = [this](Index face) { return !complex_.is_dead(face); };
+    numbering_.faces.pack_if(is_left);
+    distances_.pack_if(is_left);
     parallel_for(threads(), 2, [&](std::size_t part, std::size_t) {
       if (part == 0) {
-        complex_.pack(vertices, faces);
+        complex_.pack(vertices);
         return;
       }
       costs_.pack(vertices);
       link_condition_.pack(vertices);
-      distances_.pack(faces);
       internal::pack(is_moved_, vertices);
     });
-    numbering_.vertices.leave(std::move(vertices));
-    numbering_.faces.leave(std::move(faces));
-  }
-
-  void unpack() {
-    const Origins &vertices = numbering_.vertices, &faces = numbering_.faces;
-    if (vertices.empty())
-      return;
-    const std::size_t count = numbering_.first_vertex_count();
-    complex_.unpack(vertices.all(), count, faces.all(), numbering_.first_face_count());
-    costs_.unpack(vertices.all(), count);
-    internal::unpack(is_moved_, vertices.all(), count);
-    numbering_.vertices = numbering_.faces = Origins();
+    complex_.fill_lists(threads());
+    numbering_.vertices.pack(std::move(vertices));
   }
 
   // Which end is kept, and which is gone.
@@ -471,7 +463,7 @@ private:
   LinkCondition link_condition_;
   DistanceBounds distances_{0};               // of no face where nobody asks
   std::vector<unsigned char> is_moved_;       // no bits: threads write to it
-  std::vector<std::array<Index, 2>> creases_; // edges that the user named, by first numbers
+  std::vector<std::array<Index, 2>> creases_; // edges that the user named, by origins
   Numbering numbering_;
   PairCosts<Policies> costs_;
   Progress progress_;

@@ -7,6 +7,7 @@
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/prefetch.h>
+#include <quadrille/internal/ranges.h>
 #include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -41,16 +42,8 @@ public:
             std::vector<Position> positions, std::vector<bool> is_fixed)
       : policies_(policies), complex_(complex), positions_(std::move(positions)),
         is_fixed_(std::move(is_fixed)), squared_reach_(positions_.size(), 0) {
-    for (Index face = 0; face < complex.face_capacity(); ++face) {
-      if (complex.is_dead(face))
-        continue;
-      const auto [p, q, r] = complex.vertices(face);
-      const float pq = squared_length_of(p, q), qr = squared_length_of(q, r),
-                  rp = squared_length_of(r, p);
-      squared_reach_[p] = std::max({squared_reach_[p], pq, rp});
-      squared_reach_[q] = std::max({squared_reach_[q], pq, qr});
-      squared_reach_[r] = std::max({squared_reach_[r], qr, rp});
-    }
+    for_each_range(threads_of(policies.order), positions_.size(),
+                   [this](const auto& range, std::size_t) { measure_reach(range); });
   }
 
   const std::vector<Position>& positions() const { return positions_; }
@@ -144,10 +137,6 @@ public:
     internal::pack(memories_, vertices);
     internal::pack(is_fixed_, vertices);
     internal::pack(squared_reach_, vertices);
-  }
-  void unpack(const std::vector<Index>& vertices, std::size_t capacity) {
-    internal::unpack(positions_, vertices, capacity);
-    internal::unpack(memories_, vertices, capacity);
   }
 
   /// Gives memory back that only costs need, and unless `keeps_memories` what vertices remember.
@@ -244,6 +233,26 @@ private:
     const auto& [p, q] = two;
     return Lanes{std::max(squared_reach_[p.first], squared_reach_[p.second]),
                  std::max(squared_reach_[q.first], squared_reach_[q.second])};
+  }
+
+  template <class R>
+  void measure_reach(const R& range) {
+    for (Index face = 0; face < complex_.face_capacity(); ++face) {
+      if (complex_.is_dead(face))
+        continue;
+      const auto [p, q, r] = complex_.vertices(face);
+      if (!range.contains(p) && !range.contains(q) && !range.contains(r))
+        continue;
+      const float pq = squared_length_of(p, q), qr = squared_length_of(q, r),
+                  rp = squared_length_of(r, p);
+      const auto reaches = [&](Index v, float a, float b) {
+        if (range.contains(v))
+          squared_reach_[v] = std::max({squared_reach_[v], a, b});
+      };
+      reaches(p, pq, rp);
+      reaches(q, pq, qr);
+      reaches(r, qr, rp);
+    }
   }
 
   // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing

@@ -66,13 +66,14 @@ private:
     explicit Worker(Scratch& s) : scratch(s) {}
 
     Scratch& scratch;
-    Room<Proposal> proposals, sorted;
+    Room<Proposal> proposals, sorted, rest;
   };
 
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
-  static constexpr Index sample_step = 16;
+  static constexpr std::size_t joined_blocks = 8;
+  static constexpr Index sample_step = 32;
   static constexpr std::size_t pairs_per_contraction = 4; // so many find enough that can be done
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
@@ -86,6 +87,15 @@ private:
       propose(blocks_[block], limit, workers_[worker]);
       contract_inside(blocks_[block], workers_[worker]);
     });
+    while (blocks_.size() >= 2 * joined_blocks) {
+      join_blocks();
+      parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
+        workers_[worker].proposals.clear();
+        take_rest(blocks_[block], workers_[worker]);
+        sort(workers_[worker]);
+        contract_inside(blocks_[block], workers_[worker]);
+      });
+    }
     for (Worker& worker : workers_)
       surface_.count(worker.scratch.tally);
     contract_between(workers_.front());
@@ -109,20 +119,23 @@ private:
     }
   }
 
-  // What the pairs of one vertex in 16 cost.
+  // What the pairs of one vertex in 32 cost.
   void sample() {
     parallel_for(threads(), blocks_.size(), [&](std::size_t index, std::size_t worker) {
       Block& block = blocks_[index];
-      for (Index v = block.begin; v < block.end; v += sample_step)
-        surface_.for_each_pair_above(
-            workers_[worker].scratch, v, v + 1,
-            [&](Index, Index, float cost) { block.sample.push_back(cost); });
+      block.sample.reserve(4 * block_size / sample_step); // as a rule there are fewer
+      surface_.for_each_pair_above(workers_[worker].scratch, block.begin, block.end, sample_step,
+                                   [&](Index, Index, float cost) { block.sample.push_back(cost); });
     });
   }
 
   // The share of the pairs costs no more; less at the end, when there are few contractions to go.
   float cost_limit(std::size_t quota) const {
+    std::size_t count = 0;
+    for (const Block& block : blocks_)
+      count += block.sample.size();
     std::vector<float> costs;
+    costs.reserve(count);
     for (const Block& block : blocks_)
       costs.insert(costs.end(), block.sample.begin(), block.sample.end());
     const std::size_t rank =
@@ -145,15 +158,18 @@ private:
     std::size_t all = 1;
     for (const Block& block : blocks_)
       all += cheap_ones(block);
-    for (Block& block : blocks_)
+    for (Block& block : blocks_) {
       block.allowance = quota * cheap_ones(block) / all;
+      block.sample = std::vector<float>(); // gives its memory back
+    }
   }
 
   // The cheap pairs of a block, in the order of their costs.
   void propose(const Block& block, float limit, Worker& worker) {
     Room<Proposal>& proposals = worker.proposals;
     proposals.clear();
-    surface_.for_each_pair_above(worker.scratch, block.begin, block.end,
+    proposals.extend(2 * block_size); // as a rule there are fewer
+    surface_.for_each_pair_above(worker.scratch, block.begin, block.end, 1,
                                  [&](Index v, Index w, float cost) {
                                    proposals.add_if(cost <= limit, {cost, v, w});
                                  });
@@ -178,6 +194,7 @@ private:
   // the end of the pass.
   void contract_inside(Block& block, Worker& worker) {
     const Room<Proposal>& proposals = worker.proposals;
+    worker.rest.clear();
     for (std::size_t i = 0; i < proposals.size(); ++i) {
       const bool is_own = proposals[i].second < block.end; // else another thread may write to it
       if (is_over(proposals[i].first) || (is_own && is_over(proposals[i].second)))
@@ -193,17 +210,39 @@ private:
           continue;
         }
       }
-      block.rest.push_back(proposals[i]);
+      worker.rest.add_if(true, proposals[i]);
     }
+    block.rest.assign(worker.rest.begin(), worker.rest.end());
+  }
+
+  // What crosses the bounds of blocks lies inside of larger ones, for the most part.
+  void join_blocks() {
+    std::vector<Block> joined;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      Block& part = blocks_[i];
+      if (i % joined_blocks == 0)
+        joined.push_back({part.begin, part.end, {}, 0, {}});
+      Block& block = joined.back();
+      block.end = part.end;
+      block.allowance += part.allowance;
+      block.rest.insert(block.rest.end(), part.rest.begin(), part.rest.end());
+      part.rest = std::vector<Proposal>();
+    }
+    blocks_ = std::move(joined);
+  }
+
+  // Appends it to the proposals of a worker.
+  static void take_rest(Block& block, Worker& worker) {
+    const std::vector<Proposal> rest = std::exchange(block.rest, {});
+    std::copy(rest.begin(), rest.end(), worker.proposals.extend(rest.size()));
+    worker.proposals.add(rest.size());
   }
 
   // Counts each at once, so that a target is met as exactly as in greedy order.
   void contract_between(Worker& worker) {
     worker.proposals.clear();
-    for (const Block& block : blocks_) {
-      std::copy(block.rest.begin(), block.rest.end(), worker.proposals.extend(block.rest.size()));
-      worker.proposals.add(block.rest.size());
-    }
+    for (Block& block : blocks_)
+      take_rest(block, worker);
     sort(worker);
     const Room<Proposal>& proposals = worker.proposals;
     for (std::size_t i = 0; i < proposals.size() && !surface_.is_enough(); ++i) {

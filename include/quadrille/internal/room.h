@@ -19,7 +19,7 @@ public:
   /// The place behind the list, for at most `count` values more.
   T* extend(std::size_t count) {
     if (values_.size() < size_ + count)
-      values_.resize(std::max(2 * values_.size(), size_ + count));
+      grow(std::max(values_.size() + values_.size() / 4, size_ + count));
     return values_.data() + size_;
   }
   /// So many of them have been written.
@@ -37,6 +37,12 @@ public:
   const T* data() const { return values_.data(); }
 
 private:
+  [[gnu::noinline]] void grow(std::size_t size) { // seldom
+    if (empty())
+      values_ = std::vector<T>(); // two at a time take more memory
+    values_.resize(size);
+  }
+
   std::vector<T> values_;
   std::size_t size_ = 0;
 };

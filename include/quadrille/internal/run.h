@@ -57,16 +57,16 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   report.vertices_before = input.positions.size();
   report.seconds.read = watch.lap();
 
-  const SpatialOrder spatial_order = ignores_indices<typename Policies::Pairs>
-                                         ? SpatialOrder(input, threads_of(policies.order))
-                                         : SpatialOrder();
-  PairContraction<Policies> surface(std::move(input), policies);
+  const auto box = input.box();
+  if constexpr (ignores_indices<typename Policies::Pairs>)
+    SpatialOrder::apply(input, box, threads_of(policies.order));
+  PairContraction<Policies> surface(std::move(input), box, policies);
   contract(surface, report, watch);
   surface.complete(report);
   surface.release(Tell::asks_for_memories);
   report.seconds.contract = watch.lap();
 
-  report.duplicated_vertices = adapter.write(Result<Policies>(surface, spatial_order), tell);
+  report.duplicated_vertices = adapter.write(Result<Policies>(surface), tell);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;

@@ -22,38 +22,27 @@ namespace quadrille::internal {
 /// waiting. A small or well-ordered surface keeps its numbers.
 class SpatialOrder {
 public:
-  /// The order in which the surface is.
-  SpatialOrder() = default;
-
   /// Renumbers the surface if that is worth it.
   template <std::size_t N>
-  SpatialOrder(SurfaceInput<N>& surface, unsigned threads) {
+  static void apply(SurfaceInput<N>& surface, const Box<N>& box, unsigned threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    rank_ = ranks(sorted_by(curve_keys(surface, threads)));
-    for (auto& [v, w] : surface.creases)
-      v = rank_[v], w = rank_[w];
-    for_each_range(threads, surface.triangles.size(), [&](const auto& range, std::size_t) {
-      for (Index face = range.begin; face < range.end; ++face)
-        for (Index& v : surface.triangles[face])
-          v = rank_[v];
-    });
-    rank_faces(surface.triangles);
-    // The second copy takes the room that the first has left.
-    permute(surface.positions, rank_, threads);
-    permute(surface.triangles, face_rank_, threads);
+    const std::vector<Index>& order = surface.vertex_origins =
+        sorted_by(curve_keys(surface.positions, box, threads));
+    renumber(surface.triangles, ranks(order), threads);
+    sort_faces(surface, threads);
+    permute(surface.positions, order, threads);
     if (!surface.is_fixed.empty())
-      permute(surface.is_fixed, rank_, 1); // of bits, which threads can't write side by side
+      permute(surface.is_fixed, order, 1); // of bits, which threads can't write side by side
   }
 
-  Index vertex_rank(Index vertex) const { return rank_.empty() ? vertex : rank_[vertex]; }
-  Index face_rank(Index face) const { return face_rank_.empty() ? face : face_rank_[face]; }
-
 private:
+  using Triangle = TriangleComplex::Triangle;
+
   static constexpr std::size_t least_vertices = 1 << 12; // what fits into a cache needs no order
 
   // Is the distance of the numbers along an edge that of a good order, a few √n, for most edges?
-  static bool is_coherent(const std::vector<TriangleComplex::Triangle>& triangles) {
+  static bool is_coherent(const std::vector<Triangle>& triangles) {
     constexpr std::size_t samples = 1024;
     constexpr std::int64_t near = 1024;
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / samples);
@@ -64,9 +53,8 @@ private:
   }
 
   template <std::size_t N>
-  static std::vector<std::uint32_t> curve_keys(const SurfaceInput<N>& surface, unsigned threads) {
-    const std::vector<Vector<N>>& positions = surface.positions;
-    const Box<N> box = surface.box();
+  static std::vector<std::uint32_t> curve_keys(const std::vector<Vector<N>>& positions,
+                                               const Box<N>& box, unsigned threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
@@ -110,32 +98,46 @@ private:
     return ranks;
   }
 
-  // Faces come in the order of their lowest vertices.
-  void rank_faces(const std::vector<TriangleComplex::Triangle>& triangles) {
-    const auto lowest = [](const TriangleComplex::Triangle& t) {
-      return std::min({t[0], t[1], t[2]});
-    };
-    std::vector<Index> begin(rank_.size() + 1, 0);
-    for (const auto& triangle : triangles)
+  static void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& rank,
+                       unsigned threads) {
+    for_each_range(threads, triangles.size(), [&](const auto& range, std::size_t) {
+      for (Index face = range.begin; face < range.end; ++face)
+        for (Index& v : triangles[face])
+          v = rank[v];
+    });
+  }
+
+  // By their lowest vertices.
+  template <std::size_t N>
+  static void sort_faces(SurfaceInput<N>& surface, unsigned threads) {
+    const std::vector<Triangle>& triangles = surface.triangles;
+    const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
+    std::vector<Index> begin(surface.positions.size() + 1, 0);
+    for (const Triangle& triangle : triangles)
       ++begin[lowest(triangle) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    face_rank_.reserve(triangles.size());
-    for (const auto& triangle : triangles)
-      face_rank_.push_back(begin[lowest(triangle)]++);
+    std::vector<Triangle> sorted(triangles.size());
+    surface.face_origins.resize(triangles.size());
+    for_each_range(threads, surface.positions.size(), [&](const auto& range, std::size_t) {
+      for (Index face = 0; face < triangles.size(); ++face)
+        if (const Index v = lowest(triangles[face]); range.contains(v)) {
+          const Index place = begin[v]++;
+          sorted[place] = triangles[face];
+          surface.face_origins[place] = face;
+        }
+    });
+    surface.triangles = std::move(sorted);
   }
 
   template <class T>
-  static void permute(std::vector<T>& values, const std::vector<Index>& rank, unsigned threads) {
+  static void permute(std::vector<T>& values, const std::vector<Index>& order, unsigned threads) {
     std::vector<T> permuted(values.size());
     for_each_range(threads, values.size(), [&](const auto& range, std::size_t) {
       for (Index i = range.begin; i < range.end; ++i)
-        permuted[rank[i]] = values[i];
+        permuted[i] = values[order[i]];
     });
     values = std::move(permuted);
   }
-
-  std::vector<Index> rank_;      // of each vertex; empty if nothing changes
-  std::vector<Index> face_rank_; // of each face
 };
 
 } // namespace quadrille::internal

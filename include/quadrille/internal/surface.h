@@ -16,7 +16,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -32,18 +31,21 @@ struct Box {
   /// Of the positions v for which counts(v).
   template <class Counts>
   Box(const std::vector<Vector<N>>& positions, Counts counts) {
-    bool is_first = true;
+    Vector<N> least, greatest; // no members, which would be written each time
+    least.coordinates.fill(std::numeric_limits<double>::max());
+    greatest.coordinates.fill(std::numeric_limits<double>::lowest());
+    bool is_empty = true;
     for (std::size_t v = 0; v < positions.size(); ++v) {
       if (!counts(v))
         continue;
-      const Vector<N>& p = positions[v];
-      if (std::exchange(is_first, false))
-        low = high = p;
+      is_empty = false;
       for (std::size_t i = 0; i < N; ++i) {
-        low[i] = std::min(low[i], p[i]);
-        high[i] = std::max(high[i], p[i]);
+        least[i] = std::min(least[i], positions[v][i]);
+        greatest[i] = std::max(greatest[i], positions[v][i]);
       }
     }
+    if (!is_empty)
+      low = least, high = greatest;
   }
 
   /// Half of the extent: the difference of the halves can't overflow.
@@ -60,8 +62,9 @@ template <std::size_t N>
 struct SurfaceInput {
   std::vector<Vector<N>> positions; ///< with attributes, all in the mesh's units
   std::vector<TriangleComplex::Triangle> triangles;
-  std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
-  std::vector<std::array<Index, 2>> creases; ///< edges that the user named
+  std::vector<Index> vertex_origins, face_origins; ///< see Origins
+  std::vector<bool> is_fixed;                      ///< of each vertex; empty if none is
+  std::vector<std::array<Index, 2>> creases;       ///< edges that the user named
   Topology default_topology = Topology::kept;
   bool has_doubled_faces = false; ///< may it have them? They are dropped then.
 

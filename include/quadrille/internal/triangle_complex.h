@@ -115,16 +115,14 @@ public:
   /// Builds all lists anew, in linear time, each in the order of its faces.
   void build_lists(unsigned threads = 1);
 
-  /// The vertices that have faces, and the faces that are left, in the order of their numbers: what
-  /// pack() is told. In between, no walk is possible.
+  /// The vertices that have faces, in the order of their numbers: what pack() is told. In between,
+  /// no walk is possible.
   std::vector<Index> left_vertices(unsigned threads = 1);
-  std::vector<Index> left_faces() const;
-  /// Leaves out all others, numbers these anew, 0, 1, …, and builds the lists anew.
-  void pack(const std::vector<Index>& vertices, const std::vector<Index>& faces);
-  /// Back to the numbers that those that are left had when there were so many vertices and faces.
-  /// After that no walk is possible.
-  void unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
-              const std::vector<Index>& faces, std::size_t face_capacity);
+  /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
+  /// No walk is possible before fill_lists() is called.
+  void pack(const std::vector<Index>& vertices);
+  /// Fills the lists, of which the sizes are known, each in the order of its faces.
+  void fill_lists(unsigned threads = 1);
 
   /// Gives the memory of the lists back. After that no walk is possible before build_lists();
   /// has_faces() still is.
@@ -167,7 +165,6 @@ private:
   }
 
   void count_corners(unsigned threads); // into the sizes of the lists
-  void fill_lists(unsigned threads);    // of which the sizes are known
 
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
@@ -227,30 +224,14 @@ inline std::vector<Index> TriangleComplex::left_vertices(unsigned threads) {
   return indices_of(lists_, [](const List& list) { return list.size != 0; });
 }
 
-inline std::vector<Index> TriangleComplex::left_faces() const {
-  return indices_of(faces_, [](const Triangle& face) { return face[0] != none; });
-}
-
-inline void TriangleComplex::pack(const std::vector<Index>& vertices,
-                                  const std::vector<Index>& faces) {
+inline void TriangleComplex::pack(const std::vector<Index>& vertices) {
   for (Index v = 0; v < vertices.size(); ++v)
     lists_[vertices[v]].begin = v;
-  internal::pack(faces_, faces);
+  std::erase_if(faces_, [](const Triangle& face) { return face[0] == none; });
   for (Triangle& face : faces_)
     for (Index& v : face)
       v = lists_[v].begin;
   internal::pack(lists_, vertices); // with the sizes that left_vertices() has counted
-  fill_lists(1);
-}
-
-inline void TriangleComplex::unpack(const std::vector<Index>& vertices, std::size_t vertex_capacity,
-                                    const std::vector<Index>& faces, std::size_t face_capacity) {
-  for (Triangle& face : faces_)
-    if (face[0] != none)
-      for (Index& v : face)
-        v = vertices[v];
-  internal::unpack(faces_, faces, face_capacity, {none, none, none});
-  internal::unpack(lists_, vertices, vertex_capacity, List{});
 }
 
 } // namespace quadrille::internal
