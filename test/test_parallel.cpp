@@ -66,6 +66,28 @@ TEST_CASE("So does it where blocks are so many that they are joined") {
   }
 }
 
+TEST_CASE("And where topology is free, with borders, out of order") {
+  const Mesh input =
+      test::make_mesh(test::shuffled(test::with_noise(test::grid(290, 290), 1, 1e-3), 1));
+  const double ratio = GENERATE(0.93, 0.3);
+  Soup of_one;
+  for (unsigned threads : {1u, 2u, 3u}) {
+    CAPTURE(ratio, threads);
+    Mesh mesh = input;
+    const Report report = simplify<Quadric, OptimalPlacement>(
+        mesh, FaceRatio{ratio}, Topology::free, RelaxedOrder{.threads = threads});
+    const auto target =
+        static_cast<std::size_t>(ratio * static_cast<double>(input.number_of_faces()));
+    CHECK(report.faces_after <= target + 1);
+    CHECK(report.faces_after >= target - 1);
+    const Soup soup = test::to_soup(mesh);
+    if (threads == 1)
+      of_one = soup;
+    REQUIRE(soup.points == of_one.points);
+    REQUIRE(soup.triangles == of_one.triangles);
+  }
+}
+
 TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was") {
   Mesh mesh = read_model("bunny00");
   const Soup before = test::to_soup(mesh);

@@ -8,7 +8,6 @@
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,14 +57,8 @@ private:
   // To the vertices of a range.
   template <class R>
   void add_faces(const R& range) {
-    for (Index face = 0; face < complex_.face_capacity(); ++face) {
-      if (complex_.is_dead(face))
-        continue;
-      const TriangleComplex::Triangle& corners = complex_.vertices(face);
-      const auto is_in_range = [&](Index v) { return range.contains(v); };
-      if (std::any_of(corners.begin(), corners.end(), is_in_range))
-        add_face(corners, range);
-    }
+    complex_.for_each_face_at(
+        range, [&](const TriangleComplex::Triangle& corners) { this->add_face(corners, range); });
   }
 
   template <class R>

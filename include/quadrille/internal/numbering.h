@@ -18,32 +18,30 @@ public:
   Origins(std::size_t count, std::vector<Index> of) : of_(std::move(of)), first_count_(count) {}
 
   std::size_t first_count() const { return first_count_; }
-  Index operator[](Index number) const { return of_.empty() ? number : of_[number]; }
-  /// The numbers now; `none` for what has been left out.
-  std::vector<Index> inverse() const {
-    std::vector<Index> numbers(first_count_, none);
-    const std::size_t count = of_.empty() ? first_count_ : of_.size();
-    for (Index i = 0; i < count; ++i)
-      numbers[(*this)[i]] = i;
-    return numbers;
+  Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
+  /// The other way round: the number of each origin; `none` for what has been left out.
+  Origins inverse() const {
+    return {first_count_, is_identity() ? of_ : places(of_, first_count_)};
   }
+  bool is_identity() const { return of_.empty(); }
 
   /// Leaves out those that are not among `left`, ascending numbers and at least one.
   void pack(std::vector<Index> left) {
-    if (of_.empty())
+    if (is_identity())
       of_ = std::move(left);
     else
       internal::pack(of_, left);
   }
-  /// Leaves out those for which is_left(number) is false.
+  /// Leaves out those for which is_left(number) is false; at least one is left.
   template <class IsLeft>
   void pack_if(IsLeft is_left) {
-    if (of_.empty()) {
+    if (is_identity()) {
       of_.resize(first_count_);
       std::iota(of_.begin(), of_.end(), 0);
     }
     internal::pack_if(of_, is_left);
   }
+  void shrink_to_fit() { of_.shrink_to_fit(); }
 
 private:
   std::vector<Index> of_;
@@ -70,7 +68,7 @@ public:
   }
 
   void use_origins() {
-    if (std::exchange(is_by_origins_, true))
+    if (std::exchange(is_by_origins_, true) || vertices.is_identity())
       return;
     std::vector<Index> by_origins(merged_into_.size(), none);
     for (Index v = 0; v < merged_into_.size(); ++v)

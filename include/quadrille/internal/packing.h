@@ -46,6 +46,14 @@ void pack(Values& values, const std::vector<Index>& left) {
   values.resize(left.size());
 }
 
+/// Where in a list each number below `count` is; `none` for those that are not there.
+inline std::vector<Index> places(const std::vector<Index>& numbers, std::size_t count) {
+  std::vector<Index> places(count, none);
+  for (Index i = 0; i < numbers.size(); ++i)
+    places[numbers[i]] = i;
+  return places;
+}
+
 } // namespace quadrille::internal
 
 #endif // QUADRILLE_INTERNAL_PACKING_H

@@ -264,13 +264,15 @@ public:
   }
 
   /// Gives memory back that only contractions need, and unless `keeps_memories` what vertices
-  /// remember.
-  void release(bool keeps_memories) {
-    complex_.release_corners();
+  /// remember, and returns the numbering.
+  Numbering release(bool keeps_memories) {
+    complex_.release();
     costs_.release(keeps_memories);
     scratches_.clear();
-    numbering_.use_origins();
     distances_ = DistanceBounds(0);
+    numbering_.use_origins();
+    numbering_.vertices.shrink_to_fit();
+    return std::move(numbering_);
   }
 
   const Status& status() const { return progress_.status; }
@@ -283,7 +285,6 @@ public:
   Scratch& scratch() { return scratches_.front(); }
 
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
-  const Numbering& numbering() const { return numbering_; }
   /// Had the surface no border, nor will it have one?
   bool is_closed() const { return is_topology_kept_ && link_condition_.is_closed(); }
   bool is_moved(Index v) const { return is_moved_[v] != 0; }
@@ -389,7 +390,7 @@ private:
   void remember() {
     std::vector<std::array<Index, 2>> creases;
     if (!creases_.empty()) {
-      const std::vector<Index> numbers = numbering_.vertices.inverse();
+      const Origins numbers = numbering_.vertices.inverse();
       for (const auto& [v, w] : creases_)
         if (const Index p = numbers[v], q = numbers[w]; p != none && q != none)
           creases.push_back({p, q}); // else it has lost its faces

@@ -43,7 +43,7 @@ public:
       : policies_(policies), complex_(complex), positions_(std::move(positions)),
         is_fixed_(std::move(is_fixed)), squared_reach_(positions_.size(), 0) {
     for_each_range(threads_of(policies.order), positions_.size(),
-                   [this](const auto& range, std::size_t) { measure_reach(range); });
+                   [this](const auto& range, std::size_t) { this->measure_reach(range); });
   }
 
   const std::vector<Position>& positions() const { return positions_; }
@@ -143,6 +143,7 @@ public:
   void release(bool keeps_memories) {
     current_ = {};
     squared_reach_ = std::vector<float>();
+    positions_.shrink_to_fit();
     if (!keeps_memories)
       memories_ = std::vector<Memory>();
   }
@@ -237,12 +238,8 @@ private:
 
   template <class R>
   void measure_reach(const R& range) {
-    for (Index face = 0; face < complex_.face_capacity(); ++face) {
-      if (complex_.is_dead(face))
-        continue;
-      const auto [p, q, r] = complex_.vertices(face);
-      if (!range.contains(p) && !range.contains(q) && !range.contains(r))
-        continue;
+    complex_.for_each_face_at(range, [&](const TriangleComplex::Triangle& corners) {
+      const auto [p, q, r] = corners;
       const float pq = squared_length_of(p, q), qr = squared_length_of(q, r),
                   rp = squared_length_of(r, p);
       const auto reaches = [&](Index v, float a, float b) {
@@ -252,7 +249,7 @@ private:
       reaches(p, pq, rp);
       reaches(q, pq, qr);
       reaches(r, qr, rp);
-    }
+    });
   }
 
   // The reach of a vertex stays as it is while others move: the cost of a pair depends on nothing

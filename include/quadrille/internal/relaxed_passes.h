@@ -191,7 +191,7 @@ private:
   }
 
   // The proposals whose stars lie inside of the block, as many as it may; the others are left for
-  // the end of the pass.
+  // larger blocks, or the end of the pass.
   void contract_inside(Block& block, Worker& worker) {
     const Room<Proposal>& proposals = worker.proposals;
     worker.rest.clear();

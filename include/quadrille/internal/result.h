@@ -8,7 +8,7 @@
 
 #include <concepts>
 #include <cstddef>
-#include <vector>
+#include <utility>
 
 namespace quadrille::internal {
 
@@ -16,12 +16,13 @@ namespace quadrille::internal {
 template <class Policies>
 class Result {
 public:
-  explicit Result(const PairContraction<Policies>& surface)
-      : surface_(surface), vertices_(surface.numbering().vertices.inverse()),
-        faces_(surface.numbering().faces.inverse()) {}
+  Result(const PairContraction<Policies>& surface, Numbering numbering)
+      : surface_(surface), numbering_(std::move(numbering)),
+        vertices_(numbering_.vertices.inverse()),
+        faces_(std::exchange(numbering_.faces, Origins(0, {})).inverse()) {}
 
-  std::size_t vertex_count() const { return vertices_.size(); }
-  std::size_t face_count() const { return faces_.size(); }
+  std::size_t vertex_count() const { return vertices_.first_count(); }
+  std::size_t face_count() const { return faces_.first_count(); }
 
   /// Those that are left.
   std::size_t count_faces() const { return complex().live_faces(); }
@@ -31,7 +32,7 @@ public:
   /// Each as image() tells it.
   TriangleComplex::Triangle corners(Index face) const {
     const auto [a, b, c] = complex().vertices(faces_[face]);
-    const Origins& origins = surface_.numbering().vertices;
+    const Origins& origins = numbering_.vertices;
     return {origins[a], origins[b], origins[c]};
   }
 
@@ -40,7 +41,7 @@ public:
   }
   bool is_closed() const { return surface_.is_closed(); }
   /// What a vertex has become part of.
-  Index image(Index v) const { return surface_.numbering().image(v); }
+  Index image(Index v) const { return numbering_.image(v); }
   /// Of a vertex that is left.
   bool is_moved(Index v) const { return surface_.is_moved(vertices_[v]); }
   /// With attributes, in the units of the mesh.
@@ -59,7 +60,8 @@ private:
   const TriangleComplex& complex() const { return surface_.complex(); }
 
   const PairContraction<Policies>& surface_;
-  std::vector<Index> vertices_, faces_; // the engine's numbers; none of what has been left out
+  Numbering numbering_;
+  Origins vertices_, faces_; // the other way round: the engine's numbers
 };
 
 } // namespace quadrille::internal

@@ -63,10 +63,10 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   PairContraction<Policies> surface(std::move(input), box, policies);
   contract(surface, report, watch);
   surface.complete(report);
-  surface.release(Tell::asks_for_memories);
+  Numbering numbering = surface.release(Tell::asks_for_memories);
   report.seconds.contract = watch.lap();
 
-  report.duplicated_vertices = adapter.write(Result<Policies>(surface), tell);
+  report.duplicated_vertices = adapter.write(Result<Policies>(surface, std::move(numbering)), tell);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;

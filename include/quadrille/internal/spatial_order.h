@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_SPATIAL_ORDER_H
 
 #include <quadrille/internal/digit_sort.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -29,7 +30,7 @@ public:
       return;
     const std::vector<Index>& order = surface.vertex_origins =
         sorted_by(curve_keys(surface.positions, box, threads));
-    renumber(surface.triangles, ranks(order), threads);
+    renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
     permute(surface.positions, order, threads);
     if (!surface.is_fixed.empty())
@@ -89,13 +90,6 @@ private:
       order.swap(next);
     }
     return order;
-  }
-
-  static std::vector<Index> ranks(const std::vector<Index>& order) {
-    std::vector<Index> ranks(order.size());
-    for (Index i = 0; i < order.size(); ++i)
-      ranks[order[i]] = i;
-    return ranks;
   }
 
   static void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& rank,

@@ -89,6 +89,15 @@ public:
         visit(corner >> 2, corner & 3);
   }
 
+  /// Calls visit(vertices) for each live face that has a vertex in a range.
+  template <class R, class Visit>
+  void for_each_face_at(const R& range, Visit visit) const {
+    const auto is_in_range = [&](Index v) { return range.contains(v); };
+    for (const Triangle& face : faces_)
+      if (face[0] != none && std::any_of(face.begin(), face.end(), is_in_range))
+        visit(face);
+  }
+
   void kill(Index face) { faces_[face] = {none, none, none}; }
 
   /// Moves all faces of `gone` to `kept`. The caller kills those that hold both.
@@ -124,9 +133,13 @@ public:
   /// Fills the lists, of which the sizes are known, each in the order of its faces.
   void fill_lists(unsigned threads = 1);
 
-  /// Gives the memory of the lists back. After that no walk is possible before build_lists();
-  /// has_faces() still is.
-  void release_corners() { pool_ = std::vector<Index>(); }
+  /// Gives memory back: of the lists, and of what has been left out. After that no walk is
+  /// possible; has_faces() still is.
+  void release() {
+    pool_ = std::vector<Index>();
+    faces_.shrink_to_fit();
+    lists_.shrink_to_fit();
+  }
 
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
   /// where its corners are, the corners, the faces.
