@@ -6,8 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstddef>
+#include <initializer_list>
 #include <stdexcept>
-#include <string>
 
 namespace {
 
@@ -20,72 +21,68 @@ struct Throwing {
   bool allows(const auto&) const { throw std::runtime_error("no"); }
 };
 
+// Simplifies copies of a mesh by simplify_by(mesh, threads), with each number of threads.
+template <class SimplifyBy>
+void require_same(const Mesh& input, std::initializer_list<unsigned> numbers_of_threads,
+                  SimplifyBy simplify_by) {
+  Soup of_one;
+  std::size_t rejections = 0;
+  for (unsigned threads : numbers_of_threads) {
+    CAPTURE(threads);
+    Mesh mesh = input;
+    const Report report = simplify_by(mesh, threads);
+    const Soup soup = test::to_soup(mesh);
+    if (threads == 1) {
+      of_one = soup;
+      rejections = report.rejected(Rejection::normal_flip);
+    }
+    REQUIRE(soup.points == of_one.points);
+    REQUIRE(soup.triangles == of_one.triangles);
+    REQUIRE(report.rejected(Rejection::normal_flip) == rejections);
+  }
+}
+
 } // namespace
 
 TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "", Quadric,
                    MemorylessQuadric) {
-  for (const char* name : {"bunny00", "refined_elephant", "nefertiti"}) {
-    const Mesh input = read_model(name);
+  for (const char* name : {"bunny00", "refined_elephant", "nefertiti"})
     for (bool refresh : {false, true}) {
-      Soup of_one;
-      std::size_t rejections = 0;
-      for (unsigned threads : {1u, 2u, 3u, 8u}) {
-        CAPTURE(name, refresh, threads);
-        Mesh mesh = input;
-        const Report report = simplify<TestType, OptimalPlacement>(
+      CAPTURE(name, refresh);
+      require_same(read_model(name), {1, 2, 3, 8}, [&](Mesh& mesh, unsigned threads) {
+        return simplify<TestType, OptimalPlacement>(
             mesh, FaceRatio{0.1}, RelaxedOrder{.refresh = refresh, .threads = threads});
-        const Soup soup = test::to_soup(mesh);
-        if (threads == 1) {
-          of_one = soup;
-          rejections = report.rejected(Rejection::normal_flip);
-        }
-        REQUIRE(soup.points == of_one.points);
-        REQUIRE(soup.triangles == of_one.triangles);
-        REQUIRE(report.rejected(Rejection::normal_flip) == rejections);
-      }
+      });
     }
-  }
 }
 
 TEST_CASE("So does it where blocks are so many that they are joined") {
   const Mesh input = test::make_mesh(test::with_noise(test::torus(400, 200), 1, 1e-3));
   REQUIRE(input.number_of_vertices() == 80000);
   const std::size_t target = GENERATE(30000, 150000); // the second in one pass
-  Soup of_one;
-  for (unsigned threads : {1u, 2u, 3u}) {
-    CAPTURE(target, threads);
-    Mesh mesh = input;
+  CAPTURE(target);
+  require_same(input, {1, 2, 3}, [&](Mesh& mesh, unsigned threads) {
     const Report report = simplify<Quadric, OptimalPlacement>(mesh, FaceCount{target},
                                                               RelaxedOrder{.threads = threads});
     CHECK(report.faces_after == target);
-    const Soup soup = test::to_soup(mesh);
-    if (threads == 1)
-      of_one = soup;
-    REQUIRE(soup.points == of_one.points);
-    REQUIRE(soup.triangles == of_one.triangles);
-  }
+    return report;
+  });
 }
 
 TEST_CASE("And where topology is free, with borders, out of order") {
   const Mesh input =
       test::make_mesh(test::shuffled(test::with_noise(test::grid(290, 290), 1, 1e-3), 1));
   const double ratio = GENERATE(0.93, 0.3);
-  Soup of_one;
-  for (unsigned threads : {1u, 2u, 3u}) {
-    CAPTURE(ratio, threads);
-    Mesh mesh = input;
+  const auto target =
+      static_cast<std::size_t>(ratio * static_cast<double>(input.number_of_faces()));
+  CAPTURE(ratio);
+  require_same(input, {1, 2, 3}, [&](Mesh& mesh, unsigned threads) {
     const Report report = simplify<Quadric, OptimalPlacement>(
         mesh, FaceRatio{ratio}, Topology::free, RelaxedOrder{.threads = threads});
-    const auto target =
-        static_cast<std::size_t>(ratio * static_cast<double>(input.number_of_faces()));
     CHECK(report.faces_after <= target + 1);
     CHECK(report.faces_after >= target - 1);
-    const Soup soup = test::to_soup(mesh);
-    if (threads == 1)
-      of_one = soup;
-    REQUIRE(soup.points == of_one.points);
-    REQUIRE(soup.triangles == of_one.triangles);
-  }
+    return report;
+  });
 }
 
 TEST_CASE("What a policy throws in a thread comes out, and the mesh is as it was") {

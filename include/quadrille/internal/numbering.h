@@ -67,6 +67,7 @@ public:
     internal::prefetch(&merged_into_[is_by_origins_ ? vertices[v] : v]);
   }
 
+  /// All merges are told by origins from here on, those before as well.
   void use_origins() {
     if (std::exchange(is_by_origins_, true) || vertices.is_identity())
       return;
