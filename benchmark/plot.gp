@@ -30,7 +30,7 @@ set key outside right center vertical reverse Left spacing 1.3 noenhanced
 
 # Ours are filled circles in warm colours; the marks of the others differ from each other.
 is_ours(i) = name[i][1:9] eq "Quadrille"
-colour(i) = is_ours(i) ? word("#d7191c #e66101 #e6a700 #c51b7d #8c510a", i) \
+colour(i) = is_ours(i) ? word("#d7191c #e66101 #f4a582 #e6a700 #c51b7d #8c510a", i) \
                        : name[i][1:4] eq "CGAL" ? "#2166ac" : "#4d9221"
 mark(i) = is_ours(i) ? 7 : int(word("1 2 3 4 6 8 10 12 5 9 11 13 14", (i - 1) % 13 + 1))
 plot for [i=1:contenders] table every ::i-1::i-1 \

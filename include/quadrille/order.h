@@ -13,7 +13,17 @@ namespace quadrille {
 /// floats; equal ones by the indices of the vertices. Of a vertex of more than 64 faces only the
 /// cheapest pairs take part at first, the others when these are done, so that it does not take the
 /// square of its faces at every contraction.
-struct GreedyOrder {};
+struct GreedyOrder {
+  /// For costs that look at the surface as it is now (MemorylessQuadric, ThinFeatureQuadric): after
+  /// each contraction, cost the pairs of the neighbouring vertices anew as well, since the faces
+  /// around them have changed. Without it, a pair that has become dearer is found to be so when its
+  /// turn comes, but one that has become cheaper waits for too long. Takes twice the time and more,
+  /// for an error that is lower by 2 % at a million noisy faces, by less on smaller surfaces.
+  ///
+  /// Source: the update of Lindstrom and Turk, Fast and Memory Efficient Polygonal Simplification,
+  /// 1998, section 3.
+  bool eager = false;
+};
 
 /// Passes over the surface instead of a queue: all pairs are costed, and the cheapest of them
 /// contracted where neither end has been contracted in this pass. Parallel, and close to the error

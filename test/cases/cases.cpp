@@ -85,6 +85,8 @@ Call make_call(Bytes& bytes, std::size_t faces) {
     call.cancel_at = 1 + bytes.below(32);
   if (call.cost == CostName::memoryless && bytes.one_in(2))
     call.cost = CostName::thin_feature;
+  const bool is_current = call.cost == CostName::memoryless || call.cost == CostName::thin_feature;
+  call.eager = is_current && !call.relaxed && bytes.one_in(2);
   return call;
 }
 
@@ -271,6 +273,8 @@ std::ostream& operator<<(std::ostream& out, const Call& call) {
   if (call.relaxed)
     out << ", relaxed order, share " << call.relaxed->share << ", refresh "
         << call.relaxed->refresh;
+  if (call.eager)
+    out << ", eager order";
   return out << ", topology " << (call.topology == Topology::kept ? "kept" : "free")
              << ", normals turn by " << call.flip_degrees << " degrees, shape " << call.shape
              << ", degree " << call.degree << ", cancelled at call " << call.cancel_at;

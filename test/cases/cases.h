@@ -91,6 +91,7 @@ struct Call {
   double threshold = 0; ///< of the ThresholdPairs; 0 is the same as EdgePairs
   AnyStop stop;
   std::optional<quadrille::RelaxedOrder> relaxed; ///< GreedyOrder without it
+  bool eager = false;                             ///< that
   quadrille::Topology topology = quadrille::Topology::free;
   double flip_degrees = 90;
   double shape = 0;

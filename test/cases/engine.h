@@ -57,7 +57,8 @@ quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify s
                     quadrille::NormalFlip(call.flip_degrees), quadrille::TriangleShape(call.shape),
                     quadrille::HighestDegree(call.degree));
   };
-  return call.relaxed ? with_order(*call.relaxed) : with_order(quadrille::GreedyOrder{});
+  return call.relaxed ? with_order(*call.relaxed)
+                      : with_order(quadrille::GreedyOrder{.eager = call.eager});
 }
 
 // The attributes that a cost looks at, or the colours beside one that looks at none.

@@ -5,9 +5,11 @@
 #include <quadrille/internal/pair_queue.h>
 #include <quadrille/internal/parked_pairs.h>
 #include <quadrille/internal/star.h>
+#include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,8 +22,9 @@ namespace quadrille::internal {
 /// satisfied. Costs are compared as floats; equal ones by the lower, then by the higher index of
 /// the pair.
 ///
-/// A contraction changes the costs of the pairs at its vertex and of no others. A pair that is
-/// refused waits until a vertex of a face at one of its ends has moved.
+/// A contraction changes the costs of the pairs at its vertex, and of no others but for costs that
+/// look at the surface as it is now: see GreedyOrder::eager. A pair that is refused waits until a
+/// vertex of a face at one of its ends has moved.
 ///
 /// Looking at a pair takes time in proportion to the faces at its ends. So that a vertex of d faces
 /// costs no more than about d² in all, a change beside it brings back only as many of its pairs as
@@ -179,6 +182,34 @@ private:
       if (are_edges)
         release_parked(partner);
     });
+    if (is_eager())
+      push_around(kept);
+  }
+
+  // Does a contraction change what the pairs of neighbours cost, and are they to be told at once?
+  bool is_eager() const {
+    if constexpr (asks_for_current<typename Policies::Cost> &&
+                  std::same_as<typename Policies::Order, GreedyOrder>)
+      return surface_.policies().order.eager;
+    else
+      return false;
+  }
+
+  // The pairs of the neighbours of a vertex that has just been contracted, each once, but its own.
+  void push_around(Index v) {
+    ring_.clear();
+    surface_.complex().for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = PairStar::star_face(surface_.complex(), face, i);
+      for (Index w : {f.second, f.third})
+        if (stamp_[w] != time_ && surface_.complex().degree_bound(w) <= few_faces) {
+          stamp_[w] = time_;
+          ring_.push_back(w);
+        }
+    });
+    surface_.for_each_pair_of(
+        scratch_, ring_,
+        [&](Index w, Index x) -> bool { return (x != v) & ((stamp_[x] != time_) | (w < x)); },
+        [&](Index w, Index x, float cost) { push(w, x, cost); });
   }
 
   // Of a vertex of many faces. Its other pairs wait as if they were refused.
@@ -248,11 +279,12 @@ private:
 
   PairContraction<Policies>& surface_;
   Scratch& scratch_;
-  std::vector<std::uint32_t> stamp_; // of each vertex: when it was last contracted
+  std::vector<std::uint32_t> stamp_; // of each vertex: since when the costs of its pairs hold
   std::uint32_t time_ = 0;           // contractions so far
   PairQueue queue_;
   ParkedPairs parked_;
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: cost and partner
+  std::vector<Index> ring_;                        // neighbours of a contracted vertex
   std::vector<Index> waiting_;                     // vertices with pairs that were left behind
   std::uint32_t time_to_release_ = 0;              // these
   std::vector<QueuedPair> overshooting_;           // pairs that would go beyond the target

@@ -208,9 +208,19 @@ public:
   void for_each_pair(Scratch& scratch, Index v, Visit visit) {
     scratch.pairs.clear();
     find_pairs(scratch, v, 0);
-    costs_.evaluate_all(scratch);
-    for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
-      visit(scratch.pairs[i].second, scratch.costs[i]);
+    visit_found(scratch, [&](Index, Index w, float cost) { visit(w, cost); });
+  }
+
+  /// Calls visit(v, w, cost) for each pair of a vertex v of `vertices` with another vertex w for
+  /// which is_wanted(v, w) holds.
+  template <class IsWanted, class Visit>
+  void for_each_pair_of(Scratch& scratch, const std::vector<Index>& vertices, IsWanted is_wanted,
+                        Visit visit) {
+    scratch.pairs.clear();
+    for (Index v : vertices)
+      find_pairs(scratch, v, 0);
+    scratch.pairs.keep_if([&](const VertexPair& p) { return is_wanted(p.first, p.second); });
+    visit_found(scratch, visit);
   }
 
   /// Calls visit(v, w, cost) for each pair of a vertex v = begin, begin + step, … below `end` with
@@ -222,9 +232,7 @@ public:
       scratch.pairs.clear();
       for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v))
         find_pairs(scratch, v, v + 1);
-      costs_.evaluate_all(scratch);
-      for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
-        visit(scratch.pairs[i].first, scratch.pairs[i].second, scratch.costs[i]);
+      visit_found(scratch, visit);
     }
   }
 
@@ -378,6 +386,14 @@ private:
 
   void find_pairs(Scratch& scratch, Index v, Index least) {
     pairs_.find(scratch, v, least, is_topology_kept_ && link_condition_.is_oriented(v));
+  }
+
+  // The pairs in the scratch, with what they cost.
+  template <class Visit>
+  void visit_found(Scratch& scratch, Visit visit) {
+    costs_.evaluate_all(scratch);
+    for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
+      visit(scratch.pairs[i].first, scratch.pairs[i].second, scratch.costs[i]);
   }
 
   std::size_t count_vertices() const {

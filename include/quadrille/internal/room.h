@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -28,6 +29,16 @@ public:
   void add_if(bool stays, const T& value) {
     *extend(1) = value;
     add(stays);
+  }
+
+  /// Leaves those for which stays(value) holds, in their order.
+  template <class Stays>
+  void keep_if(Stays stays) {
+    const std::size_t count = std::exchange(size_, 0);
+    for (std::size_t i = 0; i < count; ++i) { // without a branch: it is hard to guess
+      values_[size_] = values_[i];
+      size_ += stays(values_[i]);
+    }
   }
 
   const T& operator[](std::size_t i) const { return values_[i]; }
