@@ -37,6 +37,10 @@ struct MemorylessQuadric {
   Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
   static constexpr bool face_is_alike_at_corners = true;
 
+  /// A pair that has become dearer while it waited, but by no more than this factor, is contracted
+  /// all the same: to send it back takes time, and the error is no lower for it.
+  static constexpr double tolerated_rise = 1.1;
+
   /// What the faces around a vertex say now, about the vertex, through which all their planes go.
   struct Current {
     SymmetricMatrix<3> matrix; ///< of the planes

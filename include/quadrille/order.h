@@ -16,7 +16,7 @@ namespace quadrille {
 struct GreedyOrder {
   /// For costs that look at the surface as it is now (MemorylessQuadric, ThinFeatureQuadric): after
   /// each contraction, cost the pairs of the neighbouring vertices anew as well, since the faces
-  /// around them have changed. Without it, a pair that has become dearer is found to be so when its
+  /// around them have changed. Without it, a pair that has become dearer goes back when its
   /// turn comes, but one that has become cheaper waits for too long. Takes twice the time and more,
   /// for an error that is lower by 2 % at a million noisy faces, by less on smaller surfaces.
   ///

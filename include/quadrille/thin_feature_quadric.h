@@ -19,7 +19,7 @@ namespace quadrille {
 ///
 ///     C(x) + loss_weight · max(0, Q(x) − Qa(a) − Qb(b) − 3 (loss_tolerance · A)²)
 ///
-/// Neither factor has a unit. Where nothing is lost the result is that of MemorylessQuadric, and so
+/// Neither factor has a unit. Where nothing is lost the cost is that of MemorylessQuadric, and so
 /// is the position of least cost everywhere. Takes 10 to 15 % more time than it and 88 bytes
 /// more a vertex. With RelaxedOrder::refresh vertices remember no more than the last pass.
 ///
@@ -28,6 +28,8 @@ namespace quadrille {
 struct ThinFeatureQuadric : MemorylessQuadric {
   double loss_weight = 3;       ///< at least 0
   double loss_tolerance = 0.15; ///< at least 0; more: only larger losses count
+
+  static constexpr double tolerated_rise = 1; ///< with more, some legs are lost
 
   struct Memory {
     QuadricForm<3> planes;

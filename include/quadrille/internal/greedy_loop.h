@@ -98,7 +98,9 @@ private:
   // A cost that looks at the surface as it is can change while a pair waits.
   bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
     if constexpr (asks_for_current<typename Policies::Cost>)
-      return static_cast<float>(candidate.cost) > pair.cost && !is_last_resort_;
+      return static_cast<float>(candidate.cost) >
+                 tolerated_rise<typename Policies::Cost> * pair.cost &&
+             !is_last_resort_;
     else
       return false;
   }

@@ -17,6 +17,16 @@ concept asks_for_current = requires {
   typename Cost::Current;
 };
 
+/// How many times as dear as it was a pair may have become while it waited, and still be
+/// contracted.
+template <class Cost>
+inline constexpr float tolerated_rise = 1;
+template <class Cost>
+requires requires {
+  Cost::tolerated_rise;
+}
+inline constexpr float tolerated_rise<Cost> = static_cast<float>(Cost::tolerated_rise);
+
 struct NoCurrent {};
 
 template <class Cost>
