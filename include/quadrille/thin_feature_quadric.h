@@ -20,7 +20,7 @@ namespace quadrille {
 ///     C(x) + loss_weight · max(0, Q(x) − Qa(a) − Qb(b) − 3 (loss_tolerance · A)²)
 ///
 /// Neither factor has a unit. Where nothing is lost the cost is that of MemorylessQuadric, and so
-/// is the position of least cost everywhere. Takes 10 to 15 % more time than it and 88 bytes
+/// is the position of least cost everywhere. Takes 13 to 21 % more time than it and 88 bytes
 /// more a vertex. With RelaxedOrder::refresh vertices remember no more than the last pass.
 ///
 /// As with MemorylessQuadric the error in Status and Report is that of single contractions; a loss
