@@ -120,6 +120,8 @@ TEST_CASE("Without a weight of losses, costs are memoryless ones") {
                        simplified(mesh, MemorylessQuadric{}, stop, eager)));
     CHECK_FALSE(is_identical(simplified(mesh, with_loss(3, 0), stop, eager),
                              simplified(mesh, MemorylessQuadric{}, stop, eager)));
+    CHECK_FALSE(is_identical(simplified(mesh, with_loss(0, 0.15), stop), // tolerates no rise
+                             simplified(mesh, MemorylessQuadric{}, stop)));
     const auto in_passes = [&](const auto& cost) {
       const ThreePasses visitor;
       return simplified(mesh, cost, stop, RelaxedOrder{}, CGAL::parameters::visitor(visitor));

@@ -188,7 +188,7 @@ private:
       push_around(kept);
   }
 
-  // Does a contraction change what the pairs of neighbours cost, and are they to be told at once?
+  // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
   bool is_eager() const {
     if constexpr (asks_for_current<typename Policies::Cost> &&
                   std::same_as<typename Policies::Order, GreedyOrder>)
