@@ -48,6 +48,7 @@ public:
   }
 
 private:
+  using Cost = typename Policies::Cost;
   using Candidate = typename PairContraction<Policies>::Candidate;
 
   static constexpr std::uint32_t dead = ~std::uint32_t{0};
@@ -97,9 +98,8 @@ private:
 
   // A cost that looks at the surface as it is can change while a pair waits.
   bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
-    if constexpr (asks_for_current<typename Policies::Cost>)
-      return static_cast<float>(candidate.cost) >
-                 tolerated_rise<typename Policies::Cost> * pair.cost &&
+    if constexpr (asks_for_current<Cost>)
+      return static_cast<float>(candidate.cost) > tolerated_rise<Cost> * pair.cost &&
              !is_last_resort_;
     else
       return false;
@@ -190,8 +190,7 @@ private:
 
   // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
   bool is_eager() const {
-    if constexpr (asks_for_current<typename Policies::Cost> &&
-                  std::same_as<typename Policies::Order, GreedyOrder>)
+    if constexpr (asks_for_current<Cost> && std::same_as<typename Policies::Order, GreedyOrder>)
       return surface_.policies().order.eager;
     else
       return false;

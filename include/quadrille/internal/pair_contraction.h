@@ -216,10 +216,11 @@ public:
   template <class IsWanted, class Visit>
   void for_each_pair_of(Scratch& scratch, const std::vector<Index>& vertices, IsWanted is_wanted,
                         Visit visit) {
-    scratch.pairs.clear();
+    Room<VertexPair>& pairs = scratch.pairs;
+    pairs.clear();
     for (Index v : vertices)
       find_pairs(scratch, v, 0);
-    scratch.pairs.keep_if([&](const VertexPair& p) { return is_wanted(p.first, p.second); });
+    pack_if(pairs, [&](Index i) { return is_wanted(pairs[i].first, pairs[i].second); });
     visit_found(scratch, visit);
   }
 

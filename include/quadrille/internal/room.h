@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -31,16 +30,10 @@ public:
     add(stays);
   }
 
-  /// Leaves those for which stays(value) holds, in their order.
-  template <class Stays>
-  void keep_if(Stays stays) {
-    const std::size_t count = std::exchange(size_, 0);
-    for (std::size_t i = 0; i < count; ++i) { // without a branch: it is hard to guess
-      values_[size_] = values_[i];
-      size_ += stays(values_[i]);
-    }
-  }
+  /// To no more than it has.
+  void resize(std::size_t size) { size_ = size; }
 
+  T& operator[](std::size_t i) { return values_[i]; }
   const T& operator[](std::size_t i) const { return values_[i]; }
   const T& front() const { return values_.front(); }
   const T* begin() const { return data(); }
