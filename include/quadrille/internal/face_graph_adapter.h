@@ -134,11 +134,16 @@ private:
     vertices_.clear();
     vertices_.reserve(num_vertices(mesh_));
     std::size_t index_end = 0;
+    bool is_dense = true;
     for (Vertex v : vertices(mesh_)) {
+      const auto i = static_cast<std::size_t>(get(indices_, v));
+      is_dense &= i == vertices_.size();
+      index_end = std::max(index_end, i + 1);
       vertices_.push_back(v);
-      index_end = std::max(index_end, static_cast<std::size_t>(get(indices_, v)) + 1);
     }
     TriangleComplex::check_size(vertices_.size(), 0);
+    if (is_dense)
+      return;
     dense_.assign(index_end, none);
     for (std::size_t i = 0; i < vertices_.size(); ++i)
       dense_[get(indices_, vertices_[i])] = static_cast<Index>(i);
@@ -181,18 +186,18 @@ private:
     return {h, second, next(second, mesh_)};
   }
 
-  Index index(Vertex v) const { return dense_[get(indices_, v)]; }
+  Index index(Vertex v) const {
+    const auto i = static_cast<std::size_t>(get(indices_, v));
+    return dense_.empty() ? static_cast<Index>(i) : dense_[i];
+  }
 
   // Counts off the vertices that are left. From here on, edges are told by these numbers.
   template <class Result>
   void number_vertices(const Result& result) {
     number_.assign(result.vertex_count(), none);
-    doomed_vertices_.reserve(vertices_.size());
     for (Index v = 0; v < vertices_.size(); ++v) {
-      if (!result.has_vertex(v)) {
-        doomed_vertices_.push_back(vertices_[v]);
+      if (!result.has_vertex(v))
         continue;
-      }
       number_[result.image(v)] = static_cast<Index>(left_.size());
       left_.push_back(v);
     }
@@ -339,8 +344,17 @@ private:
       remove_face(f, mesh_);
     for (Edge e : doomed_edges_)
       remove_edge(e, mesh_);
-    for (Vertex v : doomed_vertices_)
-      remove_vertex(v, mesh_);
+    remove_other_vertices();
+  }
+
+  // Than those that are left.
+  void remove_other_vertices() {
+    auto left = left_.begin();
+    for (Index v = 0; v < vertices_.size(); ++v)
+      if (left != left_.end() && *left == v)
+        ++left;
+      else
+        remove_vertex(vertices_[v], mesh_);
   }
 
   // Closes the loop of a face, and makes border halfedges of the other halves of its open sides.
@@ -372,8 +386,8 @@ private:
   [[no_unique_address]] Attributes attributes_;
   NamedEdges<Edge> named_edges_;
   std::vector<Vertex> vertices_;    // by the engine's index; behind them those that write() adds
-  std::vector<Index> dense_;        // the engine's index by the user's, which may have gaps
-  std::vector<Index> left_;         // the vertices that are left, behind them the duplicates
+  std::vector<Index> dense_;        // the engine's index by the user's; empty if they are the same
+  std::vector<Index> left_;         // the vertices that are left, ascending, with the duplicates
   std::vector<Index> number_;       // in left_, by the engine's final index
   std::vector<Face> faces_;         // the faces that are left
   std::vector<Side> sides_;         // three a face, of numbers in left_: side k leads to corner k
@@ -382,7 +396,6 @@ private:
   Umbrellas umbrellas_;
   std::vector<Face> doomed_faces_;
   std::vector<Edge> doomed_edges_;
-  std::vector<Vertex> doomed_vertices_;
 };
 
 } // namespace quadrille::internal

@@ -69,13 +69,14 @@ public:
 
   /// The same where the list of a vertex that has been contracted is not up to date: none of these
   /// may be cut off.
-  void drop_bare_vertices_in_pass(Index b) {
+  void drop_bare_vertices_in_pass(Index kept, Index b) {
     const PairStar& star = scratch_.star;
     any_cut_off(star, b, [&](Index v) {
       drop_if_bare(v);
       return false;
     });
-    scratch_.tally.vertices += star.first.empty() && star.second.empty();
+    if (star.first.empty() && star.second.empty())
+      drop_if_bare(kept);
   }
 
 private:

@@ -28,7 +28,7 @@ public:
   VertexKind operator()(TriangleComplex& complex, Index v, Marks& marks) {
     star_.resize(complex.degree_bound(v));
     Index faces = 0;
-    marks.clear();
+    marks.clear(static_cast<Index>(star_.size()));
     complex.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = star_[faces] = PairStar::star_face(complex, face, i);
       marks.set(f.second, faces++);
@@ -84,7 +84,7 @@ private:
 
   void number_link(Marks& marks) {
     link_.clear();
-    marks.clear();
+    marks.clear(static_cast<Index>(2 * star_.size()));
     const auto number_of = [&](Index v) {
       if (!marks.is_marked(v)) {
         marks.set(v, static_cast<Index>(link_.size()));
@@ -147,8 +147,8 @@ public:
   bool holds(const PairStar& star, Index a, Index b, Marks& marks) const {
     if (star.shared.empty())
       return false; // not an edge
-    marks.clear();
     constexpr Index in_first = 0, in_both = 1;
+    marks.clear(2);
     for (const StarFace& f : star.shared)
       marks.set(f.second == b ? f.third : f.second, in_first);
     for_each_neighbour(star.first, a, [&](Index v) { marks.set(v, in_first); });

@@ -15,14 +15,14 @@ class Marks {
 public:
   explicit Marks(std::size_t vertices) : mark_(vertices, 0) {}
 
-  /// Forgets all marks.
-  void clear() {
+  /// Forgets all marks. The next ones are below `numbers`, at most 2³¹.
+  void clear(Index numbers = 1) {
     base_ = end_;
     if (base_ > none / 2) {
       std::fill(mark_.begin(), mark_.end(), 0);
       base_ = 1;
     }
-    end_ = base_ + 1;
+    end_ = base_ + numbers;
   }
 
   bool is_marked(Index vertex) const { return mark_[vertex] >= base_; }
@@ -34,10 +34,7 @@ public:
     return is_new;
   }
   Index operator[](Index vertex) const { return mark_[vertex] - base_; } ///< of a marked vertex
-  void set(Index vertex, Index number = 0) {
-    mark_[vertex] = base_ + number;
-    end_ = std::max(end_, mark_[vertex] + 1);
-  }
+  void set(Index vertex, Index number = 0) { mark_[vertex] = base_ + number; }
 
   [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&mark_[vertex]); }
 

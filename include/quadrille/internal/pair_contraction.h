@@ -179,14 +179,14 @@ public:
     kill_shared(scratch);
     move(scratch, kept, gone, candidate);
     if (!is_topology_kept_)
-      Leftovers(complex_, scratch).drop_bare_vertices_in_pass(b);
+      Leftovers(complex_, scratch).drop_bare_vertices_in_pass(kept, b);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
   /// enough of them are gone, those that are left get new numbers, in the same order.
   void end_pass(bool refresh) {
     if (progress_.status.faces > 0 && has_only_edges() &&
-        4 * count_vertices() < 3 * vertex_capacity())
+        4 * progress_.status.vertices < 3 * vertex_capacity())
       pack();
     else
       complex_.build_lists(threads());
@@ -417,7 +417,7 @@ private:
 
   // What is gone takes no more time or room in a cache.
   void pack() {
-    std::vector<Index> vertices = complex_.left_vertices(threads());
+    std::vector<Index> vertices = complex_.left_vertices();
     const auto is_left = [this](Index face) { return !complex_.is_dead(face); };
     numbering_.faces.pack_if(is_left);
     distances_.pack_if(is_left);

@@ -62,7 +62,7 @@ private:
   void find_listed(Scratch& scratch, Index v, Index least, std::size_t begin) {
     constexpr Index by_edge = 0, by_list = 1;
     Marks& marks = scratch.marks;
-    marks.clear();
+    marks.clear(2);
     for (std::size_t i = begin; i < scratch.pairs.size(); ++i)
       marks.set(scratch.pairs[i].second, by_edge);
     marks.set(v, by_list);

@@ -59,6 +59,7 @@ public:
   const Triangle& vertices(Index face) const { return faces_[face]; }
   /// At most this many faces are at a vertex.
   std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
+  /// A face that has died counts until a walk drops it.
   bool has_faces(Index vertex) const { return lists_[vertex].size != 0; }
 
   /// Calls visit(face, i) for each live face at `vertex`, i being the place of the vertex in the
@@ -124,9 +125,10 @@ public:
   /// Builds all lists anew, in linear time, each in the order of its faces.
   void build_lists(unsigned threads = 1);
 
-  /// The vertices that have faces, in the order of their numbers: what pack() is told. In between,
-  /// no walk is possible.
-  std::vector<Index> left_vertices(unsigned threads = 1);
+  /// The vertices that have faces, in the order of their numbers: what pack() is told.
+  std::vector<Index> left_vertices() const {
+    return indices_of(lists_, [](const List& list) { return list.size != 0; });
+  }
   /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
   /// No walk is possible before fill_lists() is called.
   void pack(const std::vector<Index>& vertices);
@@ -232,19 +234,18 @@ inline void TriangleComplex::fill_lists(unsigned threads) {
   });
 }
 
-inline std::vector<Index> TriangleComplex::left_vertices(unsigned threads) {
-  count_corners(threads);
-  return indices_of(lists_, [](const List& list) { return list.size != 0; });
-}
-
 inline void TriangleComplex::pack(const std::vector<Index>& vertices) {
+  for (List& list : lists_)
+    list.size = 0;
   for (Index v = 0; v < vertices.size(); ++v)
-    lists_[vertices[v]].begin = v;
-  std::erase_if(faces_, [](const Triangle& face) { return face[0] == none; });
+    lists_[vertices[v]].begin = v; // until fill_lists()
+  pack_if(faces_, [this](Index face) { return !is_dead(face); });
   for (Triangle& face : faces_)
-    for (Index& v : face)
+    for (Index& v : face) {
       v = lists_[v].begin;
-  internal::pack(lists_, vertices); // with the sizes that left_vertices() has counted
+      ++lists_[v].size;
+    }
+  lists_.resize(vertices.size());
 }
 
 } // namespace quadrille::internal
