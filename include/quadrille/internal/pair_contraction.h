@@ -231,8 +231,11 @@ public:
     constexpr std::size_t many = 256; // evaluated in one go
     for (Index v = begin; v < end;) {
       scratch.pairs.clear();
-      for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v))
+      for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v)) {
+        if (step > 1)
+          prefetch(v, end, step);
         find_pairs(scratch, v, v + 1);
+      }
       visit_found(scratch, visit);
     }
   }
@@ -383,6 +386,21 @@ private:
     else
       cause = Rejection::filter;
     return true;
+  }
+
+  // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
+  void prefetch(Index v, Index end, Index step) const {
+    const auto ask = [&](Index ahead, auto ask_for) {
+      if (ahead * step < end - v)
+        ask_for(v + ahead * step);
+    };
+    ask(12, [&](Index w) {
+      complex_.prefetch(w);
+      costs_.prefetch(w);
+    });
+    ask(9, [&](Index w) { complex_.prefetch_corners(w); });
+    ask(6, [&](Index w) { complex_.prefetch_faces(w); });
+    ask(3, [&](Index w) { complex_.for_each_next(w, [&](Index x) { costs_.prefetch(x); }); });
   }
 
   void find_pairs(Scratch& scratch, Index v, Index least) {

@@ -29,7 +29,7 @@ public:
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
     const std::vector<Index>& order = surface.vertex_origins =
-        sorted_by(curve_keys(surface.positions, box, threads));
+        sorted(curve_keys(surface.positions, box, threads));
     renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
     permute(surface.positions, order, threads);
@@ -39,6 +39,11 @@ public:
 
 private:
   using Triangle = TriangleComplex::Triangle;
+
+  struct KeyedVertex {
+    std::uint32_t key; // 30 bits
+    Index vertex;
+  };
 
   static constexpr std::size_t least_vertices = 1 << 12; // what fits into a cache needs no order
 
@@ -54,21 +59,24 @@ private:
   }
 
   template <std::size_t N>
-  static std::vector<std::uint32_t> curve_keys(const std::vector<Vector<N>>& positions,
-                                               const Box<N>& box, unsigned threads) {
+  static std::vector<KeyedVertex> curve_keys(const std::vector<Vector<N>>& positions,
+                                             const Box<N>& box, unsigned threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
-    std::vector<std::uint32_t> keys(positions.size(), 0);
+    std::vector<KeyedVertex> vertices(positions.size());
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
-      for (Index v = range.begin; v < range.end; ++v)
+      for (Index v = range.begin; v < range.end; ++v) {
+        std::uint32_t key = 0;
         for (std::size_t i = 0; i < 3; ++i) {
           const double half = 0.5 * positions[v][i] - 0.5 * box.low[i];
           const double cell = extent > 0 ? std::clamp(half / extent, 0.0, 1.0) * 1023 : 0;
-          keys[v] |= spread(static_cast<std::uint32_t>(cell)) << i;
+          key |= spread(static_cast<std::uint32_t>(cell)) << i;
         }
+        vertices[v] = {key, v};
+      }
     });
-    return keys;
+    return vertices;
   }
 
   // Ten bits, each followed by two zeros.
@@ -79,16 +87,17 @@ private:
     return (x | x << 2) & 0x09249249;
   }
 
-  // The indices of keys of 30 bits in the order of the keys: a radix sort, which keeps ties in
-  // order.
-  static std::vector<Index> sorted_by(const std::vector<std::uint32_t>& keys) {
-    std::vector<Index> order(keys.size()), next(keys.size());
-    std::iota(order.begin(), order.end(), 0);
+  // A radix sort, which keeps ties in order.
+  static std::vector<Index> sorted(std::vector<KeyedVertex> vertices) {
+    std::vector<KeyedVertex> next(vertices.size());
     for (int shift = 0; shift < 30; shift += 10) {
-      sort_by_digit<10>(order.data(), order.size(), next.data(),
-                        [&](Index i) { return (keys[i] >> shift) & 1023; });
-      order.swap(next);
+      sort_by_digit<10>(vertices.data(), vertices.size(), next.data(),
+                        [shift](const KeyedVertex& v) { return (v.key >> shift) & 1023; });
+      vertices.swap(next);
     }
+    std::vector<Index> order(vertices.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = vertices[i].vertex;
     return order;
   }
 
