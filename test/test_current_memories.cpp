@@ -71,8 +71,8 @@ double cost_of(const Soup& soup, Index a, Index b, const Vector<3>& x, double bo
 template <class Surface>
 std::vector<std::pair<Index, float>> pairs_of(Surface& surface, Index v) {
   std::vector<std::pair<Index, float>> pairs;
-  surface.for_each_pair(surface.scratch(), v,
-                        [&](Index w, float cost) { pairs.emplace_back(w, cost); });
+  surface.pairs().for_each(surface.scratch(), v,
+                           [&](Index w, float cost) { pairs.emplace_back(w, cost); });
   return pairs;
 }
 

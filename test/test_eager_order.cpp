@@ -27,7 +27,7 @@ using test::Soup;
 template <class Surface>
 bool contract_cheapest(Surface& surface) {
   std::vector<std::tuple<float, Index, Index>> pairs;
-  surface.for_each_pair_above(
+  surface.pairs().for_each_above(
       surface.scratch(), 0, static_cast<Index>(surface.vertex_capacity()), 1,
       [&](Index v, Index w, float cost) { pairs.emplace_back(cost, v, w); });
   std::sort(pairs.begin(), pairs.end());

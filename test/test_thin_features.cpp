@@ -163,7 +163,7 @@ TEST_CASE("A loss is what the squared distances to remembered planes grow by, be
         pairs.push_back({v, w});
       };
       for (Index v = 0; v < surface->vertex_capacity(); ++v)
-        surface->for_each_pair(surface->scratch(), v, [&](Index w, float listed_cost) {
+        surface->pairs().for_each(surface->scratch(), v, [&](Index w, float listed_cost) {
           if (v < w)
             compare(v, w, listed_cost);
         });

@@ -36,8 +36,8 @@ public:
       : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pair_count() + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
-    surface_.for_each_pair_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
-                                 [&](Index v, Index w, float cost) { push(v, w, cost); });
+    surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
+                                    [&](Index v, Index w, float cost) { push(v, w, cost); });
   }
 
   /// Why it has ended.
@@ -168,7 +168,7 @@ private:
     for (Index end : {pair.first, pair.second})
       parked_.release(end, all, [](const QueuedPair&) {}); // outdated, all of them
     release_parked(scratch_.star.shared);                  // they may be no neighbours any more
-    const bool are_edges = surface_.has_only_edges();      // then partners are neighbours
+    const bool are_edges = surface_.pairs().are_edges();   // then partners are neighbours
     if (!are_edges) {
       release_parked(scratch_.star.first);
       release_parked(scratch_.star.second);
@@ -179,7 +179,7 @@ private:
       push_cheapest(kept, are_edges);
       return;
     }
-    surface_.for_each_pair(scratch_, kept, [&](Index partner, float cost) {
+    surface_.pairs().for_each(scratch_, kept, [&](Index partner, float cost) {
       push(kept, partner, cost);
       if (are_edges)
         release_parked(partner);
@@ -207,7 +207,7 @@ private:
           ring_.push_back(w);
         }
     });
-    surface_.for_each_pair_of(
+    surface_.pairs().for_each_of(
         scratch_, ring_,
         [&](Index w, Index x) -> bool { return (x != v) & ((stamp_[x] != time_) | (w < x)); },
         [&](Index w, Index x, float cost) { push(w, x, cost); });
@@ -216,7 +216,7 @@ private:
   // Of a vertex of many faces. Its other pairs wait as if they were refused.
   void push_cheapest(Index v, bool are_edges) {
     new_pairs_.clear();
-    surface_.for_each_pair(scratch_, v, [&](Index partner, float cost) {
+    surface_.pairs().for_each(scratch_, v, [&](Index partner, float cost) {
       new_pairs_.push_back({cost, partner});
       if (are_edges)
         release_parked(partner);

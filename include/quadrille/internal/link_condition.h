@@ -175,8 +175,9 @@ public:
   bool is_closed() const { return is_closed_; }
 
   bool is_interior(Index v) const { return kind_[v] <= Kind::unoriented; }
-  /// Is each neighbour of the vertex the second vertex of just one of its faces?
-  bool is_oriented(Index v) const { return kind_[v] == Kind::interior; }
+  /// Is each neighbour of the vertex the second vertex of just one of its faces? Of a condition
+  /// that has not classified the vertices: no.
+  bool is_oriented(Index v) const { return !kind_.empty() && kind_[v] == Kind::interior; }
 
   [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(&kind_[v]); }
 

@@ -60,7 +60,8 @@ public:
         complex_(input.positions.size(), take_triangles(input), merges_at_once,
                  threads_of(policies.order)),
         scratches_(threads_of(policies.order), Scratch(input.positions.size())),
-        pairs_(complex_, select_pairs(policies.pairs, input, complex_, scratch().marks)),
+        pairs_(complex_, link_condition_, costs_,
+               select_pairs(policies.pairs, input, complex_, scratch().marks)),
         is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
         creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.vertex_origins)},
@@ -185,7 +186,7 @@ public:
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
   /// enough of them are gone, those that are left get new numbers, in the same order.
   void end_pass(bool refresh) {
-    if (progress_.status.faces > 0 && has_only_edges() &&
+    if (progress_.status.faces > 0 && pairs_.are_edges() &&
         4 * progress_.status.vertices < 3 * vertex_capacity())
       pack();
     else
@@ -203,51 +204,8 @@ public:
   /// Adds what contractions have changed to the status, and forgets it.
   void count(Tally& tally) { progress_.count(tally); }
 
-  /// Calls visit(w, cost) for each pair of v with another vertex.
-  template <class Visit>
-  void for_each_pair(Scratch& scratch, Index v, Visit visit) {
-    scratch.pairs.clear();
-    find_pairs(scratch, v, 0);
-    visit_found(scratch, [&](Index, Index w, float cost) { visit(w, cost); });
-  }
-
-  /// Calls visit(v, w, cost) for each pair of a vertex v of `vertices` with another vertex w for
-  /// which is_wanted(v, w) holds.
-  template <class IsWanted, class Visit>
-  void for_each_pair_of(Scratch& scratch, const std::vector<Index>& vertices, IsWanted is_wanted,
-                        Visit visit) {
-    Room<VertexPair>& pairs = scratch.pairs;
-    pairs.clear();
-    for (Index v : vertices)
-      find_pairs(scratch, v, 0);
-    pack_if(pairs, [&](Index i) { return is_wanted(pairs[i].first, pairs[i].second); });
-    visit_found(scratch, visit);
-  }
-
-  /// Calls visit(v, w, cost) for each pair of a vertex v = begin, begin + step, … below `end` with
-  /// one of a higher number.
-  template <class Visit>
-  void for_each_pair_above(Scratch& scratch, Index begin, Index end, Index step, Visit visit) {
-    constexpr std::size_t many = 256; // evaluated in one go
-    for (Index v = begin; v < end;) {
-      scratch.pairs.clear();
-      for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v)) {
-        if (step > 1)
-          prefetch(v, end, step);
-        find_pairs(scratch, v, v + 1);
-      }
-      visit_found(scratch, visit);
-    }
-  }
-
-  std::size_t pair_count() const {
-    return pairs_.listed_count() +
-           (includes_edges<typename Policies::Pairs> ? 3 * progress_.status.faces / 2 : 0);
-  }
-  bool has_other_pairs() const { return pairs_.listed_count() > 0; } // than edges
-  bool has_only_edges() const {
-    return includes_edges<typename Policies::Pairs> && !has_other_pairs();
-  }
+  PairFinder<Policies>& pairs() { return pairs_; }
+  std::size_t pair_count() const { return pairs_.count(progress_.status.faces); }
 
   /// Tells the status of the contraction that comes next.
   void announce(const Candidate& candidate) { progress_.status.next_error = candidate.error; }
@@ -331,7 +289,7 @@ private:
 
   // Unless the user says, an adapter's default, or free if there are pairs that are not edges.
   bool keeps_topology(const SurfaceInput<dimension>& input) const {
-    const Topology by_default = pairs_.listed_count() > 0 ? Topology::free : input.default_topology;
+    const Topology by_default = pairs_.has_others() ? Topology::free : input.default_topology;
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
@@ -386,33 +344,6 @@ private:
     else
       cause = Rejection::filter;
     return true;
-  }
-
-  // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
-  void prefetch(Index v, Index end, Index step) const {
-    const auto ask = [&](Index ahead, auto ask_for) {
-      if (ahead * step < end - v)
-        ask_for(v + ahead * step);
-    };
-    ask(12, [&](Index w) {
-      complex_.prefetch(w);
-      costs_.prefetch(w);
-    });
-    ask(9, [&](Index w) { complex_.prefetch_corners(w); });
-    ask(6, [&](Index w) { complex_.prefetch_faces(w); });
-    ask(3, [&](Index w) { complex_.for_each_next(w, [&](Index x) { costs_.prefetch(x); }); });
-  }
-
-  void find_pairs(Scratch& scratch, Index v, Index least) {
-    pairs_.find(scratch, v, least, is_topology_kept_ && link_condition_.is_oriented(v));
-  }
-
-  // The pairs in the scratch, with what they cost.
-  template <class Visit>
-  void visit_found(Scratch& scratch, Visit visit) {
-    costs_.evaluate_all(scratch);
-    for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
-      visit(scratch.pairs[i].first, scratch.pairs[i].second, scratch.costs[i]);
   }
 
   std::size_t count_vertices() const {
@@ -494,7 +425,7 @@ private:
   Scale<dimension> scale_;
   TriangleComplex complex_;
   std::vector<Scratch> scratches_;
-  PairFinder<typename Policies::Pairs> pairs_;
+  PairFinder<Policies> pairs_;
   bool is_topology_kept_;
   LinkCondition link_condition_;
   DistanceBounds distances_{0};               // of no face where nobody asks

@@ -1,48 +1,125 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_FINDER_H
 #define QUADRILLE_INTERNAL_PAIR_FINDER_H
 
+#include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/packing.h>
+#include <quadrille/internal/pair_costs.h>
 #include <quadrille/internal/pair_lists.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace quadrille::internal {
 
-/// The pairs at a vertex: edges, if the policy includes them, and those that it has listed.
-template <class Pairs>
+/// The pairs at a vertex, and what they cost: edges, if the policy includes them, and those that it
+/// has listed.
+template <class Policies>
 class PairFinder {
 public:
-  PairFinder(TriangleComplex& complex, PairLists listed)
-      : complex_(complex), listed_(std::move(listed)) {}
+  PairFinder(TriangleComplex& complex, const LinkCondition& link_condition,
+             const PairCosts<Policies>& costs, PairLists listed)
+      : complex_(complex), link_condition_(link_condition), costs_(costs),
+        listed_(std::move(listed)) {}
 
-  std::size_t listed_count() const { return listed_.size(); }
+  /// Are there others than edges?
+  bool has_others() const { return listed_.size() > 0; }
+  /// Are they the edges, all of them and no others?
+  bool are_edges() const { return includes_edges<Pairs> && !has_others(); }
+  /// About, of a surface with so many faces.
+  std::size_t count(std::size_t faces) const {
+    return listed_.size() + (includes_edges<Pairs> ? 3 * faces / 2 : 0);
+  }
+
   void merge(Index kept, Index gone) { listed_.merge(kept, gone); }
 
-  /// Adds the pairs of v with vertices from `least` on to those of the scratch, each once. Where
-  /// `is_oriented`, each neighbour of v is the second vertex of just one of its faces.
-  void find(Scratch& scratch, Index v, Index least, bool is_oriented) {
-    const std::size_t begin = scratch.pairs.size();
-    if constexpr (includes_edges<Pairs>)
-      find_edges(scratch, v, least, is_oriented);
-    if (listed_.size() > 0)
-      find_listed(scratch, v, least, begin);
+  /// Calls visit(w, cost) for each pair of v with another vertex.
+  template <class Visit>
+  void for_each(Scratch& scratch, Index v, Visit visit) {
+    scratch.pairs.clear();
+    find(scratch, v, 0);
+    visit_found(scratch, [&](Index, Index w, float cost) { visit(w, cost); });
+  }
+
+  /// Calls visit(v, w, cost) for each pair of a vertex v of `vertices` with another vertex w for
+  /// which is_wanted(v, w) holds.
+  template <class IsWanted, class Visit>
+  void for_each_of(Scratch& scratch, const std::vector<Index>& vertices, IsWanted is_wanted,
+                   Visit visit) {
+    Room<VertexPair>& pairs = scratch.pairs;
+    pairs.clear();
+    for (Index v : vertices)
+      find(scratch, v, 0);
+    pack_if(pairs, [&](Index i) { return is_wanted(pairs[i].first, pairs[i].second); });
+    visit_found(scratch, visit);
+  }
+
+  /// Calls visit(v, w, cost) for each pair of a vertex v = begin, begin + step, … below `end` with
+  /// one of a higher number.
+  template <class Visit>
+  void for_each_above(Scratch& scratch, Index begin, Index end, Index step, Visit visit) {
+    constexpr std::size_t many = 256; // evaluated in one go
+    for (Index v = begin; v < end;) {
+      scratch.pairs.clear();
+      for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v)) {
+        if (step > 1)
+          prefetch(v, end, step);
+        find(scratch, v, v + 1);
+      }
+      visit_found(scratch, visit);
+    }
   }
 
 private:
+  using Pairs = typename Policies::Pairs;
+
+  // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
+  void prefetch(Index v, Index end, Index step) const {
+    const auto ask = [&](Index ahead, auto ask_for) {
+      if (ahead * step < end - v)
+        ask_for(v + ahead * step);
+    };
+    ask(12, [&](Index w) {
+      complex_.prefetch(w);
+      costs_.prefetch(w);
+    });
+    ask(9, [&](Index w) { complex_.prefetch_corners(w); });
+    ask(6, [&](Index w) { complex_.prefetch_faces(w); });
+    ask(3, [&](Index w) { complex_.for_each_next(w, [&](Index x) { costs_.prefetch(x); }); });
+  }
+
+  // Adds the pairs of v with vertices from `least` on to those of the scratch, each once.
+  void find(Scratch& scratch, Index v, Index least) {
+    const std::size_t begin = scratch.pairs.size();
+    if constexpr (includes_edges<Pairs>)
+      find_edges(scratch, v, least);
+    if (has_others())
+      find_listed(scratch, v, least, begin);
+  }
+
+  // The pairs in the scratch, with what they cost.
+  template <class Visit>
+  void visit_found(Scratch& scratch, Visit visit) {
+    costs_.evaluate_all(scratch);
+    for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
+      visit(scratch.pairs[i].first, scratch.pairs[i].second, scratch.costs[i]);
+  }
+
   // No branch: whether a vertex has been met before, or what its number is, is hard to guess.
-  void find_edges(Scratch& scratch, Index v, Index least, bool is_oriented) {
+  void find_edges(Scratch& scratch, Index v, Index least) {
     VertexPair* const pairs = scratch.pairs.extend(2 * complex_.degree_bound(v) + 1);
     std::size_t count = 0;
     const auto add = [&](Index w, bool is_new) {
       pairs[count] = {v, w};
       count += is_new & (w >= least);
     };
-    if (is_oriented) {
+    if (link_condition_.is_oriented(v)) {
       complex_.for_each_corner(v, [&](Index face, Index i) {
         add(PairStar::star_face(complex_, face, i).second, true);
       });
@@ -76,6 +153,8 @@ private:
   }
 
   TriangleComplex& complex_;
+  const LinkCondition& link_condition_;
+  const PairCosts<Policies>& costs_;
   PairLists listed_; // those of the policy that are not edges
 };
 

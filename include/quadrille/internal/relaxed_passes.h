@@ -102,7 +102,7 @@ private:
     surface_.end_pass(order_.refresh);
   }
 
-  unsigned threads() const { return surface_.has_other_pairs() ? 1 : order_.threads; }
+  unsigned threads() const { return surface_.pairs().has_others() ? 1 : order_.threads; }
 
   // Blocks of vertices that follow one another.
   void divide() {
@@ -124,8 +124,9 @@ private:
     parallel_for(threads(), blocks_.size(), [&](std::size_t index, std::size_t worker) {
       Block& block = blocks_[index];
       block.sample.reserve(4 * block_size / sample_step); // as a rule there are fewer
-      surface_.for_each_pair_above(workers_[worker].scratch, block.begin, block.end, sample_step,
-                                   [&](Index, Index, float cost) { block.sample.push_back(cost); });
+      surface_.pairs().for_each_above(
+          workers_[worker].scratch, block.begin, block.end, sample_step,
+          [&](Index, Index, float cost) { block.sample.push_back(cost); });
     });
   }
 
@@ -169,10 +170,10 @@ private:
     Room<Proposal>& proposals = worker.proposals;
     proposals.clear();
     proposals.extend(2 * block_size); // as a rule there are fewer
-    surface_.for_each_pair_above(worker.scratch, block.begin, block.end, 1,
-                                 [&](Index v, Index w, float cost) {
-                                   proposals.add_if(cost <= limit, {cost, v, w});
-                                 });
+    surface_.pairs().for_each_above(worker.scratch, block.begin, block.end, 1,
+                                    [&](Index v, Index w, float cost) {
+                                      proposals.add_if(cost <= limit, {cost, v, w});
+                                    });
     sort(worker);
   }
 
