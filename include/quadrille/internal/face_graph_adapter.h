@@ -2,11 +2,13 @@
 #define QUADRILLE_INTERNAL_FACE_GRAPH_ADAPTER_H
 
 #include <quadrille/internal/attributes.h>
+#include <quadrille/internal/face_linker.h>
 #include <quadrille/internal/named_edges.h>
 #include <quadrille/internal/points.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/internal/umbrellas.h>
+#include <quadrille/internal/vertex_numbers.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -40,13 +42,13 @@ public:
   using Point = typename boost::property_traits<PointMap>::value_type;
 
   FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes = {})
-      : mesh_(mesh), points_(points), indices_(indices), attributes_(attributes) {}
+      : mesh_(mesh), points_(points), vertices_(indices), attributes_(attributes) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
   /// finite.
   SurfaceInput<dimension> read() {
     SurfaceInput<dimension> surface;
-    index_vertices();
+    vertices_.read(mesh_);
     read_vertices(surface);
     read_faces(surface);
     if constexpr (Attributes::size > 0)
@@ -54,10 +56,7 @@ public:
     return surface;
   }
   /// Gives memory back that write() can fill anew.
-  void release() {
-    vertices_ = std::vector<Vertex>();
-    dense_ = std::vector<Index>();
-  }
+  void release() { vertices_.release(); }
 
   /// Fixes the vertices of which get(map, vertex) is true.
   template <class Map>
@@ -93,7 +92,7 @@ public:
   /// that is left. Returns how many vertices it had to duplicate.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
-    index_vertices();
+    vertices_.read(mesh_);
     number_vertices(result);
     collect_faces(result);
     umbrellas_.build(sides_, left_.size(), [this](Index i, Index j) {
@@ -127,26 +126,7 @@ private:
   void for_each_edge_in(Map map, Visit visit) const {
     for (Edge e : edges(mesh_))
       if (get(map, e))
-        visit(e, index(source(e, mesh_)), index(target(e, mesh_)));
-  }
-
-  void index_vertices() {
-    vertices_.clear();
-    vertices_.reserve(num_vertices(mesh_));
-    std::size_t index_end = 0;
-    bool is_dense = true;
-    for (Vertex v : vertices(mesh_)) {
-      const auto i = static_cast<std::size_t>(get(indices_, v));
-      is_dense &= i == vertices_.size();
-      index_end = std::max(index_end, i + 1);
-      vertices_.push_back(v);
-    }
-    TriangleComplex::check_size(vertices_.size(), 0);
-    if (is_dense)
-      return;
-    dense_.assign(index_end, none);
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
-      dense_[get(indices_, vertices_[i])] = static_cast<Index>(i);
+        visit(e, vertices_.index(source(e, mesh_)), vertices_.index(target(e, mesh_)));
   }
 
   void read_vertices(SurfaceInput<dimension>& surface) {
@@ -173,8 +153,9 @@ private:
         throw std::invalid_argument(
             "quadrille::simplify: face " + std::to_string(surface.triangles.size()) +
             " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_faces makes it so");
-      surface.triangles.push_back(
-          {index(target(h[0], mesh_)), index(target(h[1], mesh_)), index(target(h[2], mesh_))});
+      surface.triangles.push_back({vertices_.index(target(h[0], mesh_)),
+                                   vertices_.index(target(h[1], mesh_)),
+                                   vertices_.index(target(h[2], mesh_))});
     }
     TriangleComplex::check_size(0, surface.triangles.size());
   }
@@ -184,11 +165,6 @@ private:
     const Halfedge h = halfedge(f, mesh_);
     const Halfedge second = next(h, mesh_);
     return {h, second, next(second, mesh_)};
-  }
-
-  Index index(Vertex v) const {
-    const auto i = static_cast<std::size_t>(get(indices_, v));
-    return dense_.empty() ? static_cast<Index>(i) : dense_[i];
   }
 
   // Counts off the vertices that are left. From here on, edges are told by these numbers.
@@ -245,8 +221,8 @@ private:
     for (Halfedge h : halfedges(mesh_)) {
       if (!CGAL::is_border(h, mesh_))
         continue;
-      const Side side{number_of(index(source(h, mesh_)), result),
-                      number_of(index(target(h, mesh_)), result)};
+      const Side side{number_of(vertices_.index(source(h, mesh_)), result),
+                      number_of(vertices_.index(target(h, mesh_)), result)};
       const Edge e = edge(h, mesh_);
       if (side.from != side.to && !named_edges_.contains(side, e))
         border.emplace_back(side, e);
@@ -278,7 +254,7 @@ private:
   template <class Result>
   Halfedge half_along(Edge e, const Side& side, const Result& result) const {
     const Halfedge h = halfedge(e, mesh_);
-    return number_of(index(target(h, mesh_)), result) == side.to ? h : opposite(h, mesh_);
+    return number_of(vertices_.index(target(h, mesh_)), result) == side.to ? h : opposite(h, mesh_);
   }
 
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
@@ -296,8 +272,7 @@ private:
       for (Index number : umbrellas_.duplicates()) {
         const Index original = left_[number];
         added.push_back(add_vertex(mesh_));
-        left_.push_back(static_cast<Index>(vertices_.size()));
-        vertices_.push_back(added.back());
+        left_.push_back(vertices_.add(added.back()));
         put(points_, added.back(), Point(get(points_, vertices_[original])));
         if constexpr (Attributes::size > 0)
           attributes_.put_raw(added.back(), attributes_.raw(vertices_[original]));
@@ -321,25 +296,8 @@ private:
   }
 
   void write_connectivity() {
-    const Face no_face = Traits::null_face();
-    for (Edge e : edges(mesh_)) {
-      const Halfedge h = halfedge(e, mesh_);
-      set_face(h, no_face, mesh_);
-      set_face(opposite(h, mesh_), no_face, mesh_);
-    }
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      link_face(static_cast<Index>(i));
-    for (const auto& [in, out] : umbrellas_.border_links())
-      set_next(opposite(chosen_[in], mesh_), opposite(chosen_[out], mesh_), mesh_);
-    std::size_t doomed = 0;
-    for (Edge e : edges(mesh_)) { // without a branch: it is hard to guess
-      const Halfedge h = halfedge(e, mesh_);
-      const bool has_left = face(h, mesh_) != no_face;
-      const bool has_right = face(opposite(h, mesh_), mesh_) != no_face;
-      doomed_edges_[doomed] = e;
-      doomed += !(has_left | has_right);
-    }
-    doomed_edges_.resize(doomed);
+    FaceLinker<Mesh>(mesh_, umbrellas_, faces_, chosen_)
+        .link([this](Index corner) { return vertex_at(corner); }, doomed_edges_);
     for (Face f : doomed_faces_)
       remove_face(f, mesh_);
     for (Edge e : doomed_edges_)
@@ -357,36 +315,13 @@ private:
         remove_vertex(vertices_[v], mesh_);
   }
 
-  // Closes the loop of a face, and makes border halfedges of the other halves of its open sides.
-  void link_face(Index face) {
-    const Face f = faces_[face];
-    for (Index k = 0; k < 3; ++k) {
-      const Index side = 3 * face + k;
-      const Halfedge h = chosen_[side];
-      set_face(h, f, mesh_);
-      set_next(h, chosen_[3 * face + (k == 2 ? 0 : k + 1)], mesh_);
-      set_target(h, vertex_at(side), mesh_);
-      if (!umbrellas_.is_on_border(umbrellas_.vertex(side)))
-        set_halfedge(vertex_at(side), h, mesh_);
-      if (umbrellas_.mate(side) != none)
-        continue;
-      const Vertex source = vertex_at(3 * face + (k == 0 ? 2 : k - 1));
-      set_face(opposite(h, mesh_), Traits::null_face(), mesh_);
-      set_target(opposite(h, mesh_), source, mesh_);
-      set_halfedge(source, opposite(h, mesh_), mesh_);
-    }
-    set_halfedge(f, chosen_[3 * face], mesh_);
-  }
-
   Vertex vertex_at(Index corner) const { return vertices_[left_[umbrellas_.vertex(corner)]]; }
 
   Mesh& mesh_;
   PointMap points_;
-  VertexIndexMap indices_;
+  VertexNumbers<Mesh, VertexIndexMap> vertices_; // with those that write() adds
   [[no_unique_address]] Attributes attributes_;
   NamedEdges<Edge> named_edges_;
-  std::vector<Vertex> vertices_;    // by the engine's index; behind them those that write() adds
-  std::vector<Index> dense_;        // the engine's index by the user's; empty if they are the same
   std::vector<Index> left_;         // the vertices that are left, ascending, with the duplicates
   std::vector<Index> number_;       // in left_, by the engine's final index
   std::vector<Face> faces_;         // the faces that are left
