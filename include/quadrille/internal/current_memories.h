@@ -87,7 +87,7 @@ public:
   CurrentHub(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex,
              Marks& marks)
       : v_(v), marks_(marks) {
-    marks.clear(static_cast<Index>(2 * complex.degree_bound(v)));
+    marks.clear(2 * complex.degree_bound(v));
     complex.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex, face, i);
       const auto now = cost.current_face(positions[v], positions[f.second], positions[f.third]);

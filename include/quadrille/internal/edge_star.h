@@ -23,7 +23,7 @@ class EdgeStar {
 public:
   const std::vector<EdgeAt>& gather(TriangleComplex& complex, Index v, Marks& marks) {
     edges_.clear();
-    marks.clear(static_cast<Index>(2 * complex.degree_bound(v)));
+    marks.clear(2 * complex.degree_bound(v));
     complex.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex, face, i);
       add(f.second, f.third, marks);

@@ -15,7 +15,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>

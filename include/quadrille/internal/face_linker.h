@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/umbrellas.h>
 
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
 #include <vector>

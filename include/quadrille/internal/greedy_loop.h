@@ -34,7 +34,7 @@ class GreedyLoop {
 public:
   explicit GreedyLoop(PairContraction<Policies>& surface)
       : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
-        queue_(surface.pair_count() + surface.vertex_capacity() / 8),
+        queue_(surface.pairs().count(surface.status().faces) + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
     surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
                                     [&](Index v, Index w, float cost) { push(v, w, cost); });

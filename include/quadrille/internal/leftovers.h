@@ -76,7 +76,7 @@ public:
       return false;
     });
     if (star.first.empty() && star.second.empty())
-      drop_if_bare(kept);
+      drop_if_bare(kept); // its list has the faces that vanish, and no others
   }
 
 private:

@@ -28,7 +28,7 @@ public:
   VertexKind operator()(TriangleComplex& complex, Index v, Marks& marks) {
     star_.resize(complex.degree_bound(v));
     Index faces = 0;
-    marks.clear(static_cast<Index>(star_.size()));
+    marks.clear(star_.size());
     complex.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = star_[faces] = PairStar::star_face(complex, face, i);
       marks.set(f.second, faces++);
@@ -84,7 +84,7 @@ private:
 
   void number_link(Marks& marks) {
     link_.clear();
-    marks.clear(static_cast<Index>(2 * star_.size()));
+    marks.clear(2 * star_.size());
     const auto number_of = [&](Index v) {
       if (!marks.is_marked(v)) {
         marks.set(v, static_cast<Index>(link_.size()));
@@ -168,15 +168,15 @@ public:
       if (marks.is_marked_with(f.second, in_both) && marks.is_marked_with(f.third, in_both) &&
           has_link_edge(star.second, f.second, f.third))
         return false; // a common edge: the two would become a doubled face
-    return is_interior(a) || is_interior(b) || is_along_boundary(star, a, b);
+    return std::min(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b);
   }
 
   /// Is every vertex inside the surface?
   bool is_closed() const { return is_closed_; }
 
-  bool is_interior(Index v) const { return kind_[v] <= Kind::unoriented; }
-  /// Is each neighbour of the vertex the second vertex of just one of its faces? Of a condition
-  /// that has not classified the vertices: no.
+  /// Is the vertex known to be inside the surface? A condition without a surface knows of none.
+  bool is_interior(Index v) const { return !kind_.empty() && kind_[v] <= Kind::unoriented; }
+  /// And is each neighbour the second vertex of just one of its faces?
   bool is_oriented(Index v) const { return !kind_.empty() && kind_[v] == Kind::interior; }
 
   [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(&kind_[v]); }
@@ -191,7 +191,7 @@ private:
   // Of an oriented vertex, all neighbours but those of its shared faces are second vertices.
   template <class Visit>
   void for_each_neighbour(const Room<StarFace>& faces, Index v, Visit visit) const {
-    if (is_oriented(v)) {
+    if (kind_[v] == Kind::interior) {
       for (const StarFace& f : faces)
         visit(f.second);
       return;

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_MARKS_H
 #define QUADRILLE_INTERNAL_MARKS_H
 
+#include <quadrille/internal/index.h>
 #include <quadrille/internal/prefetch.h>
-#include <quadrille/internal/triangle_complex.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,13 +16,13 @@ public:
   explicit Marks(std::size_t vertices) : mark_(vertices, 0) {}
 
   /// Forgets all marks. The next ones are below `numbers`, at most 2³¹.
-  void clear(Index numbers = 1) {
+  void clear(std::size_t numbers = 1) {
     base_ = end_;
     if (base_ > none / 2) {
       std::fill(mark_.begin(), mark_.end(), 0);
       base_ = 1;
     }
-    end_ = base_ + numbers;
+    end_ = base_ + static_cast<Index>(numbers);
   }
 
   bool is_marked(Index vertex) const { return mark_[vertex] >= base_; }

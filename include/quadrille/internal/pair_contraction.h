@@ -73,7 +73,7 @@ public:
       link_condition_ = LinkCondition(complex_, scratches_);
     else
       initial_components_ = count_components(complex_);
-    progress_.start(complex_.live_faces(), count_vertices(), scale_.diagonal());
+    progress_.start(complex_.live_faces(), complex_.live_vertices(), scale_.diagonal());
     if constexpr (asks_for_distance) {
       distances_ = DistanceBounds(complex_.face_capacity());
       announce_distance(0);
@@ -205,7 +205,6 @@ public:
   void count(Tally& tally) { progress_.count(tally); }
 
   PairFinder<Policies>& pairs() { return pairs_; }
-  std::size_t pair_count() const { return pairs_.count(progress_.status.faces); }
 
   /// Tells the status of the contraction that comes next.
   void announce(const Candidate& candidate) { progress_.status.next_error = candidate.error; }
@@ -309,7 +308,7 @@ private:
   void update_current(Scratch& scratch, Index kept) requires asks_for_current<Cost> {
     costs_.learn(kept, complex_);
     const auto renew = [&](Index v) {
-      if (!is_interior(v))
+      if (!link_condition_.is_interior(v))
         costs_.recompute(v, complex_, scratch.marks);
     };
     if (is_closed())
@@ -323,10 +322,8 @@ private:
             renew(v);
   }
 
-  // Known to be inside the surface: without the link condition nothing is.
-  bool is_interior(Index v) const { return is_topology_kept_ && link_condition_.is_interior(v); }
   auto interior() const {
-    return [this](Index v) { return is_interior(v); };
+    return [this](Index v) { return link_condition_.is_interior(v); };
   }
 
   bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
@@ -344,13 +341,6 @@ private:
     else
       cause = Rejection::filter;
     return true;
-  }
-
-  std::size_t count_vertices() const {
-    std::size_t count = 0;
-    for (Index v = 0; v < vertex_capacity(); ++v)
-      count += complex_.has_faces(v);
-    return count;
   }
 
   void remember() {

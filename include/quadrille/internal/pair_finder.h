@@ -80,18 +80,19 @@ private:
   using Pairs = typename Policies::Pairs;
 
   // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
-  void prefetch(Index v, Index end, Index step) const {
-    const auto ask = [&](Index ahead, auto ask_for) {
-      if (ahead * step < end - v)
-        ask_for(v + ahead * step);
-    };
-    ask(12, [&](Index w) {
-      complex_.prefetch(w);
-      costs_.prefetch(w);
-    });
-    ask(9, [&](Index w) { complex_.prefetch_corners(w); });
-    ask(6, [&](Index w) { complex_.prefetch_faces(w); });
-    ask(3, [&](Index w) { complex_.for_each_next(w, [&](Index x) { costs_.prefetch(x); }); });
+  [[gnu::always_inline]] void prefetch(Index v, Index end, Index step) const {
+    const Index left = end - v;
+    if (12 * step < left) {
+      complex_.prefetch(v + 12 * step);
+      costs_.prefetch(v + 12 * step);
+    }
+    if (9 * step < left)
+      complex_.prefetch_corners(v + 9 * step);
+    if (6 * step < left)
+      complex_.prefetch_faces(v + 6 * step);
+    if (3 * step < left)
+      complex_.for_each_next(
+          v + 3 * step, [&](Index w) __attribute__((always_inline)) { costs_.prefetch(w); });
   }
 
   // Adds the pairs of v with vertices from `least` on to those of the scratch, each once.

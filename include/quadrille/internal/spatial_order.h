@@ -29,7 +29,7 @@ public:
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
     const std::vector<Index>& order = surface.vertex_origins =
-        sorted(curve_keys(surface.positions, box, threads));
+        sorted(keyed_vertices(surface.positions, box, threads));
     renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
     permute(surface.positions, order, threads);
@@ -59,8 +59,8 @@ private:
   }
 
   template <std::size_t N>
-  static std::vector<KeyedVertex> curve_keys(const std::vector<Vector<N>>& positions,
-                                             const Box<N>& box, unsigned threads) {
+  static std::vector<KeyedVertex> keyed_vertices(const std::vector<Vector<N>>& positions,
+                                                 const Box<N>& box, unsigned threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,10 +48,15 @@ public:
 
   std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
-  /// Counts them.
+  /// Counts those that are not dead.
   std::size_t live_faces() const {
     return static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(),
                                                   [](const Triangle& f) { return f[0] != none; }));
+  }
+  /// Counts those that have faces.
+  std::size_t live_vertices() const {
+    return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(),
+                                                  [](const List& list) { return list.size != 0; }));
   }
 
   bool is_dead(Index face) const { return faces_[face][0] == none; }
@@ -125,7 +129,8 @@ public:
   /// Builds all lists anew, in linear time, each in the order of its faces.
   void build_lists(unsigned threads = 1);
 
-  /// The vertices that have faces, in the order of their numbers: what pack() is told.
+  /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
+  /// is told.
   std::vector<Index> left_vertices() const {
     return indices_of(lists_, [](const List& list) { return list.size != 0; });
   }
@@ -179,8 +184,6 @@ private:
     pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
   }
 
-  void count_corners(unsigned threads); // into the sizes of the lists
-
   std::vector<Triangle> faces_;
   std::vector<Index> pool_;
   std::vector<List> lists_; // of each vertex
@@ -199,7 +202,7 @@ inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Tr
   build_lists(threads);
 }
 
-inline void TriangleComplex::count_corners(unsigned threads) {
+inline void TriangleComplex::build_lists(unsigned threads) {
   for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
     for (Index v = range.begin; v < range.end; ++v)
       lists_[v].size = 0;
@@ -209,10 +212,6 @@ inline void TriangleComplex::count_corners(unsigned threads) {
           if (range.contains(v))
             ++lists_[v].size;
   });
-}
-
-inline void TriangleComplex::build_lists(unsigned threads) {
-  count_corners(threads);
   fill_lists(threads);
 }
 

@@ -22,6 +22,7 @@ public:
 
   void read(const Mesh& mesh) {
     vertices_.clear();
+    places_.clear();
     vertices_.reserve(num_vertices(mesh));
     std::size_t index_end = 0;
     bool is_dense = true;
@@ -34,14 +35,14 @@ public:
     TriangleComplex::check_size(vertices_.size(), 0);
     if (is_dense)
       return;
-    dense_.assign(index_end, none);
+    places_.assign(index_end, none);
     for (std::size_t i = 0; i < vertices_.size(); ++i)
-      dense_[get(indices_, vertices_[i])] = static_cast<Index>(i);
+      places_[get(indices_, vertices_[i])] = static_cast<Index>(i);
   }
   /// Gives memory back that read() can fill anew.
   void release() {
     vertices_ = std::vector<Vertex>();
-    dense_ = std::vector<Index>();
+    places_ = std::vector<Index>();
   }
 
   /// One more, of which index() is not asked, and its number.
@@ -54,13 +55,13 @@ public:
   Vertex operator[](std::size_t number) const { return vertices_[number]; }
   Index index(Vertex v) const {
     const auto i = static_cast<std::size_t>(get(indices_, v));
-    return dense_.empty() ? static_cast<Index>(i) : dense_[i];
+    return places_.empty() ? static_cast<Index>(i) : places_[i];
   }
 
 private:
   VertexIndexMap indices_;
   std::vector<Vertex> vertices_;
-  std::vector<Index> dense_; // the number by the user's; empty if they are the same
+  std::vector<Index> places_; // by the user's numbers; empty if these are the same
 };
 
 } // namespace quadrille::internal
