@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  // Closes the loop of a face, and makes border halfedges of the other halves of its open sides.
+  // Closes the loop of a face. The other halves of its open sides have no face: the border.
   template <class VertexAt>
   void link_face(Index face, VertexAt vertex_at) {
     const Face f = faces_[face];
@@ -66,7 +66,6 @@ private:
       if (umbrellas_.mate(side) != none)
         continue;
       const auto source = vertex_at(3 * face + (k == 0 ? 2 : k - 1));
-      set_face(opposite(h, mesh_), Traits::null_face(), mesh_);
       set_target(opposite(h, mesh_), source, mesh_);
       set_halfedge(source, opposite(h, mesh_), mesh_);
     }

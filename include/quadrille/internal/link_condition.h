@@ -171,7 +171,7 @@ public:
     return std::min(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b);
   }
 
-  /// Is every vertex inside the surface?
+  /// Is every vertex known to be inside the surface?
   bool is_closed() const { return is_closed_; }
 
   /// Is the vertex known to be inside the surface? A condition without a surface knows of none.
@@ -224,7 +224,7 @@ private:
   }
 
   std::vector<Kind> kind_;
-  bool is_closed_ = true;
+  bool is_closed_ = false;
 };
 
 } // namespace quadrille::internal

@@ -255,7 +255,7 @@ public:
 
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
   /// Had the surface no border, nor will it have one?
-  bool is_closed() const { return is_topology_kept_ && link_condition_.is_closed(); }
+  bool is_closed() const { return link_condition_.is_closed(); }
   bool is_moved(Index v) const { return is_moved_[v] != 0; }
   bool is_topology_kept() const { return is_topology_kept_; }
   /// Of a vertex, in the units of the mesh and its attributes.

@@ -55,8 +55,7 @@ public:
   }
   /// Counts those that have faces.
   std::size_t live_vertices() const {
-    return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(),
-                                                  [](const List& list) { return list.size != 0; }));
+    return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(), has_corners));
   }
 
   bool is_dead(Index face) const { return faces_[face][0] == none; }
@@ -64,7 +63,7 @@ public:
   /// At most this many faces are at a vertex.
   std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
   /// A face that has died counts until a walk drops it.
-  bool has_faces(Index vertex) const { return lists_[vertex].size != 0; }
+  bool has_faces(Index vertex) const { return has_corners(lists_[vertex]); }
 
   /// Calls visit(face, i) for each live face at `vertex`, i being the place of the vertex in the
   /// face. Drops the corners of dead faces on its way, so its cost is repaid by the faces that
@@ -131,9 +130,7 @@ public:
 
   /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
   /// is told.
-  std::vector<Index> left_vertices() const {
-    return indices_of(lists_, [](const List& list) { return list.size != 0; });
-  }
+  std::vector<Index> left_vertices() const { return indices_of(lists_, has_corners); }
   /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
   /// No walk is possible before fill_lists() is called.
   void pack(const std::vector<Index>& vertices);
@@ -175,6 +172,7 @@ private:
   struct List {
     Index begin, size; // in the pool
   };
+  static constexpr auto has_corners = [](const List& list) { return list.size != 0; };
 
   // At the end of the pool; if need be, for many a merge more, which repay the new lists.
   void make_room(std::size_t corners) {
