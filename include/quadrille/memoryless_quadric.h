@@ -41,6 +41,10 @@ struct MemorylessQuadric {
   /// all the same: to send it back takes time, and the error is no lower for it.
   static constexpr double tolerated_rise = 1.1;
 
+  /// A vertex whose unevenness has fallen by more than this factor has its pairs costed anew, which
+  /// would otherwise come too late.
+  static constexpr double tolerated_fall = 0.7;
+
   /// What the faces around a vertex say now, about the vertex, through which all their planes go.
   struct Current {
     SymmetricMatrix<3> matrix; ///< of the planes
@@ -60,6 +64,14 @@ struct MemorylessQuadric {
       return *this;
     }
   };
+
+  /// About what costs at a vertex are in proportion to: the product of the three eigenvalues of the
+  /// planes of its faces, by the square of their sum. 0 where the faces lie in a plane or fold
+  /// along one line.
+  double unevenness(const Current& current) const {
+    const double trace = current.matrix.trace();
+    return trace > 0 ? current.matrix.determinant() / (trace * trace) : 0;
+  }
 
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const Vector<3> normal = normal_vector(p, q, r);

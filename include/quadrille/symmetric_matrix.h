@@ -68,6 +68,11 @@ public:
     return sum;
   }
 
+  constexpr double determinant() const requires(N == 3) {
+    const auto& [a, b, c, d, e, f] = entries_; // a; b c; d e f
+    return a * (c * f - e * e) - b * (b * f - d * e) + d * (b * e - c * d);
+  }
+
   friend constexpr Vector<N> operator*(const SymmetricMatrix& m, const Vector<N>& x) {
     Vector<N> product;
     for (std::size_t i = 0; i < N; ++i) {

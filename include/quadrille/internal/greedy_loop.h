@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_GREEDY_LOOP_H
 #define QUADRILLE_INTERNAL_GREEDY_LOOP_H
 
+#include <quadrille/internal/flattened_vertices.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/pair_queue.h>
 #include <quadrille/internal/parked_pairs.h>
@@ -36,6 +37,7 @@ public:
       : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pairs().count(surface.status().faces) + surface.vertex_capacity() / 8),
         parked_(surface.vertex_capacity()) {
+    watch_unevenness();
     surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
                                     [&](Index v, Index w, float cost) { push(v, w, cost); });
   }
@@ -175,6 +177,7 @@ private:
     }
     if (!surface_.complex().has_faces(kept))
       return;
+    note_unevenness(kept);
     if (surface_.complex().degree_bound(kept) > few_faces) {
       push_cheapest(kept, are_edges);
       return;
@@ -183,9 +186,12 @@ private:
       push(kept, partner, cost);
       if (are_edges)
         release_parked(partner);
+      look_for_flattened(partner);
     });
     if (is_eager())
       push_around(kept);
+    else if (flattened_.are_many())
+      push_flattened();
   }
 
   // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
@@ -207,10 +213,52 @@ private:
           ring_.push_back(w);
         }
     });
+    push_pairs_of_ring([v](Index x) { return x != v; });
+  }
+
+  // Each once, with the vertices x for which is_wanted(x) holds.
+  template <class IsWanted>
+  void push_pairs_of_ring(IsWanted is_wanted) {
     surface_.pairs().for_each_of(
         scratch_, ring_,
-        [&](Index w, Index x) -> bool { return (x != v) & ((stamp_[x] != time_) | (w < x)); },
+        [&](Index w, Index x) -> bool { return is_wanted(x) & ((stamp_[x] != time_) | (w < x)); },
         [&](Index w, Index x, float cost) { push(w, x, cost); });
+  }
+
+  // Where a cost tells it. Eager order has no use for it.
+  void watch_unevenness() {
+    if constexpr (tells_unevenness<Cost>) {
+      if (is_eager())
+        return;
+      flattened_ = FlattenedVertices(stamp_.size(), Cost::tolerated_fall);
+      for (Index v = 0; v < stamp_.size(); ++v)
+        note_unevenness(v);
+    }
+  }
+  void note_unevenness(Index v) {
+    if constexpr (tells_unevenness<Cost>)
+      if (!is_eager())
+        flattened_.note(v, surface_.unevenness(v));
+  }
+  void look_for_flattened(Index v) {
+    if constexpr (tells_unevenness<Cost>)
+      if (!is_eager())
+        flattened_.look_at(v, surface_.unevenness(v));
+  }
+
+  // The pairs of the flattened vertices, each once.
+  [[gnu::noinline]] void push_flattened() {
+    ring_.clear();
+    ++time_; // so that what was pushed before is outdated
+    flattened_.take([this](Index v) {
+      if (stamp_[v] == dead || !surface_.complex().has_faces(v) ||
+          surface_.complex().degree_bound(v) > few_faces)
+        return;
+      note_unevenness(v);
+      stamp_[v] = time_;
+      ring_.push_back(v);
+    });
+    push_pairs_of_ring([](Index) { return true; });
   }
 
   // Of a vertex of many faces. Its other pairs wait as if they were refused.
@@ -285,7 +333,8 @@ private:
   PairQueue queue_;
   ParkedPairs parked_;
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: cost and partner
-  std::vector<Index> ring_;                        // neighbours of a contracted vertex
+  std::vector<Index> ring_;                        // vertices whose pairs are costed anew
+  FlattenedVertices flattened_;                    // where that is due
   std::vector<Index> waiting_;                     // vertices with pairs that were left behind
   std::uint32_t time_to_release_ = 0;              // these
   std::vector<QueuedPair> overshooting_;           // pairs that would go beyond the target

@@ -66,6 +66,9 @@ public:
     if constexpr (asks_for_current<Cost>)
       current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex, marks, is_interior);
   }
+  double unevenness(Index v) const requires tells_unevenness<Cost> {
+    return policies_.cost.unevenness(current_[v]);
+  }
   /// The same around a contraction: before, and after.
   void forget(const PairStar& star, Index a, Index b) requires asks_for_current<Cost> {
     current_.forget(star, a, b, policies_.cost, positions_);

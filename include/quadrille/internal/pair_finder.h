@@ -54,8 +54,11 @@ public:
                    Visit visit) {
     Room<VertexPair>& pairs = scratch.pairs;
     pairs.clear();
-    for (Index v : vertices)
-      find(scratch, v, 0);
+    const auto end = static_cast<Index>(vertices.size());
+    for (Index i = 0; i < end; ++i) {
+      prefetch(i, end, 1, [&](Index k) { return vertices[k]; });
+      find(scratch, vertices[i], 0);
+    }
     pack_if(pairs, [&](Index i) { return is_wanted(pairs[i].first, pairs[i].second); });
     visit_found(scratch, visit);
   }
@@ -69,7 +72,7 @@ public:
       scratch.pairs.clear();
       for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v)) {
         if (step > 1)
-          prefetch(v, end, step);
+          prefetch(v, end, step, [](Index w) { return w; });
         find(scratch, v, v + 1);
       }
       visit_found(scratch, visit);
@@ -80,19 +83,21 @@ private:
   using Pairs = typename Policies::Pairs;
 
   // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
-  [[gnu::always_inline]] void prefetch(Index v, Index end, Index step) const {
-    const Index left = end - v;
+  template <class VertexAt>
+  [[gnu::always_inline]] void prefetch(Index i, Index end, Index step, VertexAt vertex_at) const {
+    const Index left = end - i;
     if (12 * step < left) {
-      complex_.prefetch(v + 12 * step);
-      costs_.prefetch(v + 12 * step);
+      complex_.prefetch(vertex_at(i + 12 * step));
+      costs_.prefetch(vertex_at(i + 12 * step));
     }
     if (9 * step < left)
-      complex_.prefetch_corners(v + 9 * step);
+      complex_.prefetch_corners(vertex_at(i + 9 * step));
     if (6 * step < left)
-      complex_.prefetch_faces(v + 6 * step);
+      complex_.prefetch_faces(vertex_at(i + 6 * step));
     if (3 * step < left)
       complex_.for_each_next(
-          v + 3 * step, [&](Index w) __attribute__((always_inline)) { costs_.prefetch(w); });
+          vertex_at(i + 3 * step), [&](Index w)
+                                       __attribute__((always_inline)) { costs_.prefetch(w); });
   }
 
   // Adds the pairs of v with vertices from `least` on to those of the scratch, each once.

@@ -5,6 +5,7 @@
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -26,6 +27,14 @@ requires requires {
   Cost::tolerated_rise;
 }
 inline constexpr float tolerated_rise<Cost> = static_cast<float>(Cost::tolerated_rise);
+
+/// Does a cost tell how uneven the faces around a vertex are, and by which factor that may fall
+/// before the pairs of the vertex are to be costed anew?
+template <class Cost>
+concept tells_unevenness = requires(const Cost& cost, const typename Cost::Current& current) {
+  { cost.unevenness(current) } -> std::convertible_to<double>;
+  { Cost::tolerated_fall } -> std::convertible_to<double>;
+};
 
 struct NoCurrent {};
 
