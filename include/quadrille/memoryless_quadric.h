@@ -41,9 +41,9 @@ struct MemorylessQuadric {
   /// all the same: to send it back takes time, and the error is no lower for it.
   static constexpr double tolerated_rise = 1.1;
 
-  /// A vertex whose unevenness has fallen by more than this factor has its pairs costed anew, which
-  /// would otherwise come too late.
-  static constexpr double tolerated_fall = 0.7;
+  /// Where unevenness() has fallen by more than this factor, the pairs of the vertex are costed
+  /// anew, since they would come too late.
+  static constexpr double tolerated_fall = 0.5;
 
   /// What the faces around a vertex say now, about the vertex, through which all their planes go.
   struct Current {

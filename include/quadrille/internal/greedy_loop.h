@@ -24,8 +24,8 @@ namespace quadrille::internal {
 /// the pair.
 ///
 /// A contraction changes the costs of the pairs at its vertex, and of no others but for costs that
-/// look at the surface as it is now: see GreedyOrder::eager. A pair that is refused waits until a
-/// vertex of a face at one of its ends has moved.
+/// look at the surface as it is now: see GreedyOrder::eager and FlattenedVertices. A pair that is
+/// refused waits until a vertex of a face at one of its ends has moved.
 ///
 /// Looking at a pair takes time in proportion to the faces at its ends. So that a vertex of d faces
 /// costs no more than about d² in all, a change beside it brings back only as many of its pairs as
