@@ -45,6 +45,12 @@ std::size_t folds_after(Mesh mesh, const NormalFlip& filter, const Order&... ord
 
 struct Count {
   std::size_t allowed, refused; // with folds allowed, and with folds refused
+
+  Count& operator+=(const Count& other) {
+    allowed += other.allowed;
+    refused += other.refused;
+    return *this;
+  }
 };
 
 template <class Cost, class... Order>
@@ -53,30 +59,29 @@ Count folds_of(const Mesh& mesh, const Order&... order) {
           folds_after<Cost>(mesh, NormalFlip(90), order...)};
 }
 
-void require_few(const Count& folds) {
+void require_few(const Count& folds, double share) {
   CAPTURE(folds.allowed, folds.refused);
   CHECK(folds.allowed > 0);
-  CHECK(folds.refused <= folds.allowed / 2);
+  CHECK(static_cast<double>(folds.refused) <= share * static_cast<double>(folds.allowed));
 }
 
 } // namespace
 
 TEST_CASE("Folds that many small turns make are refused") {
   const Mesh armadillo = test::read_model("armadillo"), lion = test::read_model("lion-head");
+  // So few that one more or less would decide, but for accumulated costs in greedy order: all of
+  // several copies are counted.
+  Count memoryless{0, 0}, relaxed{0, 0};
   for (const Mesh* mesh : {&armadillo, &lion}) {
     REQUIRE(folded_faces(*mesh) == 0);
-    require_few(folds_of<Quadric>(*mesh));
-    require_few(folds_of<MemorylessQuadric>(*mesh));
-  }
-  // Passes make so few that one more or less would decide, so all of several copies are counted.
-  Count all{0, 0};
-  for (const Mesh* mesh : {&armadillo, &lion}) {
+    require_few(folds_of<Quadric>(*mesh), 0.5);
     const test::Soup soup = test::to_soup(*mesh);
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    for (std::uint64_t seed = 0; seed < 16; ++seed) {
       const Mesh copy = test::make_mesh(test::with_noise(soup, seed, 1e-6 * test::diagonal(soup)));
-      const Count some = folds_of<Quadric>(copy, RelaxedOrder{});
-      all = {all.allowed + some.allowed, all.refused + some.refused};
+      memoryless += folds_of<MemorylessQuadric>(copy);
+      relaxed += folds_of<Quadric>(copy, RelaxedOrder{});
     }
   }
-  require_few(all);
+  require_few(memoryless, 0.67);
+  require_few(relaxed, 0.5);
 }

@@ -16,10 +16,8 @@ class FlattenedVertices {
 public:
   static constexpr std::size_t many = 64;
 
-  FlattenedVertices() = default;
   /// A vertex is one of them when its unevenness has fallen by more than a factor `fall`.
-  FlattenedVertices(std::size_t vertices, double fall)
-      : unevenness_(vertices, 0), fall_(static_cast<float>(fall)) {
+  FlattenedVertices(std::size_t vertices, float fall) : unevenness_(vertices, 0), fall_(fall) {
     found_.reserve(2 * many);
   }
 
@@ -48,7 +46,7 @@ private:
 
   std::vector<float> unevenness_; // of each vertex, when its pairs were last costed
   std::vector<Index> found_;
-  float fall_ = 0;
+  float fall_;
 };
 
 } // namespace quadrille::internal

@@ -36,8 +36,10 @@ public:
   explicit GreedyLoop(PairContraction<Policies>& surface)
       : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
         queue_(surface.pairs().count(surface.status().faces) + surface.vertex_capacity() / 8),
-        parked_(surface.vertex_capacity()) {
-    watch_unevenness();
+        parked_(surface.vertex_capacity()),
+        flattened_(looks_for_flattened() ? stamp_.size() : 0, tolerated_fall<Cost>) {
+    for (Index v = 0; v < stamp_.size(); ++v)
+      note_unevenness(v);
     surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
                                     [&](Index v, Index w, float cost) { push(v, w, cost); });
   }
@@ -186,7 +188,8 @@ private:
       push(kept, partner, cost);
       if (are_edges)
         release_parked(partner);
-      look_for_flattened(partner);
+      if (looks_for_flattened())
+        flattened_.look_at(partner, surface_.unevenness(partner));
     });
     if (is_eager())
       push_around(kept);
@@ -221,29 +224,15 @@ private:
   void push_pairs_of_ring(IsWanted is_wanted) {
     surface_.pairs().for_each_of(
         scratch_, ring_,
-        [&](Index w, Index x) -> bool { return is_wanted(x) & ((stamp_[x] != time_) | (w < x)); },
+        [&](Index w, Index x) { return is_wanted(x) && ((stamp_[x] != time_) | (w < x)); },
         [&](Index w, Index x, float cost) { push(w, x, cost); });
   }
 
-  // Where a cost tells it. Eager order has no use for it.
-  void watch_unevenness() {
-    if constexpr (tells_unevenness<Cost>) {
-      if (is_eager())
-        return;
-      flattened_ = FlattenedVertices(stamp_.size(), Cost::tolerated_fall);
-      for (Index v = 0; v < stamp_.size(); ++v)
-        note_unevenness(v);
-    }
-  }
+  // Where a cost tells how uneven they are. Eager order costs their pairs anyway.
+  bool looks_for_flattened() const { return tells_unevenness<Cost> && !is_eager(); }
   void note_unevenness(Index v) {
-    if constexpr (tells_unevenness<Cost>)
-      if (!is_eager())
-        flattened_.note(v, surface_.unevenness(v));
-  }
-  void look_for_flattened(Index v) {
-    if constexpr (tells_unevenness<Cost>)
-      if (!is_eager())
-        flattened_.look_at(v, surface_.unevenness(v));
+    if (looks_for_flattened())
+      flattened_.note(v, surface_.unevenness(v));
   }
 
   // The pairs of the flattened vertices, each once.
@@ -332,9 +321,9 @@ private:
   std::uint32_t time_ = 0;           // contractions so far
   PairQueue queue_;
   ParkedPairs parked_;
+  FlattenedVertices flattened_;
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: cost and partner
   std::vector<Index> ring_;                        // vertices whose pairs are costed anew
-  FlattenedVertices flattened_;                    // where that is due
   std::vector<Index> waiting_;                     // vertices with pairs that were left behind
   std::uint32_t time_to_release_ = 0;              // these
   std::vector<QueuedPair> overshooting_;           // pairs that would go beyond the target

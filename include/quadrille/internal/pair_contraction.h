@@ -256,8 +256,7 @@ public:
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
   /// Had the surface no border, nor will it have one?
   bool is_closed() const { return link_condition_.is_closed(); }
-  /// Of the faces around a vertex as they are now.
-  double unevenness(Index v) const requires tells_unevenness<Cost> { return costs_.unevenness(v); }
+  double unevenness(Index v) const { return costs_.unevenness(v); }
   bool is_moved(Index v) const { return is_moved_[v] != 0; }
   bool is_topology_kept() const { return is_topology_kept_; }
   /// Of a vertex, in the units of the mesh and its attributes.

@@ -66,8 +66,12 @@ public:
     if constexpr (asks_for_current<Cost>)
       current_ = CurrentMemories<Cost>(policies_.cost, positions_, complex, marks, is_interior);
   }
-  double unevenness(Index v) const requires tells_unevenness<Cost> {
-    return policies_.cost.unevenness(current_[v]);
+  /// Of the faces around a vertex as they are now; 0 if the cost does not tell.
+  double unevenness(Index v) const {
+    if constexpr (tells_unevenness<Cost>)
+      return policies_.cost.unevenness(current_[v]);
+    else
+      return 0;
   }
   /// The same around a contraction: before, and after.
   void forget(const PairStar& star, Index a, Index b) requires asks_for_current<Cost> {

@@ -28,13 +28,18 @@ requires requires {
 }
 inline constexpr float tolerated_rise<Cost> = static_cast<float>(Cost::tolerated_rise);
 
-/// Does a cost tell how uneven the faces around a vertex are, and by which factor that may fall
-/// before the pairs of the vertex are to be costed anew?
+/// Does a cost tell how uneven the faces around a vertex are?
 template <class Cost>
 concept tells_unevenness = requires(const Cost& cost, const typename Cost::Current& current) {
   { cost.unevenness(current) } -> std::convertible_to<double>;
-  { Cost::tolerated_fall } -> std::convertible_to<double>;
 };
+
+/// By which factor that may fall before the pairs of the vertex are costed anew.
+template <class Cost>
+inline constexpr float tolerated_fall = 0;
+template <class Cost>
+requires tells_unevenness<Cost>
+inline constexpr float tolerated_fall<Cost> = static_cast<float>(Cost::tolerated_fall);
 
 struct NoCurrent {};
 
