@@ -147,7 +147,8 @@ private:
   void read_faces(SurfaceInput<dimension>& surface) {
     surface.triangles.reserve(num_faces(mesh_));
     for (Face f : faces(mesh_)) {
-      const std::array<Halfedge, 3> h = halfedges_of(f);
+      const Halfedge first = halfedge(f, mesh_), second = next(first, mesh_);
+      const std::array<Halfedge, 3> h{first, second, next(second, mesh_)};
       if (next(h[2], mesh_) != h[0])
         throw std::invalid_argument(
             "quadrille::simplify: face " + std::to_string(surface.triangles.size()) +
@@ -157,13 +158,6 @@ private:
                                    vertices_.index(target(h[2], mesh_))});
     }
     TriangleComplex::check_size(0, surface.triangles.size());
-  }
-
-  // The halfedge to each corner of a face. In write(), corner i of a face is corner i of read().
-  std::array<Halfedge, 3> halfedges_of(Face f) const {
-    const Halfedge h = halfedge(f, mesh_);
-    const Halfedge second = next(h, mesh_);
-    return {h, second, next(second, mesh_)};
   }
 
   // Counts off the vertices that are left. From here on, edges are told by these numbers.
@@ -185,6 +179,7 @@ private:
     return number_[result.image(v)];
   }
 
+  // With the halfedges to their corners, which are in the order of read().
   template <class Result>
   void collect_faces(const Result& result) {
     const std::size_t left = result.count_faces();
@@ -201,15 +196,17 @@ private:
     }
     faces_.pop_back();
     doomed_faces_.pop_back();
+    halfedges_.resize(3 * left); // step by step, so that no face waits for what another one reads
+    for (std::size_t i = 0; i < left; ++i)
+      halfedges_[3 * i] = halfedge(faces_[i], mesh_);
+    for (std::size_t k : {1, 2})
+      for (std::size_t i = 0; i < left; ++i)
+        halfedges_[3 * i + k] = next(halfedges_[3 * i + k - 1], mesh_);
     sides_.reserve(3 * left);
-    halfedges_.reserve(3 * left);
     for (std::size_t i = 0; i < left; ++i) {
       const auto corners = result.corners(numbers[i]);
-      const auto h = halfedges_of(faces_[i]);
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k)
         sides_.push_back({number_[corners[k == 0 ? 2 : k - 1]], number_[corners[k]]});
-        halfedges_.push_back(h[k]);
-      }
     }
   }
 
