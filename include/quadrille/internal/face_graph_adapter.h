@@ -199,7 +199,7 @@ private:
     halfedges_.resize(3 * left); // step by step, so that no face waits for what another one reads
     for (std::size_t i = 0; i < left; ++i)
       halfedges_[3 * i] = halfedge(faces_[i], mesh_);
-    for (std::size_t k : {1, 2})
+    for (std::size_t k = 1; k < 3; ++k)
       for (std::size_t i = 0; i < left; ++i)
         halfedges_[3 * i + k] = next(halfedges_[3 * i + k - 1], mesh_);
     sides_.reserve(3 * left);

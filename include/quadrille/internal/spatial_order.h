@@ -119,17 +119,13 @@ private:
     for (const Triangle& triangle : triangles)
       ++begin[lowest(triangle) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Triangle> sorted(triangles.size());
     surface.face_origins.resize(triangles.size());
     for_each_range(threads, surface.positions.size(), [&](const auto& range, std::size_t) {
       for (Index face = 0; face < triangles.size(); ++face)
-        if (const Index v = lowest(triangles[face]); range.contains(v)) {
-          const Index place = begin[v]++;
-          sorted[place] = triangles[face];
-          surface.face_origins[place] = face;
-        }
+        if (const Index v = lowest(triangles[face]); range.contains(v))
+          surface.face_origins[begin[v]++] = face;
     });
-    surface.triangles = std::move(sorted);
+    permute(surface.triangles, surface.face_origins, threads);
   }
 
   template <class T>
