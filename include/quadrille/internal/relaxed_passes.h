@@ -6,7 +6,9 @@
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/parallel.h>
+#include <quadrille/internal/ranges.h>
 #include <quadrille/internal/scratch.h>
+#include <quadrille/internal/triangle_complex.h>
 #include <quadrille/order.h>
 #include <quadrille/report.h>
 
@@ -55,10 +57,10 @@ private:
   };
 
   struct Block {
-    Index begin, end;          // vertices
-    std::vector<float> sample; // what some of its pairs cost
-    std::size_t allowance = 0; // contractions
-    std::vector<Proposal> rest;
+    Index begin, end;               // vertices
+    std::vector<float> sample = {}; // what some of its pairs cost
+    std::size_t allowance = 0;      // contractions
+    std::vector<Proposal> rest = {};
   };
 
   // Each thread has one.
@@ -72,8 +74,10 @@ private:
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
-  static constexpr std::size_t joined_blocks = 8;
+  static constexpr int joined_bits = 3;
+  static constexpr std::size_t joined_blocks = 1 << joined_bits;
   static constexpr Index sample_step = 32;
+  static constexpr unsigned char touched = 255;
   static constexpr std::size_t pairs_per_contraction = 4; // so many find enough that can be done
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
@@ -82,7 +86,6 @@ private:
     sample();
     const float limit = cost_limit(quota);
     share_out(quota, limit);
-    is_touched_.assign(surface_.vertex_capacity(), 0);
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
       propose(blocks_[block], limit, workers_[worker]);
       contract_inside(blocks_[block], workers_[worker]);
@@ -104,19 +107,35 @@ private:
 
   unsigned threads() const { return surface_.pairs().has_others() ? 1 : order_.threads; }
 
-  // Blocks of vertices that follow one another.
+  // Blocks of vertices whose numbers have all but their last bits in common: one more of these
+  // where half of the vertices are gone.
   void divide() {
+    const std::size_t capacity = surface_.vertex_capacity();
+    const std::size_t sparsity = std::bit_floor(capacity / surface_.status().vertices);
+    const std::size_t size = std::min(block_size * sparsity, std::size_t{1} << 31);
+    block_bits_ = std::countr_zero(size);
     blocks_.clear();
-    std::size_t in_block = block_size;
-    for (Index v = 0; v < surface_.vertex_capacity(); ++v) {
-      if (!surface_.complex().has_faces(v))
-        continue;
-      if (in_block++ == block_size) {
-        blocks_.push_back({v, v, {}, 0, {}});
-        in_block = 1;
-      }
-      blocks_.back().end = v + 1;
-    }
+    for (std::size_t begin = 0; begin < capacity; begin += size)
+      blocks_.push_back(
+          {static_cast<Index>(begin), static_cast<Index>(std::min(begin + size, capacity))});
+    joins_ = 0;
+    measure_stars();
+  }
+
+  // What lies inside of a block stays there while others are contracted that do.
+  void measure_stars() {
+    joins_needed_.assign(surface_.vertex_capacity(), 0);
+    for_each_range(threads(), joins_needed_.size(), [&](const auto& range, std::size_t) {
+      surface_.complex().for_each_face_at(range, [&](const TriangleComplex::Triangle& corners) {
+        const auto [p, q, r] = corners;
+        const Index differing = ((p ^ q) | (p ^ r)) >> block_bits_;
+        const auto joins = (std::bit_width(differing) + joined_bits - 1) / joined_bits;
+        if (joins > 0)
+          for (Index v : corners)
+            if (range.contains(v))
+              joins_needed_[v] = std::max(joins_needed_[v], static_cast<unsigned char>(joins));
+      });
+    });
   }
 
   // What the pairs of one vertex in 32 cost.
@@ -200,10 +219,9 @@ private:
       const bool is_own = proposals[i].second < block.end; // else another thread may write to it
       if (is_over(proposals[i].first) || (is_own && is_over(proposals[i].second)))
         continue;
-      if (is_own && block.allowance > 0) {
+      if (is_own && is_inside(proposals[i]) && block.allowance > 0) {
         gather(worker.scratch, proposals[i]);
-        const PairStar& star = worker.scratch.star;
-        if (is_inside(star, block) && allowance_.most_used(star) <= block.allowance) {
+        if (allowance_.most_used(worker.scratch.star) <= block.allowance) {
           const Tally& tally = worker.scratch.tally;
           const std::size_t faces = tally.faces, vertices = tally.vertices;
           contract(worker.scratch, proposals[i]);
@@ -222,7 +240,7 @@ private:
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       Block& part = blocks_[i];
       if (i % joined_blocks == 0)
-        joined.push_back({part.begin, part.end, {}, 0, {}});
+        joined.push_back({part.begin, part.end});
       Block& block = joined.back();
       block.end = part.end;
       block.allowance += part.allowance;
@@ -230,6 +248,7 @@ private:
       part.rest = std::vector<Proposal>();
     }
     blocks_ = std::move(joined);
+    ++joins_;
   }
 
   // Appends it to the proposals of a worker.
@@ -255,22 +274,19 @@ private:
     }
   }
 
+  bool is_touched(Index v) const { return joins_needed_[v] == touched; }
+
   // Has it been contracted in this pass, or lost its faces?
   bool is_over(Index v) const {
-    return is_touched_[v] || (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
+    return is_touched(v) || (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
   }
 
   void gather(Scratch& scratch, const Proposal& proposal) {
     surface_.gather(scratch, proposal.first, proposal.second);
   }
 
-  static bool is_inside(const PairStar& star, const Block& block) {
-    bool inside = true;
-    for (const auto* faces : {&star.first, &star.second, &star.shared})
-      for (const StarFace& f : *faces)
-        for (Index v : {f.second, f.third})
-          inside &= (block.begin <= v) & (v < block.end);
-    return inside;
+  bool is_inside(const Proposal& proposal) const {
+    return std::max(joins_needed_[proposal.first], joins_needed_[proposal.second]) <= joins_;
   }
 
   // Unless it is refused.
@@ -285,12 +301,12 @@ private:
         cuts_off_touched(scratch.star, second))
       return;
     surface_.contract_in_pass(scratch, first, second, candidate);
-    is_touched_[first] = is_touched_[second] = 1;
+    joins_needed_[first] = joins_needed_[second] = touched;
   }
 
   bool cuts_off_touched(const PairStar& star, Index second) const {
     return !surface_.is_topology_kept() &&
-           any_cut_off(star, second, [this](Index v) { return is_touched_[v] != 0; });
+           any_cut_off(star, second, [this](Index v) { return is_touched(v); });
   }
 
   bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
@@ -305,8 +321,12 @@ private:
   PairContraction<Policies>& surface_;
   RelaxedOrder order_;
   Allowance allowance_;
-  std::vector<unsigned char> is_touched_; // no bits: threads write to it
   std::vector<Block> blocks_;
+  int block_bits_ = 0; // the last ones, in which vertices of a block differ
+  int joins_ = 0;      // of blocks, since they were divided
+  // How many of these bring all faces at a vertex into one block, or `touched` where it has been
+  // contracted in this pass.
+  std::vector<unsigned char> joins_needed_;
   std::vector<Worker> workers_;
 };
 
