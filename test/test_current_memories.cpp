@@ -35,9 +35,10 @@ bool has(const test::Triangle& t, Index v) {
   return std::find(t.begin(), t.end(), v) != t.end();
 }
 
-// The area-weighted sum of squared distances of x to the planes of the faces at a or b, each once,
-// with the point quadrics and the constraint planes beside them.
-double cost_of(const Soup& soup, Index a, Index b, const Vector<3>& x, double boundary_weight) {
+// The sum of squared distances of x to the planes of the faces at a or b, each once, weighted by a
+// power of their areas, with the point quadrics and the constraint planes beside them.
+double cost_of(const Soup& soup, Index a, Index b, const Vector<3>& x, double boundary_weight,
+               double power) {
   double sum = 0;
   const auto shares_edge = [&](const test::Triangle& t, Index v, Index w) {
     return std::count_if(soup.triangles.begin(), soup.triangles.end(),
@@ -54,7 +55,7 @@ double cost_of(const Soup& soup, Index a, Index b, const Vector<3>& x, double bo
     const double to_a = squared_distance(x, soup.points[a]);
     const double to_b = squared_distance(x, soup.points[b]);
     const double to_own = has(t, a) && has(t, b) ? (to_a + to_b) / 2 : has(t, a) ? to_a : to_b;
-    sum += twice_area / 2 * (distance * distance + 1e-9 * to_own);
+    sum += std::pow(twice_area / 2, power) * (distance * distance + 1e-9 * to_own);
     for (std::size_t i = 0; i < 3; ++i) {
       const Index v = t[i], w = t[(i + 1) % 3];
       if (!shares_edge(t, v, w) || (v != a && v != b && w != a && w != b))
@@ -62,7 +63,8 @@ double cost_of(const Soup& soup, Index a, Index b, const Vector<3>& x, double bo
       const Vector<3> along = soup.points[w] - soup.points[v];
       const Vector<3> across = cross(along, normal);
       const double offset = dot(across, x - soup.points[v]);
-      sum += boundary_weight * squared_length(along) * offset * offset / squared_length(across);
+      sum += boundary_weight * std::pow(squared_length(along), power) * offset * offset /
+             squared_length(across);
     }
   }
   return sum;
@@ -78,7 +80,7 @@ std::vector<std::pair<Index, float>> pairs_of(Surface& surface, Index v) {
 
 // Checks the cost of every pair, contracts one, and so on. Returns how many contractions it did.
 template <class Surface>
-std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps) {
+std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps, double power) {
   test::Random random(seed);
   std::size_t contractions = 0;
   for (int step = 0; step < steps; ++step) {
@@ -92,7 +94,8 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
         const auto candidate = surface.evaluate(v, w);
         CAPTURE(seed, step, v, w);
         REQUIRE(listed_cost == Approx(candidate.cost).epsilon(1e-6).margin(1e-30));
-        REQUIRE(candidate.cost == Approx(cost_of(soup, v, w, candidate.target, 100)).epsilon(1e-6));
+        REQUIRE(candidate.cost ==
+                Approx(cost_of(soup, v, w, candidate.target, 100, power)).epsilon(1e-6));
       }
     }
     for (int attempt = 0; attempt < 100; ++attempt) {
@@ -107,13 +110,19 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
   return contractions;
 }
 
-template <class... Arguments>
-void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) {
-  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>(arguments...);
+template <class Cost, class... Arguments>
+void check_costs(const Cost& cost, double power, const Soup& soup, std::uint64_t seed,
+                 const Arguments&... arguments) {
+  const auto policies = internal::pick_policies<Cost, OptimalPlacement>(cost, arguments...);
   const auto input = test::input_of(test::large(soup));
   internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
                                                                              policies);
-  CHECK(contract_and_compare(surface, seed, 12) > 8);
+  CHECK(contract_and_compare(surface, seed, 12, power) > 8);
+}
+
+template <class... Arguments>
+void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) {
+  check_costs(MemorylessQuadric{}, 1.25, soup, seed, arguments...);
 }
 
 } // namespace
@@ -153,4 +162,11 @@ TEST_CASE("A memoryless position of least cost keeps the volume") {
     if (test::contract(surface, std::min(v, w), std::max(v, w)))
       CHECK(test::volume(soup_of(surface)) == Approx(before).epsilon(1e-9));
   }
+}
+
+TEST_CASE("What is no loss of a thin feature costs by plain areas") {
+  ThinFeatureQuadric cost;
+  cost.loss_weight = 0;
+  check_costs(cost, 1, test::random_closed(7), 7);
+  check_costs(cost, 1, test::random_with_borders(8), 8);
 }

@@ -149,9 +149,9 @@ inline LaneMinima minima(const MemorylessQuadric::Current& first,
   const auto& [p, q] = others;
   const auto& [s, t] = shared;
   const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
-  const Lanes half_shared = 0.5 * Lanes{s.area, t.area};
-  const Lanes point = Quadric::shape_weight * (first.area - half_shared);
-  const Lanes other_point = Quadric::shape_weight * (Lanes{p->area, q->area} - half_shared);
+  const Lanes half_shared = 0.5 * Lanes{s.weight, t.weight};
+  const Lanes point = Quadric::shape_weight * (first.weight - half_shared);
+  const Lanes other_point = Quadric::shape_weight * (Lanes{p->weight, q->weight} - half_shared);
   const LaneMatrix b = LaneMatrix::of(p->matrix, q->matrix) + other_point;
   const LaneVector bd = b * d;
   const LaneMatrix a =
