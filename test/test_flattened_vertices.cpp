@@ -32,6 +32,18 @@ struct Waiting : MemorylessQuadric {
   static constexpr double tolerated_fall = 0;
 };
 
+// Each goes the general way; the second sends back all pairs that have become dearer.
+struct Tolerant : MemorylessQuadric {};
+struct Strict : MemorylessQuadric {
+  static constexpr double tolerated_rise = 1;
+};
+
+template <class Cost, class... Arguments>
+test::Soup simplified(test::Mesh mesh, const Arguments&... arguments) {
+  simplify<Cost, OptimalPlacement>(mesh, arguments...);
+  return test::to_soup(mesh);
+}
+
 template <class Cost>
 double rms_after(const test::Mesh& input, double ratio) {
   test::Mesh mesh = input;
@@ -94,7 +106,8 @@ TEST_CASE("Unevenness is none in a plane, and grows with height and area") {
   CHECK(of_pyramid(0, 1) == 0);
   CHECK(of_pyramid(0.2, 1) > 3 * of_pyramid(0.1, 1));
   CHECK(of_pyramid(0.1, 2) == Approx(std::pow(2, 2.5) * of_pyramid(0.1, 1)));
-  // Planes (1, ±1, 1) and so on over √3, each of weight w = (√3 / 2)^(5/4): all eigenvalues 4 w / 3.
+  // Planes (1, ±1, 1) and so on over √3, each of weight w = (√3 / 2)^(5/4): all eigenvalues 4 w
+  // / 3.
   CHECK(of_pyramid(1, 1) == Approx(4 * std::pow(std::sqrt(3.0) / 2, 1.25) / 27));
 }
 
@@ -106,4 +119,13 @@ TEST_CASE("Pairs that have become cheaper do not wait for too long") {
   }
   CAPTURE(ratio);
   CHECK(ratio < 0.99);
+}
+
+TEST_CASE("Pairs that have become a little dearer are not sent back") {
+  const test::Mesh mesh = test::make_mesh(test::with_noise(test::sphere(4), 1, 0.01));
+  const FaceRatio stop{0.3};
+  CHECK_FALSE(test::is_identical(simplified<Tolerant>(mesh, stop), simplified<Strict>(mesh, stop)));
+  constexpr GreedyOrder eager{.eager = true}; // all costs are known
+  CHECK(test::is_identical(simplified<Tolerant>(mesh, stop, eager),
+                           simplified<Strict>(mesh, stop, eager)));
 }
