@@ -6,8 +6,10 @@
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/internal/uninitialized.h>
 #include <quadrille/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,14 +28,16 @@ public:
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
   template <class IsInterior>
-  static void compute(std::vector<Memory>& result, const Cost& cost,
+  static void compute(UninitializedVector<Memory>& result, const Cost& cost,
                       const std::vector<Position>& positions, TriangleComplex& complex,
                       Marks& marks, const std::vector<VertexPair>& creases, IsInterior is_interior,
                       unsigned threads) {
-    result.assign(positions.size(), Memory{});
+    result.resize(positions.size());
     InitialMemories memories(cost, positions, complex, result);
-    for_each_range(threads, positions.size(),
-                   [&](const auto& range, std::size_t) { memories.add_faces(range); });
+    for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
+      std::fill(result.begin() + range.begin, result.begin() + range.end, Memory{});
+      memories.add_faces(range);
+    });
     if constexpr (has_boundaries || has_creases)
       memories.add_edges(marks, is_interior);
     if constexpr (has_creases)
@@ -51,7 +55,7 @@ private:
   };
 
   InitialMemories(const Cost& cost, const std::vector<Position>& positions,
-                  TriangleComplex& complex, std::vector<Memory>& memories)
+                  TriangleComplex& complex, UninitializedVector<Memory>& memories)
       : cost_(cost), positions_(positions), complex_(complex), memories_(memories) {}
 
   // To the vertices of a range.
@@ -130,7 +134,7 @@ private:
   const Cost& cost_;
   const std::vector<Position>& positions_;
   TriangleComplex& complex_;
-  std::vector<Memory>& memories_;
+  UninitializedVector<Memory>& memories_;
 };
 
 } // namespace quadrille::internal

@@ -12,6 +12,7 @@
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/internal/two_quadrics.h>
+#include <quadrille/internal/uninitialized.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
@@ -152,7 +153,7 @@ public:
     squared_reach_ = std::vector<float>();
     positions_.shrink_to_fit();
     if (!keeps_memories)
-      memories_ = std::vector<Memory>();
+      memories_ = UninitializedVector<Memory>();
   }
 
 private:
@@ -278,7 +279,7 @@ private:
   const TriangleComplex& complex_;
   std::vector<Position> positions_;
   std::vector<bool> is_fixed_; // empty if none is
-  std::vector<Memory> memories_;
+  UninitializedVector<Memory> memories_;
   [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
   std::vector<float> squared_reach_;
 };

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_RELAXED_PASSES_H
 
 #include <quadrille/internal/allowance.h>
+#include <quadrille/internal/block_stars.h>
 #include <quadrille/internal/digit_sort.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/pair_contraction.h>
@@ -74,10 +75,8 @@ private:
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
-  static constexpr int joined_bits = 3;
-  static constexpr std::size_t joined_blocks = 1 << joined_bits;
+  static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
   static constexpr Index sample_step = 32;
-  static constexpr unsigned char touched = 255;
   static constexpr std::size_t pairs_per_contraction = 4; // so many find enough that can be done
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
@@ -107,35 +106,16 @@ private:
 
   unsigned threads() const { return surface_.pairs().has_others() ? 1 : order_.threads; }
 
-  // Blocks of vertices whose numbers have all but their last bits in common: one more of these
-  // where half of the vertices are gone.
+  // One more of the last bits of their numbers where half of the vertices are gone.
   void divide() {
     const std::size_t capacity = surface_.vertex_capacity();
     const std::size_t sparsity = std::bit_floor(capacity / surface_.status().vertices);
     const std::size_t size = std::min(block_size * sparsity, std::size_t{1} << 31);
-    block_bits_ = std::countr_zero(size);
     blocks_.clear();
     for (std::size_t begin = 0; begin < capacity; begin += size)
       blocks_.push_back(
           {static_cast<Index>(begin), static_cast<Index>(std::min(begin + size, capacity))});
-    joins_ = 0;
-    measure_stars();
-  }
-
-  // What lies inside of a block stays there while others are contracted that do.
-  void measure_stars() {
-    joins_needed_.assign(surface_.vertex_capacity(), 0);
-    for_each_range(threads(), joins_needed_.size(), [&](const auto& range, std::size_t) {
-      surface_.complex().for_each_face_at(range, [&](const TriangleComplex::Triangle& corners) {
-        const auto [p, q, r] = corners;
-        const Index differing = ((p ^ q) | (p ^ r)) >> block_bits_;
-        const auto joins = (std::bit_width(differing) + joined_bits - 1) / joined_bits;
-        if (joins > 0)
-          for (Index v : corners)
-            if (range.contains(v))
-              joins_needed_[v] = std::max(joins_needed_[v], static_cast<unsigned char>(joins));
-      });
-    });
+    stars_.measure(surface_.complex(), std::countr_zero(size), threads());
   }
 
   // What the pairs of one vertex in 32 cost.
@@ -216,10 +196,11 @@ private:
     const Room<Proposal>& proposals = worker.proposals;
     worker.rest.clear();
     for (std::size_t i = 0; i < proposals.size(); ++i) {
-      const bool is_own = proposals[i].second < block.end; // else another thread may write to it
-      if (is_over(proposals[i].first) || (is_own && is_over(proposals[i].second)))
+      const auto [cost, v, w] = proposals[i];
+      const bool is_own = w < block.end; // else another thread may write to it
+      if (is_over(v) || (is_own && is_over(w)))
         continue;
-      if (is_own && is_inside(proposals[i]) && block.allowance > 0) {
+      if (is_own && stars_.are_inside(v, w) && block.allowance > 0) {
         gather(worker.scratch, proposals[i]);
         if (allowance_.most_used(worker.scratch.star) <= block.allowance) {
           const Tally& tally = worker.scratch.tally;
@@ -248,7 +229,7 @@ private:
       part.rest = std::vector<Proposal>();
     }
     blocks_ = std::move(joined);
-    ++joins_;
+    stars_.join();
   }
 
   // Appends it to the proposals of a worker.
@@ -274,19 +255,14 @@ private:
     }
   }
 
-  bool is_touched(Index v) const { return joins_needed_[v] == touched; }
-
   // Has it been contracted in this pass, or lost its faces?
   bool is_over(Index v) const {
-    return is_touched(v) || (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
+    return stars_.is_touched(v) ||
+           (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
   }
 
   void gather(Scratch& scratch, const Proposal& proposal) {
     surface_.gather(scratch, proposal.first, proposal.second);
-  }
-
-  bool is_inside(const Proposal& proposal) const {
-    return std::max(joins_needed_[proposal.first], joins_needed_[proposal.second]) <= joins_;
   }
 
   // Unless it is refused.
@@ -301,12 +277,13 @@ private:
         cuts_off_touched(scratch.star, second))
       return;
     surface_.contract_in_pass(scratch, first, second, candidate);
-    joins_needed_[first] = joins_needed_[second] = touched;
+    stars_.touch(first);
+    stars_.touch(second);
   }
 
   bool cuts_off_touched(const PairStar& star, Index second) const {
     return !surface_.is_topology_kept() &&
-           any_cut_off(star, second, [this](Index v) { return is_touched(v); });
+           any_cut_off(star, second, [this](Index v) { return stars_.is_touched(v); });
   }
 
   bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
@@ -322,11 +299,7 @@ private:
   RelaxedOrder order_;
   Allowance allowance_;
   std::vector<Block> blocks_;
-  int block_bits_ = 0; // the last ones, in which vertices of a block differ
-  int joins_ = 0;      // of blocks, since they were divided
-  // How many of these bring all faces at a vertex into one block, or `touched` where it has been
-  // contracted in this pass.
-  std::vector<unsigned char> joins_needed_;
+  BlockStars stars_;
   std::vector<Worker> workers_;
 };
 
