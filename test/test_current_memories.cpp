@@ -122,7 +122,7 @@ void check_costs(const Cost& cost, double power, const Soup& soup, std::uint64_t
 
 template <class... Arguments>
 void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) {
-  check_costs(MemorylessQuadric{}, 1.5, soup, seed, arguments...);
+  check_costs(MemorylessQuadric{}, 1.25, soup, seed, arguments...);
 }
 
 } // namespace
