@@ -15,6 +15,7 @@
 namespace {
 
 using namespace quadrille;
+using quadrille::internal::Array;
 using quadrille::internal::Index;
 using quadrille::internal::PairQueue;
 using quadrille::internal::QueuedPair;
@@ -133,8 +134,8 @@ void queue(benchmark::State& state) {
 BENCHMARK(queue)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 /// A torus of 2·n·n faces, so that every vertex has six.
-std::vector<TriangleComplex::Triangle> torus(Index n) {
-  std::vector<TriangleComplex::Triangle> triangles;
+Array<TriangleComplex::Triangle> torus(Index n) {
+  Array<TriangleComplex::Triangle> triangles;
   const auto vertex = [n](Index i, Index j) { return i % n * n + j % n; };
   for (Index i = 0; i < n; ++i)
     for (Index j = 0; j < n; ++j) {

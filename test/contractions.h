@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_TEST_CONTRACTIONS_H
 #define QUADRILLE_TEST_CONTRACTIONS_H
 
+#include "arrays.h"
 #include "soups.h"
 
 #include <quadrille/simplify.h>
@@ -18,8 +19,8 @@ inline Soup large(const Soup& soup) {
 
 inline quadrille::internal::SurfaceInput<3> input_of(const Soup& soup) {
   quadrille::internal::SurfaceInput<3> input;
-  input.positions = soup.points;
-  input.triangles = soup.triangles;
+  input.positions = array_of(soup.points);
+  input.triangles = array_of(soup.triangles);
   return input;
 }
 

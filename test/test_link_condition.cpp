@@ -1,5 +1,6 @@
 // Which contractions keep the topology.
 
+#include "arrays.h"
 #include "soups.h"
 
 #include <quadrille/internal/link_condition.h>
@@ -37,7 +38,7 @@ std::size_t vertex_count(const std::vector<Triangle>& triangles) {
 }
 
 bool holds(const std::vector<Triangle>& triangles, Index a, Index b) {
-  TriangleComplex complex(vertex_count(triangles), triangles);
+  TriangleComplex complex(vertex_count(triangles), test::array_of(triangles));
   std::vector<Scratch> scratches(1, Scratch(complex.vertex_capacity()));
   Marks& marks = scratches.front().marks;
   const LinkCondition condition(complex, scratches);
@@ -50,7 +51,7 @@ bool holds(const std::vector<Triangle>& triangles, Index a, Index b) {
 }
 
 VertexKind kind(const std::vector<Triangle>& triangles, Index v) {
-  TriangleComplex complex(vertex_count(triangles), triangles);
+  TriangleComplex complex(vertex_count(triangles), test::array_of(triangles));
   Marks marks(complex.vertex_capacity());
   return VertexClassifier()(complex, v, marks);
 }
@@ -188,7 +189,7 @@ TEST_CASE(
   CAPTURE(seed);
   const Soup soup = seed < 4 ? test::random_closed(seed) : test::random_with_borders(seed);
   const test::SoupTopology before = test::topology_of(soup);
-  TriangleComplex complex(soup.points.size(), soup.triangles);
+  TriangleComplex complex(soup.points.size(), test::array_of(soup.triangles));
   std::vector<Scratch> scratches(1, Scratch(complex.vertex_capacity()));
   Marks& marks = scratches.front().marks;
   const LinkCondition condition(complex, scratches);

@@ -1,5 +1,6 @@
 // Incidence: the corner lists against plain sets, and the numbers that are forgotten at once.
 
+#include "arrays.h"
 #include "soups.h"
 
 #include <quadrille/internal/marks.h>
@@ -76,7 +77,7 @@ Model model_of(const std::vector<Triangle>& triangles) {
 
 TEST_CASE("A complex lists the corners at each vertex") {
   const auto soup = test::tetrahedron();
-  TriangleComplex complex(6, soup.triangles); // with two isolated vertices
+  TriangleComplex complex(6, test::array_of(soup.triangles)); // with two isolated vertices
   CHECK(complex.live_faces() == 4);
   for (Index v = 0; v < 4; ++v)
     CHECK(corners_at(complex, v).size() == 3);
@@ -122,7 +123,7 @@ TEST_CASE("Random merges and deaths leave the same corners as in plain sets") {
   Random random(seed);
   const Index vertices = 12;
   const std::vector<Triangle> triangles = random_triangles(random, vertices);
-  TriangleComplex complex(vertices, triangles);
+  TriangleComplex complex(vertices, test::array_of(triangles));
   Model model = model_of(triangles);
   const auto kill = [&](Index face) {
     complex.kill(face);
@@ -154,7 +155,7 @@ TEST_CASE("What is left gets new numbers in the same order, and its origins are 
   Random random(seed);
   const Index vertices = 50;
   const std::vector<Triangle> triangles = random_triangles(random, vertices);
-  TriangleComplex complex(vertices, triangles);
+  TriangleComplex complex(vertices, test::array_of(triangles));
   Model model = model_of(triangles); // by first numbers
   Origins vertex_origins(vertices, {}), face_origins(complex.face_capacity(), {});
   for (int round = 0; round < 3; ++round) {
@@ -165,7 +166,7 @@ TEST_CASE("What is left gets new numbers in the same order, and its origins are 
       }
     for (Index v = 0; v < complex.vertex_capacity(); ++v)
       complex.for_each_corner(v, [](Index, Index) {}); // drops corners of faces that are gone
-    const std::vector<Index> left_vertices = complex.left_vertices();
+    const auto left_vertices = complex.left_vertices();
     face_origins.pack_if([&](Index face) { return !complex.is_dead(face); });
     complex.pack(left_vertices);
     complex.fill_lists();

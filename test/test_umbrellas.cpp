@@ -15,14 +15,15 @@
 
 namespace {
 
+using quadrille::internal::Array;
 using quadrille::internal::Index;
 using quadrille::internal::none;
 using quadrille::internal::Side;
 using quadrille::internal::Umbrellas;
 using test::Triangle;
 
-std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
+Array<Side> sides_of(const std::vector<Triangle>& triangles) {
+  Array<Side> sides;
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k)
       sides.push_back({t[(k + 2) % 3], t[k]});
@@ -40,7 +41,7 @@ Index side_before(Index side) {
 
 // Builds the umbrellas and checks what must hold of any: they can be written to a halfedge mesh.
 Umbrellas build(const std::vector<Triangle>& triangles, std::size_t vertices) {
-  const std::vector<Side> sides = sides_of(triangles);
+  const Array<Side> sides = sides_of(triangles);
   Umbrellas u;
   u.build(sides, vertices, no_mates);
   const auto original = [&](Index v) { return v < vertices ? v : u.duplicates().at(v - vertices); };
@@ -96,7 +97,7 @@ Umbrellas build(const std::vector<Triangle>& triangles, std::size_t vertices) {
 // Turns round every corner: how many closed umbrellas there are at each vertex, and has it open
 // ones?
 std::size_t fewest_duplicates(const Umbrellas& u, const std::vector<Triangle>& triangles) {
-  const std::vector<Side> sides = sides_of(triangles);
+  const Array<Side> sides = sides_of(triangles);
   std::map<Index, std::size_t> closed;
   std::set<Index> has_open;
   std::set<Index> seen;
@@ -169,8 +170,8 @@ TEST_CASE("Of two closed umbrellas one gets a duplicate of the vertex") {
 
 TEST_CASE("Open umbrellas and a closed one need one duplicate, in any order") {
   const std::vector<Triangle> fans{{0, 2, 1}, {0, 3, 4}, {0, 5, 6}};
-  CHECK(build(fans + tetrahedron_at(0, 7), 10).duplicates() == std::vector<Index>{0});
-  CHECK(build(tetrahedron_at(0, 7) + fans, 10).duplicates() == std::vector<Index>{0});
+  CHECK(build(fans + tetrahedron_at(0, 7), 10).duplicates() == Array<Index>{0});
+  CHECK(build(tetrahedron_at(0, 7) + fans, 10).duplicates() == Array<Index>{0});
 }
 
 TEST_CASE("Of three faces at an edge two are joined") {

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_BLOCK_STARS_H
 #define QUADRILLE_INTERNAL_BLOCK_STARS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/index.h>
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -18,6 +18,8 @@ namespace quadrille::internal {
 class BlockStars {
 public:
   static constexpr std::size_t joined_blocks = 8;
+
+  explicit BlockStars(Workspace* workspace) : joins_needed_(workspace) {}
 
   /// For blocks of 2^bits vertices. No vertex has been contracted.
   void measure(const TriangleComplex& complex, int bits, unsigned threads) {
@@ -51,7 +53,7 @@ private:
 
   int joins_ = 0;
   // How many joins bring all faces at a vertex into one block, or `touched`.
-  std::vector<unsigned char> joins_needed_;
+  Array<unsigned char> joins_needed_;
 };
 
 } // namespace quadrille::internal

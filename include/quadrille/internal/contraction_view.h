@@ -1,13 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_VIEW_H
 #define QUADRILLE_INTERNAL_CONTRACTION_VIEW_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -21,7 +21,7 @@ template <std::size_t N>
 class ContractionView {
 public:
   ContractionView(const PairStar& star, const TriangleComplex& complex,
-                  const std::vector<Vector<N>>& positions, const Vector<N>& first,
+                  const Array<Vector<N>>& positions, const Vector<N>& first,
                   const Vector<N>& second, const Vector<N>& target)
       : star_(star), complex_(complex), positions_(positions), first_(first), second_(second),
         target_(target) {}
@@ -144,7 +144,7 @@ private:
 
   const PairStar& star_;
   const TriangleComplex& complex_;
-  const std::vector<Vector<N>>& positions_;
+  const Array<Vector<N>>& positions_;
   const Vector<N>&first_, &second_, &target_;
 };
 

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CURRENT_MEMORIES_H
 #define QUADRILLE_INTERNAL_CURRENT_MEMORIES_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/edge_star.h>
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
@@ -123,7 +124,7 @@ template <class Cost>
 class CurrentMemories {
 public:
   using Position = Vector<Cost::dimension>;
-  using Positions = std::vector<Position>;
+  using Positions = Array<Position>;
   using Current = typename Cost::Current;
 
   CurrentMemories() = default;
@@ -131,7 +132,7 @@ public:
   template <class IsInterior>
   CurrentMemories(const Cost& cost, const Positions& positions, TriangleComplex& complex,
                   Marks& marks, IsInterior is_interior)
-      : current_(positions.size()) {
+      : current_(positions.size(), positions.get_allocator()) {
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_dead(face))
         continue;
@@ -211,7 +212,7 @@ private:
     current_[f.third] -= old;
   }
 
-  std::vector<Current> current_;
+  Array<Current> current_;
   EdgeStar edges_;
 };
 
@@ -221,11 +222,13 @@ struct NoCurrentMemories {};
 template <class Cost>
 struct CurrentMemoriesOf {
   using type = NoCurrentMemories;
+  static constexpr std::size_t bytes_a_vertex = 0;
 };
 template <class Cost>
 requires asks_for_current<Cost>
 struct CurrentMemoriesOf<Cost> {
   using type = CurrentMemories<Cost>;
+  static constexpr std::size_t bytes_a_vertex = sizeof(typename Cost::Current);
 };
 
 } // namespace quadrille::internal

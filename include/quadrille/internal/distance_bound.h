@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_DISTANCE_BOUND_H
 #define QUADRILLE_INTERNAL_DISTANCE_BOUND_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -30,7 +31,7 @@ class StarDeviation {
 public:
   /// The star of the pair ab, and the place x to which it is contracted.
   template <std::size_t N>
-  StarDeviation(const PairStar& star, Index a, Index b, const std::vector<Vector<N>>& positions,
+  StarDeviation(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
                 const Vector<3>& x)
       : origin_(space(positions[a])), x_(x) {
     const auto at = [&](Index v) { return space(positions[v]); };
@@ -211,7 +212,7 @@ public:
   /// What a contraction would make of the bounds of the faces that it changes, in the order of the
   /// star; and the greatest of these.
   template <std::size_t N>
-  double after(const PairStar& star, Index a, Index b, const std::vector<Vector<N>>& positions,
+  double after(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
                const Vector<3>& x, std::vector<float>& bounds) const {
     StarDeviation deviation(star, a, b, positions, x);
     double before = 0;
@@ -264,7 +265,7 @@ private:
                           std::numeric_limits<float>::infinity());
   }
 
-  std::vector<float> of_face_;
+  Array<float> of_face_;
 };
 
 } // namespace quadrille::internal

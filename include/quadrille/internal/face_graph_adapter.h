@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FACE_GRAPH_ADAPTER_H
 #define QUADRILLE_INTERNAL_FACE_GRAPH_ADAPTER_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/face_linker.h>
 #include <quadrille/internal/named_edges.h>
@@ -40,13 +41,15 @@ public:
   using Face = typename Traits::face_descriptor;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
-  FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes = {})
-      : mesh_(mesh), points_(points), vertices_(indices), attributes_(attributes) {}
+  FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes,
+                   Workspace& workspace)
+      : workspace_(&workspace), mesh_(mesh), points_(points), vertices_(indices, &workspace),
+        attributes_(attributes) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
   /// finite.
   SurfaceInput<dimension> read() {
-    SurfaceInput<dimension> surface;
+    SurfaceInput<dimension> surface(workspace_);
     vertices_.read(mesh_);
     read_vertices(surface);
     read_faces(surface);
@@ -109,7 +112,9 @@ public:
 private:
   // What write_points has overwritten.
   struct Undo {
-    std::vector<std::pair<Vertex, Point>> points;
+    explicit Undo(Workspace* workspace) : points(workspace) {}
+
+    Array<std::pair<Vertex, Point>> points;
     std::vector<std::pair<Vertex, AttributeValue<Attributes>>> attributes;
 
     void run(FaceGraphAdapter& adapter) const {
@@ -183,7 +188,7 @@ private:
   template <class Result>
   void collect_faces(const Result& result) {
     const std::size_t left = result.count_faces();
-    std::vector<Index> numbers(left + 1); // of the faces that are left
+    Array<Index> numbers(left + 1, workspace_); // of the faces that are left
     faces_.resize(left + 1);
     doomed_faces_.resize(result.face_count() - left + 1);
     std::size_t found = 0;
@@ -256,9 +261,9 @@ private:
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
   template <class Result, class Tell>
   void write_points(const Result& result, Tell tell) {
-    std::vector<Vertex> added;
+    Array<Vertex> added;
     added.reserve(umbrellas_.duplicates().size()); // so that none is lost
-    Undo undo;
+    Undo undo(workspace_);
     try {
       for (Index v : left_) {
         if (result.is_moved(v))
@@ -313,20 +318,21 @@ private:
 
   Vertex vertex_at(Index corner) const { return vertices_[left_[umbrellas_.vertex(corner)]]; }
 
+  Workspace* workspace_;
   Mesh& mesh_;
   PointMap points_;
   VertexNumbers<Mesh, VertexIndexMap> vertices_; // with those that write() adds
   [[no_unique_address]] Attributes attributes_;
   NamedEdges<Edge> named_edges_;
-  std::vector<Index> left_;         // the vertices that are left, ascending, with the duplicates
-  std::vector<Index> number_;       // in left_, by the engine's final index
-  std::vector<Face> faces_;         // the faces that are left
-  std::vector<Side> sides_;         // three a face, of numbers in left_: side k leads to corner k
-  std::vector<Halfedge> halfedges_; // of each side before
-  std::vector<Halfedge> chosen_;    // and after
-  Umbrellas umbrellas_;
-  std::vector<Face> doomed_faces_;
-  std::vector<Edge> doomed_edges_;
+  Array<Index> left_{workspace_};   // the vertices that are left, ascending, with the duplicates
+  Array<Index> number_{workspace_}; // in left_, by the engine's final index
+  Array<Face> faces_{workspace_};   // the faces that are left
+  Array<Side> sides_{workspace_};   // three a face, of numbers in left_: side k leads to corner k
+  Array<Halfedge> halfedges_{workspace_}; // of each side before
+  Array<Halfedge> chosen_{workspace_};    // and after
+  Umbrellas umbrellas_{workspace_};
+  Array<Face> doomed_faces_{workspace_};
+  Array<Edge> doomed_edges_{workspace_};
 };
 
 } // namespace quadrille::internal

@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_FACE_LINKER_H
 #define QUADRILLE_INTERNAL_FACE_LINKER_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/umbrellas.h>
 
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -21,14 +21,14 @@ public:
   using Face = typename Traits::face_descriptor;
 
   /// `halfedges`: of the three sides of each face, as the umbrellas have them.
-  FaceLinker(Mesh& mesh, const Umbrellas& umbrellas, const std::vector<Face>& faces,
-             const std::vector<Halfedge>& halfedges)
+  FaceLinker(Mesh& mesh, const Umbrellas& umbrellas, const Array<Face>& faces,
+             const Array<Halfedge>& halfedges)
       : mesh_(mesh), umbrellas_(umbrellas), faces_(faces), halfedges_(halfedges) {}
 
   /// vertex_at(corner) is the vertex of a corner. `others` becomes a list of the edges that no face
   /// has any more; it is as long as the mesh has edges.
   template <class VertexAt>
-  void link(VertexAt vertex_at, std::vector<Edge>& others) {
+  void link(VertexAt vertex_at, Array<Edge>& others) {
     const Face no_face = Traits::null_face();
     for (Edge e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
@@ -74,8 +74,8 @@ private:
 
   Mesh& mesh_;
   const Umbrellas& umbrellas_;
-  const std::vector<Face>& faces_;
-  const std::vector<Halfedge>& halfedges_;
+  const Array<Face>& faces_;
+  const Array<Halfedge>& halfedges_;
 };
 
 } // namespace quadrille::internal

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FACE_POINTS_H
 #define QUADRILLE_INTERNAL_FACE_POINTS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/power_of_two.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/pairs.h>
@@ -63,7 +64,7 @@ private:
   }
 
   std::vector<std::uint32_t> indices_;
-  std::vector<Vector<3>> positions_;
+  Array<Vector<3>> positions_;
   int exponent_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FLATTENED_VERTICES_H
 #define QUADRILLE_INTERNAL_FLATTENED_VERTICES_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/index.h>
 
 #include <cstddef>
@@ -17,7 +18,8 @@ public:
   static constexpr std::size_t many = 64;
 
   /// A vertex is one of them when its unevenness has fallen by more than a factor `fall`.
-  FlattenedVertices(std::size_t vertices, float fall) : unevenness_(vertices, 0), fall_(fall) {
+  FlattenedVertices(std::size_t vertices, float fall, Workspace* workspace = nullptr)
+      : unevenness_(vertices, 0, workspace), fall_(fall) {
     found_.reserve(2 * many);
   }
 
@@ -44,7 +46,7 @@ public:
 private:
   static constexpr float found = -std::numeric_limits<float>::infinity(); // nothing is below it
 
-  std::vector<float> unevenness_; // of each vertex, when its pairs were last costed
+  Array<float> unevenness_; // of each vertex, when its pairs were last costed
   std::vector<Index> found_;
   float fall_;
 };

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_GREEDY_LOOP_H
 #define QUADRILLE_INTERNAL_GREEDY_LOOP_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/flattened_vertices.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/pair_queue.h>
@@ -34,10 +35,13 @@ template <class Policies>
 class GreedyLoop {
 public:
   explicit GreedyLoop(PairContraction<Policies>& surface)
-      : surface_(surface), scratch_(surface.scratch()), stamp_(surface.vertex_capacity(), 0),
-        queue_(surface.pairs().count(surface.status().faces) + surface.vertex_capacity() / 8),
-        parked_(surface.vertex_capacity()),
-        flattened_(looks_for_flattened() ? stamp_.size() : 0, tolerated_fall<Cost>) {
+      : surface_(surface), scratch_(surface.scratch()),
+        stamp_(surface.vertex_capacity(), 0, surface.complex().workspace()),
+        queue_(surface.pairs().count(surface.status().faces) + surface.vertex_capacity() / 8,
+               surface.complex().workspace()),
+        parked_(surface.vertex_capacity(), surface.complex().workspace()),
+        flattened_(looks_for_flattened() ? stamp_.size() : 0, tolerated_fall<Cost>,
+                   surface.complex().workspace()) {
     for (Index v = 0; v < stamp_.size(); ++v)
       note_unevenness(v);
     surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
@@ -317,8 +321,8 @@ private:
 
   PairContraction<Policies>& surface_;
   Scratch& scratch_;
-  std::vector<std::uint32_t> stamp_; // of each vertex: since when the costs of its pairs hold
-  std::uint32_t time_ = 0;           // contractions so far
+  Array<std::uint32_t> stamp_; // of each vertex: since when the costs of its pairs hold
+  std::uint32_t time_ = 0;     // contractions so far
   PairQueue queue_;
   ParkedPairs parked_;
   FlattenedVertices flattened_;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_LINK_CONDITION_H
 #define QUADRILLE_INTERNAL_LINK_CONDITION_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
@@ -133,7 +134,7 @@ public:
 
   /// Classifies every vertex, in linear time, with a thread for each scratch.
   LinkCondition(TriangleComplex& complex, std::vector<Scratch>& scratches)
-      : kind_(complex.vertex_capacity()) {
+      : kind_(complex.vertex_capacity(), complex.workspace()) {
     for_each_range(static_cast<unsigned>(scratches.size()), kind_.size(),
                    [&](const auto& range, std::size_t worker) {
                      VertexClassifier classify;
@@ -181,7 +182,7 @@ public:
 
   [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(&kind_[v]); }
 
-  void pack(const std::vector<Index>& vertices) { internal::pack(kind_, vertices); }
+  void pack(const Array<Index>& vertices) { internal::pack(kind_, vertices); }
 
   void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
 
@@ -223,7 +224,7 @@ private:
                        [&](const StarFace& f) { return f.second == v || f.third == v; });
   }
 
-  std::vector<Kind> kind_;
+  Array<Kind> kind_;
   bool is_closed_ = false;
 };
 

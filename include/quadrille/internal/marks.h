@@ -1,19 +1,20 @@
 #ifndef QUADRILLE_INTERNAL_MARKS_H
 #define QUADRILLE_INTERNAL_MARKS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/index.h>
 #include <quadrille/internal/prefetch.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
 /// A small number for each vertex that can be forgotten for all vertices at once, in constant time.
 class Marks {
 public:
-  explicit Marks(std::size_t vertices) : mark_(vertices, 0) {}
+  explicit Marks(std::size_t vertices, Workspace* workspace = nullptr)
+      : mark_(vertices, 0, workspace) {}
 
   /// Forgets all marks. The next ones are below `numbers`, at most 2³¹.
   void clear(std::size_t numbers = 1) {
@@ -39,7 +40,7 @@ public:
   [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&mark_[vertex]); }
 
 private:
-  std::vector<Index> mark_;
+  Array<Index> mark_;
   Index base_ = 1, end_ = 1;
 };
 

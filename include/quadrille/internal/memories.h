@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_MEMORIES_H
 #define QUADRILLE_INTERNAL_MEMORIES_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/edge_star.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
-#include <quadrille/internal/uninitialized.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -28,9 +28,9 @@ public:
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
   template <class IsInterior>
-  static void compute(UninitializedVector<Memory>& result, const Cost& cost,
-                      const std::vector<Position>& positions, TriangleComplex& complex,
-                      Marks& marks, const std::vector<VertexPair>& creases, IsInterior is_interior,
+  static void compute(UninitializedArray<Memory>& result, const Cost& cost,
+                      const Array<Position>& positions, TriangleComplex& complex, Marks& marks,
+                      const std::vector<VertexPair>& creases, IsInterior is_interior,
                       unsigned threads) {
     result.resize(positions.size());
     InitialMemories memories(cost, positions, complex, result);
@@ -54,8 +54,8 @@ private:
     c.crease_degrees;
   };
 
-  InitialMemories(const Cost& cost, const std::vector<Position>& positions,
-                  TriangleComplex& complex, UninitializedVector<Memory>& memories)
+  InitialMemories(const Cost& cost, const Array<Position>& positions, TriangleComplex& complex,
+                  UninitializedArray<Memory>& memories)
       : cost_(cost), positions_(positions), complex_(complex), memories_(memories) {}
 
   // To the vertices of a range.
@@ -132,9 +132,9 @@ private:
   }
 
   const Cost& cost_;
-  const std::vector<Position>& positions_;
+  const Array<Position>& positions_;
   TriangleComplex& complex_;
-  UninitializedVector<Memory>& memories_;
+  UninitializedArray<Memory>& memories_;
 };
 
 } // namespace quadrille::internal

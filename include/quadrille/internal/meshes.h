@@ -89,8 +89,9 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
+  Workspace workspace(memory_needs<Policies>(num_vertices(mesh), num_faces(mesh)));
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes)> adapter(
-      mesh, points, indices, attributes);
+      mesh, points, indices, attributes, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
@@ -127,8 +128,10 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
   auto attributes = pick_attributes<Cost>(named);
-  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes)> adapter(points, triangles,
-                                                                              map, attributes);
+  Workspace workspace(
+      memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));
+  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes)> adapter(
+      points, triangles, map, attributes, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);

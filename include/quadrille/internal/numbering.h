@@ -1,13 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_NUMBERING_H
 #define QUADRILLE_INTERNAL_NUMBERING_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
 
 #include <cstddef>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -15,7 +15,7 @@ namespace quadrille::internal {
 class Origins {
 public:
   /// `of`: theirs; empty if these are 0, 1, …
-  Origins(std::size_t count, std::vector<Index> of) : of_(std::move(of)), first_count_(count) {}
+  Origins(std::size_t count, Array<Index> of) : of_(std::move(of)), first_count_(count) {}
 
   std::size_t first_count() const { return first_count_; }
   Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
@@ -24,9 +24,10 @@ public:
     return {first_count_, is_identity() ? of_ : places(of_, first_count_)};
   }
   bool is_identity() const { return of_.empty(); }
+  Workspace* workspace() const { return of_.get_allocator().workspace(); }
 
   /// Leaves out those that are not among `left`, ascending numbers and at least one.
-  void pack(std::vector<Index> left) {
+  void pack(Array<Index> left) {
     if (is_identity())
       of_ = std::move(left);
     else
@@ -44,7 +45,7 @@ public:
   void shrink_to_fit() { of_.shrink_to_fit(); }
 
 private:
-  std::vector<Index> of_;
+  Array<Index> of_;
   std::size_t first_count_;
 };
 
@@ -55,7 +56,8 @@ public:
   /// use_origins() is called.
   Numbering(Origins vertex_origins, Origins face_origins, bool by_origins)
       : vertices(std::move(vertex_origins)), faces(std::move(face_origins)),
-        merged_into_(vertices.first_count(), none), is_by_origins_(by_origins) {}
+        merged_into_(vertices.first_count(), none, vertices.workspace()),
+        is_by_origins_(by_origins) {}
 
   void merge(Index kept, Index gone) {
     if (is_by_origins_)
@@ -71,7 +73,7 @@ public:
   void use_origins() {
     if (std::exchange(is_by_origins_, true) || vertices.is_identity())
       return;
-    std::vector<Index> by_origins(merged_into_.size(), none);
+    Array<Index> by_origins(merged_into_.size(), none, merged_into_.get_allocator());
     for (Index v = 0; v < merged_into_.size(); ++v)
       if (merged_into_[v] != none)
         by_origins[vertices[v]] = vertices[merged_into_[v]];
@@ -88,7 +90,7 @@ public:
   Origins vertices, faces;
 
 private:
-  std::vector<Index> merged_into_; // of each vertex that is gone
+  Array<Index> merged_into_; // of each vertex that is gone
   bool is_by_origins_;
 };
 

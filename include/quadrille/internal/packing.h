@@ -1,20 +1,20 @@
 #ifndef QUADRILLE_INTERNAL_PACKING_H
 #define QUADRILLE_INTERNAL_PACKING_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/index.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
 /// Where values are of which condition(value) holds.
 template <class Values, class Condition>
-std::vector<Index> indices_of(const Values& values, Condition condition) {
+Array<Index> indices_of(const Values& values, Condition condition) {
   const auto count =
       static_cast<std::size_t>(std::count_if(values.begin(), values.end(), condition));
-  std::vector<Index> indices(count + 1);
+  Array<Index> indices(count + 1, values.get_allocator());
   std::size_t found = 0;
   for (std::size_t i = 0; i < values.size(); ++i) { // without a branch: it is hard to guess
     indices[found] = static_cast<Index>(i);
@@ -38,7 +38,7 @@ void pack_if(Values& values, IsLeft is_left) {
 
 /// Moves the values of what is left (ascending indices) to the front. No memory is given back.
 template <class Values>
-void pack(Values& values, const std::vector<Index>& left) {
+void pack(Values& values, const Array<Index>& left) {
   if (values.empty())
     return;
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -47,8 +47,8 @@ void pack(Values& values, const std::vector<Index>& left) {
 }
 
 /// Where in a list each number below `count` is; `none` for those that are not there.
-inline std::vector<Index> places(const std::vector<Index>& numbers, std::size_t count) {
-  std::vector<Index> places(count, none);
+inline Array<Index> places(const Array<Index>& numbers, std::size_t count) {
+  Array<Index> places(count, none, numbers.get_allocator());
   for (Index i = 0; i < numbers.size(); ++i)
     places[numbers[i]] = i;
   return places;

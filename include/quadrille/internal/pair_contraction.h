@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 #define QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/contraction_view.h>
 #include <quadrille/internal/distance_bound.h>
@@ -59,10 +60,11 @@ public:
       : policies_(policies), scale_(scale_of(box, policies.cost)),
         complex_(input.positions.size(), take_triangles(input), merges_at_once,
                  threads_of(policies.order)),
-        scratches_(threads_of(policies.order), Scratch(input.positions.size())),
+        scratches_(scratches_for(threads_of(policies.order), complex_)),
         pairs_(complex_, link_condition_, costs_,
                select_pairs(policies.pairs, input, complex_, scratch().marks)),
-        is_topology_kept_(keeps_topology(input)), is_moved_(input.positions.size(), 0),
+        is_topology_kept_(keeps_topology(input)),
+        is_moved_(input.positions.size(), 0, complex_.workspace()),
         creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.vertex_origins)},
                    {complex_.face_capacity(), std::move(input.face_origins)}, !merges_at_once),
@@ -276,11 +278,19 @@ private:
     return scale;
   }
 
+  static std::vector<Scratch> scratches_for(unsigned threads, const TriangleComplex& complex) {
+    std::vector<Scratch> scratches;
+    scratches.reserve(threads);
+    for (unsigned i = 0; i < threads; ++i)
+      scratches.emplace_back(complex.vertex_capacity(), complex.workspace());
+    return scratches;
+  }
+
   // Passes merge nothing before few faces are left.
   static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
 
   // A pair policy of the user's wants to see them once more.
-  static std::vector<TriangleComplex::Triangle> take_triangles(SurfaceInput<dimension>& input) {
+  static Array<TriangleComplex::Triangle> take_triangles(SurfaceInput<dimension>& input) {
     if constexpr (std::same_as<typename Policies::Pairs, EdgePairs>)
       return std::move(input.triangles);
     else
@@ -297,7 +307,7 @@ private:
 
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
 
-  std::vector<Position> scaled(std::vector<Position> positions) const {
+  Array<Position> scaled(Array<Position> positions) const {
     scale_.apply(positions);
     return positions;
   }
@@ -357,7 +367,7 @@ private:
 
   // What is gone takes no more time or room in a cache.
   void pack() {
-    std::vector<Index> vertices = complex_.left_vertices();
+    Array<Index> vertices = complex_.left_vertices();
     const auto is_left = [this](Index face) { return !complex_.is_dead(face); };
     numbering_.faces.pack_if(is_left);
     distances_.pack_if(is_left);
@@ -420,7 +430,7 @@ private:
   bool is_topology_kept_;
   LinkCondition link_condition_;
   DistanceBounds distances_{0};               // of no face where nobody asks
-  std::vector<unsigned char> is_moved_;       // no bits: threads write to it
+  Array<unsigned char> is_moved_;             // no bits: threads write to it
   std::vector<std::array<Index, 2>> creases_; // edges that the user named, by origins
   Numbering numbering_;
   PairCosts<Policies> costs_;

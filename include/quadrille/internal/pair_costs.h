@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_COSTS_H
 #define QUADRILLE_INTERNAL_PAIR_COSTS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/current_memories.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
@@ -12,7 +13,6 @@
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/internal/two_quadrics.h>
-#include <quadrille/internal/uninitialized.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
@@ -39,15 +39,19 @@ public:
   using Memory = typename Cost::Memory;
   using Pair = PairOf<Cost>;
 
-  PairCosts(const Policies& policies, const TriangleComplex& complex,
-            std::vector<Position> positions, std::vector<bool> is_fixed)
+  static constexpr std::size_t bytes_a_vertex =
+      sizeof(Position) + sizeof(Memory) + CurrentMemoriesOf<Cost>::bytes_a_vertex + sizeof(float);
+
+  PairCosts(const Policies& policies, const TriangleComplex& complex, Array<Position> positions,
+            std::vector<bool> is_fixed)
       : policies_(policies), complex_(complex), positions_(std::move(positions)),
-        is_fixed_(std::move(is_fixed)), squared_reach_(positions_.size(), 0) {
+        is_fixed_(std::move(is_fixed)), memories_(complex.workspace()),
+        squared_reach_(positions_.size(), 0, complex.workspace()) {
     for_each_range(threads_of(policies.order), positions_.size(),
                    [this](const auto& range, std::size_t) { this->measure_reach(range); });
   }
 
-  const std::vector<Position>& positions() const { return positions_; }
+  const Array<Position>& positions() const { return positions_; }
   const Memory& memory(Index v) const { return memories_[v]; }
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
   bool is_any_fixed() const { return !is_fixed_.empty(); }
@@ -140,7 +144,7 @@ public:
   }
 
   /// Leaves out all vertices but some, and sees nothing until it is told to.
-  void pack(const std::vector<Index>& vertices) {
+  void pack(const Array<Index>& vertices) {
     internal::pack(positions_, vertices);
     internal::pack(memories_, vertices);
     internal::pack(is_fixed_, vertices);
@@ -150,10 +154,10 @@ public:
   /// Gives memory back that only costs need, and unless `keeps_memories` what vertices remember.
   void release(bool keeps_memories) {
     current_ = {};
-    squared_reach_ = std::vector<float>();
+    squared_reach_ = Array<float>();
     positions_.shrink_to_fit();
     if (!keeps_memories)
-      memories_ = UninitializedVector<Memory>();
+      memories_ = UninitializedArray<Memory>();
   }
 
 private:
@@ -277,11 +281,11 @@ private:
 
   const Policies& policies_;
   const TriangleComplex& complex_;
-  std::vector<Position> positions_;
+  Array<Position> positions_;
   std::vector<bool> is_fixed_; // empty if none is
-  UninitializedVector<Memory> memories_;
+  UninitializedArray<Memory> memories_;
   [[no_unique_address]] typename CurrentMemoriesOf<Cost>::type current_;
-  std::vector<float> squared_reach_;
+  Array<float> squared_reach_;
 };
 
 } // namespace quadrille::internal

@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_LISTS_H
 #define QUADRILLE_INTERNAL_PAIR_LISTS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/triangle_complex.h>
 
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -66,8 +66,8 @@ private:
 
   Index next_of(Index v, Index end) { return std::exchange(head_[v], end); }
 
-  std::vector<End> ends_; // of pair k: 2k and 2k + 1
-  std::vector<Index> head_;
+  Array<End> ends_; // of pair k: 2k and 2k + 1
+  Array<Index> head_;
 };
 
 } // namespace quadrille::internal

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_QUEUE_H
 #define QUADRILLE_INTERNAL_PAIR_QUEUE_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/prefetch.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -40,9 +40,10 @@ struct QueuedPair {
 class PairQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
-  explicit PairQueue(std::size_t expected) {
+  explicit PairQueue(std::size_t expected, Workspace* workspace = nullptr) : blocks_(workspace) {
     const std::size_t pairs = expected + expected / 2;
     blocks_.reserve(pairs / Block::capacity + bucket_count);
+    take_pages(blocks_.data(), (expected + expected / 8) / Block::capacity * sizeof(Block));
     size_to_drop_at_ = pairs / Block::capacity + bucket_count / 8;
   }
 
@@ -78,6 +79,7 @@ public:
 
 private:
   static constexpr std::size_t bucket_count = std::size_t{1} << 13;
+  static constexpr std::size_t blocks_a_step = 64; // of which the pages are taken at once
   static constexpr std::uint32_t end_of_list = ~std::uint32_t{0};
 
   struct Block {
@@ -129,6 +131,9 @@ private:
 
   std::uint32_t new_block() {
     if (free_ == end_of_list) {
+      if (blocks_.size() % blocks_a_step == 0 &&
+          blocks_.size() + blocks_a_step <= blocks_.capacity())
+        take_pages(blocks_.data() + blocks_.size(), blocks_a_step * sizeof(Block));
       blocks_.emplace_back();
       return static_cast<std::uint32_t>(blocks_.size() - 1);
     }
@@ -191,10 +196,10 @@ private:
       size_to_drop_at_ += size_to_drop_at_ / 4 + 1;
   }
 
-  std::vector<Block> blocks_;
+  SparseArray<Block> blocks_;
   std::size_t size_to_drop_at_;
   std::uint32_t free_ = end_of_list;
-  std::vector<Bucket> buckets_ = std::vector<Bucket>(bucket_count);
+  Array<Bucket> buckets_ = Array<Bucket>(bucket_count);
   std::size_t lowest_ = bucket_count; // no block lies in a bucket below this one
   std::size_t open_end_ = 0;          // one past the bucket that was opened last
   std::vector<QueuedPair> sorted_;    // its pairs; those before sorted_at_ are gone

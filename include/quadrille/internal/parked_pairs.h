@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PARKED_PAIRS_H
 #define QUADRILLE_INTERNAL_PARKED_PAIRS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/pair_queue.h>
 #include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -15,7 +16,8 @@ namespace quadrille::internal {
 /// Those that came first leave first.
 class ParkedPairs {
 public:
-  explicit ParkedPairs(std::size_t vertices) : last_entry_(vertices, none) {}
+  explicit ParkedPairs(std::size_t vertices, Workspace* workspace = nullptr)
+      : last_entry_(vertices, none, workspace) {}
 
   void park(const QueuedPair& pair) {
     const Index slot = new_slot();
@@ -90,7 +92,7 @@ private:
 
   std::vector<Slot> slots_;
   std::vector<Index> free_;
-  std::vector<Index> last_entry_; // of the list of each vertex
+  Array<Index> last_entry_; // of the list of each vertex
   std::size_t size_ = 0;
 };
 

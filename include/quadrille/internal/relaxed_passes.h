@@ -28,9 +28,11 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(PairContraction<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), allowance_(surface.is_topology_kept()) {
+      : surface_(surface), order_(order), allowance_(surface.is_topology_kept()),
+        stars_(surface.complex().workspace()) {
+    Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())
-      workers_.emplace_back(scratch);
+      workers_.emplace_back(scratch, surface.scratches().size() == 1 ? workspace : nullptr);
   }
 
   /// Passes as long as they pay. False if the visitor said so.
@@ -66,10 +68,12 @@ private:
 
   // Each thread has one.
   struct Worker {
-    explicit Worker(Scratch& s) : scratch(s) {}
+    Worker(Scratch& s, Workspace* workspace)
+        : scratch(s), proposals(workspace), others(workspace) {}
 
     Scratch& scratch;
-    Room<Proposal> proposals, sorted, rest;
+    Room<Proposal> proposals;
+    Room<Proposal> others; // half sorted, then those that are left
   };
 
   // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
@@ -180,13 +184,13 @@ private:
   static void sort(Worker& worker) {
     for (int shift : {16, 24}) {
       const Room<Proposal>& from = worker.proposals;
-      worker.sorted.clear();
-      sort_by_digit<8>(from.data(), from.size(), worker.sorted.extend(from.size()),
+      worker.others.clear();
+      sort_by_digit<8>(from.data(), from.size(), worker.others.extend(from.size()),
                        [shift](const Proposal& p) {
                          return (std::bit_cast<std::uint32_t>(p.cost) >> shift) & 255;
                        });
-      worker.sorted.add(from.size());
-      std::swap(worker.proposals, worker.sorted);
+      worker.others.add(from.size());
+      std::swap(worker.proposals, worker.others);
     }
   }
 
@@ -194,7 +198,7 @@ private:
   // larger blocks, or the end of the pass.
   void contract_inside(Block& block, Worker& worker) {
     const Room<Proposal>& proposals = worker.proposals;
-    worker.rest.clear();
+    worker.others.clear();
     for (std::size_t i = 0; i < proposals.size(); ++i) {
       const auto [cost, v, w] = proposals[i];
       const bool is_own = w < block.end; // else another thread may write to it
@@ -210,9 +214,9 @@ private:
           continue;
         }
       }
-      worker.rest.add_if(true, proposals[i]);
+      worker.others.add_if(true, proposals[i]);
     }
-    block.rest.assign(worker.rest.begin(), worker.rest.end());
+    block.rest.assign(worker.others.begin(), worker.others.end());
   }
 
   // What crosses the bounds of blocks lies inside of larger ones, for the most part.

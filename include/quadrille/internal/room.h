@@ -1,9 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_ROOM_H
 #define QUADRILLE_INTERNAL_ROOM_H
 
+#include <quadrille/internal/array.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -12,6 +13,8 @@ namespace quadrille::internal {
 template <class T>
 class Room {
 public:
+  explicit Room(Workspace* workspace = nullptr) : values_(workspace) {}
+
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   void clear() { size_ = 0; }
@@ -43,12 +46,12 @@ public:
 private:
   [[gnu::noinline]] void grow(std::size_t size) { // seldom
     if (empty())
-      values_ = std::vector<T>(); // two at a time take more memory
-    values_.reserve(size);        // resize() takes twice as much as it had
+      values_ = UninitializedArray<T>(values_.get_allocator()); // two at a time take more memory
+    values_.reserve(size); // resize() takes twice as much as it had
     values_.resize(size);
   }
 
-  std::vector<T> values_;
+  UninitializedArray<T> values_;
   std::size_t size_ = 0;
 };
 

@@ -29,6 +29,18 @@ private:
   Clock::time_point last_ = Clock::now();
 };
 
+/// Of a surface of so many vertices and faces.
+template <class Policies>
+MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
+  constexpr std::size_t a_vertex = PairCosts<Policies>::bytes_a_vertex + 4 * sizeof(Index);
+  constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 3 * sizeof(Index);
+  constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
+  const std::size_t queue = has_queue ? 3 * faces / 2 * sizeof(QueuedPair) + 8 * vertices : 0;
+  const std::size_t least = vertices * a_vertex + faces * a_face + queue;
+  constexpr std::size_t few = std::size_t{1} << 23; // whatever the size of the surface
+  return {least, 2 * least + few};
+}
+
 /// The loop, in the order that was asked for.
 template <class Policies>
 void contract(PairContraction<Policies>& surface, Report& report, StopWatch& watch) {

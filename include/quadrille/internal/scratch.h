@@ -27,7 +27,8 @@ struct VertexPair {
 /// What the steps of a contraction need beside the surface. Threads that work on parts of a surface
 /// with no vertex in common have one each.
 struct Scratch {
-  explicit Scratch(std::size_t vertices) : marks(vertices) {}
+  explicit Scratch(std::size_t vertices, Workspace* workspace = nullptr)
+      : marks(vertices, workspace) {}
 
   Marks marks;
   PairStar star; // of the pair that was gathered last

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SOUP_ADAPTER_H
 #define QUADRILLE_INTERNAL_SOUP_ADAPTER_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/points.h>
 #include <quadrille/internal/surface.h>
@@ -27,14 +28,16 @@ public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
-  SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes = {})
-      : points_(points), triangles_(triangles), map_(map), attributes_(attributes) {}
+  SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes,
+              Workspace& workspace)
+      : workspace_(&workspace), points_(points), triangles_(triangles), map_(map),
+        attributes_(attributes) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
   /// there, and for a point that is not finite.
   SurfaceInput<dimension> read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
-    SurfaceInput<dimension> surface;
+    SurfaceInput<dimension> surface(workspace_);
     surface.default_topology = Topology::free;
     surface.has_doubled_faces = true;
     surface.positions.reserve(std::ranges::size(points_));
@@ -64,8 +67,8 @@ public:
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     Points points = empty_like(points_);
-    std::vector<Index> left;
-    std::vector<Index> new_index(result.vertex_count(), none);
+    Array<Index> left(workspace_);
+    Array<Index> new_index(result.vertex_count(), none, workspace_);
     for (Index v = 0; v < result.vertex_count(); ++v) {
       if (!result.has_vertex(v))
         continue;
@@ -95,7 +98,7 @@ private:
   // What has been overwritten, of each new point.
   struct Undo {
     std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
-    std::vector<AttributeValue<Attributes>> attributes;
+    Array<AttributeValue<Attributes>> attributes;
 
     void run(SoupAdapter& adapter, Points& new_points) const {
       for (const auto& [i, p] : points)
@@ -145,7 +148,7 @@ private:
 
   template <class Triangle>
   static Triangle renumbered(Triangle triangle, const TriangleComplex::Triangle& corners,
-                             const std::vector<Index>& new_index) {
+                             const Array<Index>& new_index) {
     using Integer = std::ranges::range_value_t<Triangle>;
     for (std::size_t i = 0; i < 3; ++i)
       triangle[i] = static_cast<Integer>(new_index[corners[i]]);
@@ -153,8 +156,7 @@ private:
   }
 
   template <class Result>
-  void move_points(const Result& result, const std::vector<Index>& left, Points& points,
-                   Undo& undo) {
+  void move_points(const Result& result, const Array<Index>& left, Points& points, Undo& undo) {
     for (std::size_t i = 0; i < left.size(); ++i)
       if (result.is_moved(left[i])) {
         undo.points.emplace_back(i, get(map_, points[i]));
@@ -165,7 +167,7 @@ private:
   // A new index is never above the old one, so going up nothing is overwritten that is still
   // needed.
   template <class Result>
-  void write_attributes(const Result& result, const std::vector<Index>& left, Undo& undo) {
+  void write_attributes(const Result& result, const Array<Index>& left, Undo& undo) {
     if constexpr (Attributes::size > 0)
       for (std::size_t i = 0; i < left.size(); ++i) {
         undo.attributes.push_back(attributes_.raw(i));
@@ -175,6 +177,7 @@ private:
       }
   }
 
+  Workspace* workspace_;
   Points& points_;
   Triangles& triangles_;
   PointMap map_;

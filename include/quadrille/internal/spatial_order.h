@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SPATIAL_ORDER_H
 #define QUADRILLE_INTERNAL_SPATIAL_ORDER_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/digit_sort.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/ranges.h>
@@ -14,7 +15,6 @@
 #include <cstdlib>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -28,7 +28,7 @@ public:
   static void apply(SurfaceInput<N>& surface, const Box<N>& box, unsigned threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    const std::vector<Index>& order = surface.vertex_origins =
+    const Array<Index>& order = surface.vertex_origins =
         sorted(keyed_vertices(surface.positions, box, threads));
     renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
@@ -48,7 +48,7 @@ private:
   static constexpr std::size_t least_vertices = 1 << 12; // what fits into a cache needs no order
 
   // Is the distance of the numbers along an edge that of a good order, a few √n, for most edges?
-  static bool is_coherent(const std::vector<Triangle>& triangles) {
+  static bool is_coherent(const Array<Triangle>& triangles) {
     constexpr std::size_t samples = 1024;
     constexpr std::int64_t near = 1024;
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / samples);
@@ -59,12 +59,12 @@ private:
   }
 
   template <std::size_t N>
-  static std::vector<KeyedVertex> keyed_vertices(const std::vector<Vector<N>>& positions,
-                                                 const Box<N>& box, unsigned threads) {
+  static Array<KeyedVertex> keyed_vertices(const Array<Vector<N>>& positions, const Box<N>& box,
+                                           unsigned threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
-    std::vector<KeyedVertex> vertices(positions.size());
+    Array<KeyedVertex> vertices(positions.size(), positions.get_allocator());
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
       for (Index v = range.begin; v < range.end; ++v) {
         std::uint32_t key = 0;
@@ -88,21 +88,20 @@ private:
   }
 
   // A radix sort, which keeps ties in order.
-  static std::vector<Index> sorted(std::vector<KeyedVertex> vertices) {
-    std::vector<KeyedVertex> next(vertices.size());
+  static Array<Index> sorted(Array<KeyedVertex> vertices) {
+    Array<KeyedVertex> next(vertices.size(), vertices.get_allocator());
     for (int shift = 0; shift < 30; shift += 10) {
       sort_by_digit<10>(vertices.data(), vertices.size(), next.data(),
                         [shift](const KeyedVertex& v) { return (v.key >> shift) & 1023; });
       vertices.swap(next);
     }
-    std::vector<Index> order(vertices.size());
+    Array<Index> order(vertices.size(), vertices.get_allocator());
     for (std::size_t i = 0; i < order.size(); ++i)
       order[i] = vertices[i].vertex;
     return order;
   }
 
-  static void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& rank,
-                       unsigned threads) {
+  static void renumber(Array<Triangle>& triangles, const Array<Index>& rank, unsigned threads) {
     for_each_range(threads, triangles.size(), [&](const auto& range, std::size_t) {
       for (Index face = range.begin; face < range.end; ++face)
         for (Index& v : triangles[face])
@@ -113,9 +112,9 @@ private:
   // By their lowest vertices.
   template <std::size_t N>
   static void sort_faces(SurfaceInput<N>& surface, unsigned threads) {
-    const std::vector<Triangle>& triangles = surface.triangles;
+    const Array<Triangle>& triangles = surface.triangles;
     const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
-    std::vector<Index> begin(surface.positions.size() + 1, 0);
+    Array<Index> begin(surface.positions.size() + 1, 0, triangles.get_allocator());
     for (const Triangle& triangle : triangles)
       ++begin[lowest(triangle) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -128,9 +127,9 @@ private:
     permute(surface.triangles, surface.face_origins, threads);
   }
 
-  template <class T>
-  static void permute(std::vector<T>& values, const std::vector<Index>& order, unsigned threads) {
-    std::vector<T> permuted(values.size());
+  template <class Values>
+  static void permute(Values& values, const Array<Index>& order, unsigned threads) {
+    Values permuted(values.size(), values.get_allocator());
     for_each_range(threads, values.size(), [&](const auto& range, std::size_t) {
       for (Index i = range.begin; i < range.end; ++i)
         permuted[i] = values[order[i]];

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_H
 #define QUADRILLE_INTERNAL_SURFACE_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/power_of_two.h>
 #include <quadrille/internal/text.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -25,12 +26,12 @@ template <std::size_t N>
 struct Box {
   Vector<N> low, high;
 
-  explicit Box(const std::vector<Vector<N>>& positions)
+  explicit Box(const Array<Vector<N>>& positions)
       : Box(positions, [](std::size_t) { return true; }) {}
 
   /// Of the positions v for which counts(v).
   template <class Counts>
-  Box(const std::vector<Vector<N>>& positions, Counts counts) {
+  Box(const Array<Vector<N>>& positions, Counts counts) {
     Vector<N> least, greatest; // no members, which would be written each time
     least.coordinates.fill(std::numeric_limits<double>::max());
     greatest.coordinates.fill(std::numeric_limits<double>::lowest());
@@ -60,17 +61,22 @@ struct Box {
 /// What an adapter reads.
 template <std::size_t N>
 struct SurfaceInput {
-  std::vector<Vector<N>> positions; ///< with attributes, all in the mesh's units
-  std::vector<TriangleComplex::Triangle> triangles;
-  std::vector<Index> vertex_origins, face_origins; ///< see Origins
-  std::vector<bool> is_fixed;                      ///< of each vertex; empty if none is
-  std::vector<std::array<Index, 2>> creases;       ///< edges that the user named
+  explicit SurfaceInput(Workspace* workspace = nullptr)
+      : positions(workspace), triangles(workspace), vertex_origins(workspace),
+        face_origins(workspace) {}
+
+  Array<Vector<N>> positions; ///< with attributes, all in the mesh's units
+  Array<TriangleComplex::Triangle> triangles;
+  Array<Index> vertex_origins, face_origins; ///< see Origins
+  std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
+  std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   Topology default_topology = Topology::kept;
   bool has_doubled_faces = false; ///< may it have them? They are dropped then.
 
   /// Of the vertices that faces use: others may lie anywhere.
   Box<N> box() const {
-    std::vector<unsigned char> is_used(positions.size(), 0); // no bits: these take longer to set
+    Array<unsigned char> is_used(positions.size(), 0,
+                                 positions.get_allocator()); // no bits: these take longer to set
     for (const auto& [a, b, c] : triangles)
       if (a != b && b != c && c != a)
         is_used[a] = is_used[b] = is_used[c] = 1;
@@ -114,7 +120,7 @@ public:
   /// lengths that can be told beside those of the surface.
   void set_attribute_weights(const Vector<N - 3>& weights, const Box<N>& box) {
     weights_ = weights;
-    std::vector<Vector<N>> ends{box.low, box.high};
+    Array<Vector<N>> ends{box.low, box.high};
     apply(ends);
     for (std::size_t i = 3; i < N; ++i) {
       const double range = ends[1][i] - ends[0][i];
@@ -127,7 +133,7 @@ public:
     }
   }
 
-  void apply(std::vector<Vector<N>>& positions) const {
+  void apply(Array<Vector<N>>& positions) const {
     for (Vector<N>& p : positions) {
       for (std::size_t i = 0; i < 3; ++i)
         p[i] = to_engine_(p[i]);

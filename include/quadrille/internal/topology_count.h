@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_TOPOLOGY_COUNT_H
 #define QUADRILLE_INTERNAL_TOPOLOGY_COUNT_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/edge_star.h>
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/marks.h>
@@ -8,13 +9,12 @@
 
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace quadrille::internal {
 
 /// How many parts there are that no vertex connects.
 inline std::size_t count_components(const TriangleComplex& complex) {
-  std::vector<Index> parent(complex.vertex_capacity());
+  Array<Index> parent(complex.vertex_capacity(), complex.workspace());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](Index v) {
     while (parent[v] != v)

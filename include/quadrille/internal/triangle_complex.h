@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 #define QUADRILLE_INTERNAL_TRIANGLE_COMPLEX_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/ranges.h>
@@ -11,7 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -35,8 +35,8 @@ public:
 
   /// Builds the lists in linear time; if `will_merge`, with room for as many more corners as there
   /// are faces. A triangle with two equal vertices is dead from the beginning.
-  TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
-                  bool will_merge = false, unsigned threads = 1);
+  TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge = false,
+                  unsigned threads = 1);
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
@@ -45,6 +45,9 @@ public:
           std::to_string(faces) + " faces do not fit into 32-bit indices (at most " +
           std::to_string(max_vertices - 1) + " and " + std::to_string(max_faces - 1) + ")");
   }
+
+  /// Where its arrays are, and others may be.
+  Workspace* workspace() const { return faces_.get_allocator().workspace(); }
 
   std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
@@ -130,17 +133,17 @@ public:
 
   /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
   /// is told.
-  std::vector<Index> left_vertices() const { return indices_of(lists_, has_corners); }
+  Array<Index> left_vertices() const { return indices_of(lists_, has_corners); }
   /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
   /// No walk is possible before fill_lists() is called.
-  void pack(const std::vector<Index>& vertices);
+  void pack(const Array<Index>& vertices);
   /// Fills the lists, of which the sizes are known, each in the order of its faces.
   void fill_lists(unsigned threads = 1);
 
   /// Gives memory back: of the lists, and of what has been left out. After that no walk is
   /// possible; has_faces() still is.
   void release() {
-    pool_ = std::vector<Index>();
+    pool_ = Array<Index>();
     faces_.shrink_to_fit();
     lists_.shrink_to_fit();
   }
@@ -182,14 +185,15 @@ private:
     pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
   }
 
-  std::vector<Triangle> faces_;
-  std::vector<Index> pool_;
-  std::vector<List> lists_; // of each vertex
+  Array<Triangle> faces_;
+  Array<Index> pool_;
+  Array<List> lists_; // of each vertex
 };
 
-inline TriangleComplex::TriangleComplex(std::size_t vertex_count, std::vector<Triangle> triangles,
+inline TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
                                         bool will_merge, unsigned threads)
-    : faces_(std::move(triangles)), lists_(vertex_count) {
+    : faces_(std::move(triangles)), pool_(faces_.get_allocator()),
+      lists_(vertex_count, faces_.get_allocator()) {
   check_size(vertex_count, faces_.size());
   for (Index face = 0; face < faces_.size(); ++face) {
     const auto [a, b, c] = faces_[face];
@@ -231,7 +235,7 @@ inline void TriangleComplex::fill_lists(unsigned threads) {
   });
 }
 
-inline void TriangleComplex::pack(const std::vector<Index>& vertices) {
+inline void TriangleComplex::pack(const Array<Index>& vertices) {
   for (List& list : lists_)
     list.size = 0;
   for (Index v = 0; v < vertices.size(); ++v)

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_UMBRELLAS_H
 #define QUADRILLE_INTERNAL_UMBRELLAS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/triangle_complex.h>
 
 #include <algorithm>
@@ -25,10 +26,13 @@ struct Side {
 /// so every further one gets a duplicate of the vertex: for the given mates, these are the fewest.
 class Umbrellas {
 public:
+  explicit Umbrellas(Workspace* workspace = nullptr)
+      : mate_(workspace), vertex_(workspace), border_(workspace), duplicates_(workspace) {}
+
   /// Builds all of it in linear time. Vertices are below vertex_count; duplicates are counted from
   /// there. Sides of which were_mates(i, j) holds are mated before any others.
   template <class WereMates>
-  void build(const std::vector<Side>& sides, std::size_t vertex_count, WereMates were_mates) {
+  void build(const Array<Side>& sides, std::size_t vertex_count, WereMates were_mates) {
     vertex_count_ = static_cast<Index>(vertex_count);
     match_sides(sides, were_mates);
     assign_vertices(sides);
@@ -39,7 +43,7 @@ public:
   bool is_on_border(Index vertex) const { return border_[vertex].first_out != none; }
 
   /// The vertex that each duplicate is one of: vertex_count + i duplicates duplicates()[i].
-  const std::vector<Index>& duplicates() const { return duplicates_; }
+  const Array<Index>& duplicates() const { return duplicates_; }
 
   /// Pairs of sides: along the border, the other half of the first is followed by that of the
   /// second.
@@ -49,14 +53,14 @@ private:
   // Sides of the same two vertices are found by a counting sort by the lower one, and where a
   // vertex has many, by another sort by the higher one.
   template <class WereMates>
-  void match_sides(const std::vector<Side>& sides, WereMates were_mates) {
-    std::vector<Index> begin(vertex_count_ + 1, 0);
+  void match_sides(const Array<Side>& sides, WereMates were_mates) {
+    Array<Index> begin(vertex_count_ + 1, 0, mate_.get_allocator());
     for (const Side& s : sides)
       ++begin[lower(s) + 1];
     for (std::size_t v = 0; v < vertex_count_; ++v)
       begin[v + 1] += begin[v];
-    std::vector<Index> sorted(sides.size());
-    std::vector<Index> end(begin.begin(), begin.end() - 1);
+    Array<Index> sorted(sides.size(), mate_.get_allocator());
+    Array<Index> end(begin.begin(), begin.end() - 1, mate_.get_allocator());
     for (Index i = 0; i < sides.size(); ++i)
       sorted[end[lower(sides[i])]++] = i;
 
@@ -77,15 +81,14 @@ private:
     }
   }
 
-  static std::span<Index> sorted_by_higher(std::span<Index> indices,
-                                           const std::vector<Side>& sides) {
+  static std::span<Index> sorted_by_higher(std::span<Index> indices, const Array<Side>& sides) {
     std::stable_sort(indices.begin(), indices.end(),
                      [&](Index i, Index j) { return higher(sides[i]) < higher(sides[j]); });
     return indices;
   }
 
   template <class WereMates>
-  void match_sides_among(std::span<const Index> among, const std::vector<Side>& sides,
+  void match_sides_among(std::span<const Index> among, const Array<Side>& sides,
                          WereMates were_mates) {
     if (match_sides_without_choice(sides, among))
       return;
@@ -96,7 +99,7 @@ private:
   }
 
   // The usual case: no side has more than one to choose from. False if one has.
-  bool match_sides_without_choice(const std::vector<Side>& sides, std::span<const Index> among) {
+  bool match_sides_without_choice(const Array<Side>& sides, std::span<const Index> among) {
     for (auto i = among.begin(); i != among.end(); ++i)
       for (auto j = among.begin(); j != i; ++j) {
         if (!are_opposed(sides[*i], sides[*j]))
@@ -110,7 +113,7 @@ private:
   }
 
   template <class Accept>
-  void match_sides_if(const std::vector<Side>& sides, std::span<const Index> among, Accept accept) {
+  void match_sides_if(const Array<Side>& sides, std::span<const Index> among, Accept accept) {
     for (Index i : among)
       for (Index j : among) {
         if (mate_[i] != none || j == i)
@@ -130,7 +133,7 @@ private:
   static Index side_after(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static Index side_before(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-  void assign_vertices(const std::vector<Side>& sides) {
+  void assign_vertices(const Array<Side>& sides) {
     vertex_.assign(sides.size(), none);
     border_.assign(vertex_count_, {});
     std::vector<bool> is_taken(vertex_count_, false); // by a closed umbrella
@@ -212,10 +215,10 @@ private:
   static constexpr std::size_t few_sides = 64;
 
   Index vertex_count_ = 0;
-  std::vector<Index> mate_;
-  std::vector<Index> vertex_;
-  std::vector<Border> border_; // of each vertex and duplicate
-  std::vector<Index> duplicates_;
+  Array<Index> mate_;
+  Array<Index> vertex_;
+  Array<Border> border_; // of each vertex and duplicate
+  Array<Index> duplicates_;
   std::vector<std::pair<Index, Index>> border_links_;
 };
 

@@ -1,13 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_VERTEX_NUMBERS_H
 #define QUADRILLE_INTERNAL_VERTEX_NUMBERS_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/triangle_complex.h>
 
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -18,7 +18,8 @@ class VertexNumbers {
 public:
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
-  explicit VertexNumbers(VertexIndexMap indices) : indices_(indices) {}
+  explicit VertexNumbers(VertexIndexMap indices, Workspace* workspace = nullptr)
+      : indices_(indices), vertices_(workspace), places_(workspace) {}
 
   void read(const Mesh& mesh) {
     vertices_.clear();
@@ -41,8 +42,8 @@ public:
   }
   /// Gives memory back that read() can fill anew.
   void release() {
-    vertices_ = std::vector<Vertex>();
-    places_ = std::vector<Index>();
+    vertices_ = Array<Vertex>(vertices_.get_allocator());
+    places_ = Array<Index>(places_.get_allocator());
   }
 
   /// One more, of which index() is not asked, and its number.
@@ -60,8 +61,8 @@ public:
 
 private:
   VertexIndexMap indices_;
-  std::vector<Vertex> vertices_;
-  std::vector<Index> places_; // by the user's numbers; empty if these are the same
+  Array<Vertex> vertices_;
+  Array<Index> places_; // by the user's numbers; empty if these are the same
 };
 
 } // namespace quadrille::internal
