@@ -78,7 +78,7 @@ struct MemorylessQuadric {
   }
 
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    return weighted_face(p, q, r, emphasis);
+    return weighted_face(p, q, r, [](double area) { return emphasis(area); });
   }
   template <class Emphasis>
   static Current weighted_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,

@@ -42,16 +42,27 @@ private:
   Index opposite_ = none;
 };
 
-/// What a vertex of few faces shares with each of its neighbours.
+/// What the faces of a vertex say, if they are few, and what it shares with each of its neighbours.
 template <class Cost>
 class CurrentStar {
 public:
   using Current = typename Cost::Current;
   static constexpr std::size_t most_faces = 16;
 
+  CurrentStar() {} // of no vertex
+
   template <class Positions>
-  CurrentStar(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex)
-      : v_(v) {
+  CurrentStar(Index v, const Cost& cost, const Positions& positions,
+              const TriangleComplex& complex) {
+    gather(v, cost, positions, complex);
+  }
+
+  void clear() { v_ = none; }
+
+  template <class Positions, class Complex>
+  void gather(Index v, const Cost& cost, const Positions& positions, Complex& complex) {
+    v_ = v;
+    size_ = 0;
     complex.for_each_corner(v, [&](Index face, Index i) {
       const StarFace f = PairStar::star_face(complex, face, i);
       second_[size_] = f.second;
@@ -59,6 +70,15 @@ public:
       ::new (&faces_[size_++]) // in its place: a copy would wait until all of it has been written
           Current(cost.current_face(positions[v], positions[f.second], positions[f.third]));
     });
+  }
+
+  Index vertex() const { return v_; }
+
+  /// Calls visit(second, third, current) for each face.
+  template <class Visit>
+  void for_each_face(Visit visit) const {
+    for (std::size_t i = 0; i < size_; ++i)
+      visit(second_[i], third_[i], faces_[i]);
   }
 
   /// See SharedCurrent.
@@ -72,7 +92,7 @@ public:
   }
 
 private:
-  Index v_;
+  Index v_ = none;
   std::size_t size_ = 0;
   std::array<Index, most_faces> second_, third_;
   union { // so that it is not filled before it is used
@@ -175,16 +195,27 @@ public:
   /// Puts the faces that a contraction has left into its vertex and those around it.
   void learn(Index kept, const Cost& cost, const Positions& positions, TriangleComplex& complex) {
     Current sum{};
-    complex.for_each_corner(kept, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
-      const Current now =
-          cost.current_face(positions[kept], positions[f.second], positions[f.third]);
+    const auto add = [&](Index second, Index third, const Current& now) {
       sum += now;
-      current_[f.second] += now;
-      current_[f.third] += now;
-    });
+      current_[second] += now;
+      current_[third] += now;
+    };
+    if (complex.degree_bound(kept) <= CurrentStar<Cost>::most_faces) {
+      learned_.gather(kept, cost, positions, complex);
+      learned_.for_each_face(add);
+    } else {
+      learned_.clear();
+      complex.for_each_corner(kept, [&](Index face, Index i) {
+        const StarFace f = PairStar::star_face(complex, face, i);
+        add(f.second, f.third,
+            cost.current_face(positions[kept], positions[f.second], positions[f.third]));
+      });
+    }
     current_[kept] = sum;
   }
+
+  /// Of the vertex that was learned last, if its faces are few: as they are now.
+  const CurrentStar<Cost>& learned() const { return learned_; }
 
   void recompute(Index v, const Cost& cost, const Positions& positions, TriangleComplex& complex,
                  Marks& marks) {
@@ -213,6 +244,7 @@ private:
   }
 
   Array<Current> current_;
+  CurrentStar<Cost> learned_;
   EdgeStar edges_;
 };
 

@@ -196,7 +196,9 @@ private:
       const Index v = pairs[i].first;
       while (end < pairs.size() && pairs[end].first == v)
         ++end;
-      if (complex_.degree_bound(v) <= CurrentStar<Cost>::most_faces)
+      if (current_.learned().vertex() == v)
+        evaluate_around(current_.learned(), pairs, i, end, costs);
+      else if (complex_.degree_bound(v) <= CurrentStar<Cost>::most_faces)
         evaluate_around(CurrentStar<Cost>(v, cost, positions_, complex_), pairs, i, end, costs);
       else
         evaluate_around(CurrentHub<Cost>(v, cost, positions_, complex_, marks), pairs, i, end,
