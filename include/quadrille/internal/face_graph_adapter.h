@@ -51,6 +51,7 @@ public:
   SurfaceInput<dimension> read() {
     SurfaceInput<dimension> surface(workspace_);
     vertices_.read(mesh_);
+    surface.reserve(vertices_.size(), num_faces(mesh_));
     read_vertices(surface);
     read_faces(surface);
     if constexpr (Attributes::size > 0)
@@ -150,7 +151,6 @@ private:
   }
 
   void read_faces(SurfaceInput<dimension>& surface) {
-    surface.triangles.reserve(num_faces(mesh_));
     for (Face f : faces(mesh_)) {
       const Halfedge first = halfedge(f, mesh_), second = next(first, mesh_);
       const std::array<Halfedge, 3> h{first, second, next(second, mesh_)};
@@ -261,7 +261,7 @@ private:
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
   template <class Result, class Tell>
   void write_points(const Result& result, Tell tell) {
-    Array<Vertex> added;
+    std::vector<Vertex> added;
     added.reserve(umbrellas_.duplicates().size()); // so that none is lost
     Undo undo(workspace_);
     try {

@@ -71,6 +71,11 @@ private:
     Worker(Scratch& s, Workspace* workspace)
         : scratch(s), proposals(workspace), others(workspace) {}
 
+    void release() {
+      proposals.release();
+      others.release();
+    }
+
     Scratch& scratch;
     Room<Proposal> proposals;
     Room<Proposal> others; // half sorted, then those that are left
@@ -105,6 +110,8 @@ private:
     for (Worker& worker : workers_)
       surface_.count(worker.scratch.tally);
     contract_between(workers_.front());
+    if (workers_.size() == 1)
+      workers_.front().release(); // what comes next needs as much
     surface_.end_pass(order_.refresh);
   }
 

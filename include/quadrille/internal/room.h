@@ -33,6 +33,12 @@ public:
     add(stays);
   }
 
+  /// Gives its memory back.
+  void release() {
+    values_ = UninitializedArray<T>(values_.get_allocator());
+    size_ = 0;
+  }
+
   /// To no more than it has.
   void resize(std::size_t size) { size_ = size; }
 
@@ -46,7 +52,7 @@ public:
 private:
   [[gnu::noinline]] void grow(std::size_t size) { // seldom
     if (empty())
-      values_ = UninitializedArray<T>(values_.get_allocator()); // two at a time take more memory
+      release();           // two at a time take more memory
     values_.reserve(size); // resize() takes twice as much as it had
     values_.resize(size);
   }

@@ -40,12 +40,11 @@ public:
     SurfaceInput<dimension> surface(workspace_);
     surface.default_topology = Topology::free;
     surface.has_doubled_faces = true;
-    surface.positions.reserve(std::ranges::size(points_));
+    surface.reserve(std::ranges::size(points_), std::ranges::size(triangles_));
     for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
       surface.positions.push_back(read_position(v));
       require_finite(surface.positions.back(), v);
     }
-    surface.triangles.reserve(std::ranges::size(triangles_));
     for (const auto& triangle : triangles_)
       surface.triangles.push_back(read_triangle(triangle, surface));
     if constexpr (Attributes::size > 0)
@@ -98,7 +97,7 @@ private:
   // What has been overwritten, of each new point.
   struct Undo {
     std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
-    Array<AttributeValue<Attributes>> attributes;
+    std::vector<AttributeValue<Attributes>> attributes;
 
     void run(SoupAdapter& adapter, Points& new_points) const {
       for (const auto& [i, p] : points)

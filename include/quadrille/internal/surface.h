@@ -73,6 +73,13 @@ struct SurfaceInput {
   Topology default_topology = Topology::kept;
   bool has_doubled_faces = false; ///< may it have them? They are dropped then.
 
+  /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a
+  /// vertex fit into what these leave in a workspace, side by side.
+  void reserve(std::size_t vertices, std::size_t faces) {
+    positions.reserve(vertices + 16);
+    triangles.reserve(faces);
+  }
+
   /// Of the vertices that faces use: others may lie anywhere.
   Box<N> box() const {
     Array<unsigned char> is_used(positions.size(), 0,
