@@ -10,23 +10,34 @@
 
 namespace quadrille::internal {
 
+/// Returns task(), in which parallel_for() may use so many threads. They stay awake between the
+/// loops of one task: to wake one takes longer than many loops do.
+template <class Task>
+auto with_threads(unsigned threads, const Task& task) {
+#ifdef QUADRILLE_WITH_TBB
+  if (threads > 1) {
+    tbb::task_arena arena(static_cast<int>(threads));
+    return arena.execute(task);
+  }
+#endif
+  static_cast<void>(threads);
+  return task();
+}
+
 /// Calls task(i, worker) for i from 0 to n − 1, at most `threads` at a time; no two calls at a time
-/// have the same worker, a number below `threads`.
+/// have the same worker, a number below `threads`. Inside of with_threads(threads, …) only.
 template <class Task>
 void parallel_for(unsigned threads, std::size_t n, const Task& task) {
 #ifdef QUADRILLE_WITH_TBB
   if (threads > 1 && n > 1) {
-    tbb::task_arena arena(static_cast<int>(threads));
-    arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, n, 1),
-          [&](const tbb::blocked_range<std::size_t>& range) {
-            const int worker = tbb::this_task_arena::current_thread_index();
-            for (std::size_t i = range.begin(); i < range.end(); ++i)
-              task(i, static_cast<std::size_t>(worker));
-          },
-          tbb::simple_partitioner{});
-    });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          const int worker = tbb::this_task_arena::current_thread_index();
+          for (std::size_t i = range.begin(); i < range.end(); ++i)
+            task(i, static_cast<std::size_t>(worker));
+        },
+        tbb::simple_partitioner{});
     return;
   }
 #endif

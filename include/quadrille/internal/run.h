@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/greedy_loop.h>
 #include <quadrille/internal/pair_contraction.h>
+#include <quadrille/internal/parallel.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/internal/relaxed_passes.h>
 #include <quadrille/internal/result.h>
@@ -61,7 +62,7 @@ void contract(PairContraction<Policies>& surface, Report& report, StopWatch& wat
 /// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter;
 /// `tell(key, v, result)` is called for each vertex that is left, with its key in the user's maps.
 template <class Adapter, class Policies, class Read, class Tell>
-Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
+Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   StopWatch watch;
   Report report;
   auto input = read(adapter);
@@ -82,6 +83,13 @@ Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;
+}
+
+/// The same, with the threads that the order asks for.
+template <class Adapter, class Policies, class Read, class Tell>
+Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
+  return with_threads(threads_of(policies.order),
+                      [&] { return run_here(adapter, policies, read, tell); });
 }
 
 } // namespace quadrille::internal
