@@ -144,6 +144,31 @@ TEST_CASE("A vertex of many faces shares with its neighbours what one of few doe
   check(soup, 6);
 }
 
+TEST_CASE("A vertex forgets what few faces have said when it gets many") {
+  const Soup soup = test::large(test::with_noise(test::uv_sphere(14, 8), 5, 0.01));
+  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
+  const auto input = test::input_of(soup);
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
+                                                                             policies);
+  Index pole = 0;
+  const auto faces_at = [&](Index v) { return surface.complex().degree_bound(v); };
+  for (Index v = 0; v < surface.vertex_capacity(); ++v)
+    if (faces_at(v) > faces_at(pole))
+      pole = v;
+  REQUIRE(faces_at(pole) == 14);
+  const auto widen = [&] {
+    for (const auto& [w, cost] : pairs_of(surface, pole))
+      if (w > pole && test::contract(surface, pole, w))
+        return true;
+    return false;
+  };
+  while (faces_at(pole) < 20) {
+    REQUIRE(widen());
+    for (const auto& [w, cost] : pairs_of(surface, pole))
+      CHECK(cost == Approx(surface.evaluate(pole, w).cost).epsilon(1e-6).margin(1e-30));
+  }
+}
+
 TEST_CASE("Current memories follow where topology is free") {
   check(test::random_with_borders(4), 4, Topology::free);
 }
