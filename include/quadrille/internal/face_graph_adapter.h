@@ -34,7 +34,6 @@ public:
   using Halfedge = typename Traits::halfedge_descriptor;
   using Edge = typename Traits::edge_descriptor;
   using Face = typename Traits::face_descriptor;
-  using Point = typename boost::property_traits<PointMap>::value_type;
 
   FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes,
                    Workspace& workspace)

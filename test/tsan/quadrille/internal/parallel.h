@@ -8,11 +8,12 @@
 
 namespace quadrille::internal {
 
-/// Stands in for the header of the same name: threads whose meetings the thread sanitizer sees.
 template <class Task>
 auto with_threads(unsigned, const Task& task) {
   return task();
 }
+
+/// Stands in for that of the library: threads whose meetings the thread sanitizer sees.
 template <class Task>
 void parallel_for(unsigned threads, std::size_t n, const Task& task) {
   std::atomic<std::size_t> next{0};
