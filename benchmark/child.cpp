@@ -31,18 +31,21 @@ double status_kilobytes(const std::string& key) {
   return 0;
 }
 
-/// The memory taken at most since this object was made, in megabytes. Linux only.
+/// The memory taken at most since this object was made, in megabytes, without the parts of the
+/// program itself that have come to be used: those are pages of a file. Linux only.
 class PeakMemory {
 public:
   PeakMemory() {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << 5; // sets the peak back to what is held now
-    before_ = status_kilobytes("VmRSS");
+    before_ = status_kilobytes("VmRSS") - program();
   }
 
-  double megabytes() const { return (status_kilobytes("VmHWM") - before_) / 1024; }
+  double megabytes() const { return (status_kilobytes("VmHWM") - program() - before_) / 1024; }
 
 private:
+  static double program() { return status_kilobytes("RssFile"); }
+
   double before_;
 };
 

@@ -73,6 +73,8 @@ public:
       for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v)) {
         if (step > 1)
           prefetch(v, end, step, [](Index w) { return w; });
+        else
+          prefetch_next(v, end);
         find(scratch, v, v + 1);
       }
       visit_found(scratch, visit);
@@ -98,6 +100,14 @@ private:
       complex_.for_each_next(
           vertex_at(i + 3 * step), [&](Index w)
                                        __attribute__((always_inline)) { costs_.prefetch(w); });
+  }
+
+  // The same of vertices side by side: what surrounds them has mostly been read before them.
+  [[gnu::always_inline]] void prefetch_next(Index v, Index end) const {
+    if (96 >= end - v)
+      return;
+    costs_.prefetch(v + 96);
+    complex_.prefetch_corners(v + 48);
   }
 
   // Adds the pairs of v with vertices from `least` on to those of the scratch, each once.

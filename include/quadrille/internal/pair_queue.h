@@ -41,10 +41,14 @@ class PairQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
   explicit PairQueue(std::size_t expected, Workspace* workspace = nullptr) : blocks_(workspace) {
-    const std::size_t pairs = expected + expected / 2;
-    blocks_.reserve(pairs / Block::capacity + bucket_count);
+    blocks_.reserve(most_blocks(expected) + bucket_count);
     take_pages(blocks_.data(), (expected + expected / 8) / Block::capacity * sizeof(Block));
-    size_to_drop_at_ = pairs / Block::capacity + bucket_count / 8;
+    size_to_drop_at_ = most_blocks(expected) + bucket_count / 8;
+  }
+
+  /// How much will be written to, as a rule.
+  static std::size_t bytes_for(std::size_t expected) {
+    return most_blocks(expected) * sizeof(Block);
   }
 
   template <class IsOutdated>
@@ -96,6 +100,11 @@ private:
     std::uint32_t first = end_of_list;
     std::uint32_t size = Block::capacity; // of the first block: as good as full where there is none
   };
+
+  // With those that are outdated; full ones.
+  static constexpr std::size_t most_blocks(std::size_t expected) {
+    return (expected + expected / 2) / Block::capacity;
+  }
 
   static bool later(const QueuedPair& a, const QueuedPair& b) { return b < a; }
 

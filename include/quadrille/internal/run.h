@@ -30,14 +30,19 @@ private:
   Clock::time_point last_ = Clock::now();
 };
 
-/// Of a surface of so many vertices and faces.
+/// Of a surface of so many vertices and faces, most of which will go.
 template <class Policies>
 MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
-  constexpr std::size_t a_vertex = PairCosts<Policies>::bytes_a_vertex + 4 * sizeof(Index);
-  constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 3 * sizeof(Index);
   constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
-  const std::size_t queue = has_queue ? 3 * faces / 2 * sizeof(QueuedPair) + 8 * vertices : 0;
-  const std::size_t least = vertices * a_vertex + faces * a_face + queue;
+  // Beside what costs look at: its list of corners, its mark, what it has become part of, two
+  // bytes; with a queue, since when its pairs hold, and those that were refused.
+  constexpr std::size_t a_vertex =
+      PairCosts<Policies>::bytes_a_vertex + (has_queue ? 6 : 4) * sizeof(Index) + 2;
+  // Its corners, and room for another one or its origin.
+  constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 4 * sizeof(Index);
+  constexpr std::size_t passes = std::size_t{1} << 18; // proposals
+  const std::size_t queue = PairQueue::bytes_for(3 * faces / 2 + vertices / 8);
+  const std::size_t least = vertices * a_vertex + faces * a_face + (has_queue ? queue : passes);
   constexpr std::size_t few = std::size_t{1} << 23; // whatever the size of the surface
   return {least, 2 * least + few};
 }

@@ -28,8 +28,8 @@ inline void take_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size
 #endif
 }
 
-/// How many bytes a simplification needs at one time: no less than `least`, as a rule no more than
-/// `most`.
+/// How many bytes a simplification needs at one time: as a rule no less than `least` and no more
+/// than `most`.
 struct MemoryNeeds {
   std::size_t least, most;
 };
@@ -49,7 +49,8 @@ public:
       return;
     end_ = begin_ + size;
 #ifdef MADV_HUGEPAGE
-    madvise(begin_, needs.least / large_page * large_page, MADV_HUGEPAGE); // no page too many
+    const std::size_t large = (needs.least + large_page / 8) / large_page * large_page;
+    madvise(begin_, large, MADV_HUGEPAGE); // no page of which more than an eighth is left empty
 #endif
     gaps_ = ::new (begin_) Gap{size, nullptr};
   }
