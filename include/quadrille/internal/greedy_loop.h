@@ -37,7 +37,8 @@ public:
   explicit GreedyLoop(PairContraction<Policies>& surface)
       : surface_(surface), scratch_(surface.scratch()),
         stamp_(surface.vertex_capacity(), 0, surface.complex().workspace()),
-        queue_(surface.pairs().count(surface.status().faces) + surface.vertex_capacity() / 8,
+        queue_(expected_pairs(surface.pairs().count(surface.status().faces),
+                              surface.vertex_capacity()),
                surface.complex().workspace()),
         parked_(surface.vertex_capacity(), surface.complex().workspace()),
         flattened_(looks_for_flattened() ? stamp_.size() : 0, tolerated_fall<Cost>,
@@ -46,6 +47,11 @@ public:
       note_unevenness(v);
     surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
                                     [&](Index v, Index w, float cost) { push(v, w, cost); });
+  }
+
+  /// For how many the queue makes room, of a surface with so many pairs and vertices.
+  static std::size_t expected_pairs(std::size_t pairs, std::size_t vertices) {
+    return pairs + vertices / 8;
   }
 
   /// Why it has ended.

@@ -41,7 +41,8 @@ MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
   // Its corners, and room for another one or its origin.
   constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 4 * sizeof(Index);
   constexpr std::size_t passes = std::size_t{1} << 18; // proposals
-  const std::size_t queue = PairQueue::bytes_for(3 * faces / 2 + vertices / 8);
+  const std::size_t queue =
+      PairQueue::bytes_for(GreedyLoop<Policies>::expected_pairs(3 * faces / 2, vertices));
   const std::size_t least = vertices * a_vertex + faces * a_face + (has_queue ? queue : passes);
   constexpr std::size_t few = std::size_t{1} << 23; // whatever the size of the surface
   return {least, 2 * least + few};
