@@ -5,6 +5,7 @@
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/face_linker.h>
 #include <quadrille/internal/named_edges.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/points.h>
 #include <quadrille/internal/umbrellas.h>
 #include <quadrille/vector.h>
@@ -12,6 +13,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -71,16 +73,11 @@ private:
     }
   };
 
-  // Counts off the vertices that are left. From here on, edges are told by these numbers.
+  // From here on, edges are told by the numbers of the result.
   template <class Result>
   void number_vertices(const Result& result) {
-    number_.assign(result.vertex_count(), none);
-    for (Index v = 0; v < vertices_.size(); ++v) {
-      if (!result.has_vertex(v))
-        continue;
-      number_[result.image(v)] = static_cast<Index>(left_.size());
-      left_.push_back(v);
-    }
+    left_ = result.vertex_origins();
+    number_ = places(left_, result.first_vertex_count());
     named_edges_.renumber([&](Index v) { return number_of(v, result); });
   }
 
@@ -93,17 +90,17 @@ private:
   // With the halfedges to their corners, which are in the order of read().
   template <class Result>
   void collect_faces(const Result& result) {
-    const std::size_t left = result.count_faces();
-    Array<Index> numbers(left + 1, workspace_); // of the faces that are left
+    const Array<Index> origins = result.face_origins();
+    const Array<Index> places = internal::places(origins, result.first_face_count());
+    const std::size_t left = origins.size();
     faces_.resize(left + 1);
-    doomed_faces_.resize(result.face_count() - left + 1);
-    std::size_t found = 0;
-    Index face = 0;
+    doomed_faces_.resize(places.size() - left + 1);
+    std::size_t face = 0, found = 0;
     for (Face f : faces(mesh_)) { // without a branch: it is hard to guess
-      numbers[found] = face;
-      faces_[found] = f;
-      doomed_faces_[face - found] = f;
-      found += result.has_face(face++);
+      const Index place = places[face];
+      faces_[std::min<std::size_t>(place, left)] = f;
+      doomed_faces_[face++ - found] = f;
+      found += place != none;
     }
     faces_.pop_back();
     doomed_faces_.pop_back();
@@ -114,10 +111,10 @@ private:
       for (std::size_t i = 0; i < left; ++i)
         halfedges_[3 * i + k] = next(halfedges_[3 * i + k - 1], mesh_);
     sides_.reserve(3 * left);
-    for (std::size_t i = 0; i < left; ++i) {
-      const auto corners = result.corners(numbers[i]);
+    for (Index i = 0; i < left; ++i) {
+      const auto corners = result.corners(i);
       for (std::size_t k = 0; k < 3; ++k)
-        sides_.push_back({number_[corners[k == 0 ? 2 : k - 1]], number_[corners[k]]});
+        sides_.push_back({corners[k == 0 ? 2 : k - 1], corners[k]});
     }
   }
 
@@ -171,10 +168,11 @@ private:
     added.reserve(umbrellas_.duplicates().size()); // so that none is lost
     Undo undo(workspace_);
     try {
-      for (Index v : left_) {
-        if (result.is_moved(v))
-          write_position(vertices_[v], result.position(v), undo);
-        tell(vertices_[v], v, result);
+      for (Index number = 0; number < left_.size(); ++number) {
+        const Vertex v = vertices_[left_[number]];
+        if (result.is_moved(number))
+          write_position(v, result.position(number), undo);
+        tell(v, number, result);
       }
       for (Index number : umbrellas_.duplicates()) {
         const Index original = left_[number];
@@ -183,7 +181,7 @@ private:
         put(points_, added.back(), Point(get(points_, vertices_[original])));
         if constexpr (Attributes::size > 0)
           attributes_.put_raw(added.back(), attributes_.raw(vertices_[original]));
-        tell(added.back(), original, result);
+        tell(added.back(), number, result);
       }
     } catch (...) {
       for (Vertex v : added)
@@ -214,11 +212,8 @@ private:
 
   // Than those that are left.
   void remove_other_vertices() {
-    auto left = left_.begin();
-    for (Index v = 0; v < vertices_.size(); ++v)
-      if (left != left_.end() && *left == v)
-        ++left;
-      else
+    for (Index v = 0; v < number_.size(); ++v)
+      if (number_[v] == none)
         remove_vertex(vertices_[v], mesh_);
   }
 
@@ -230,8 +225,8 @@ private:
   Vertices& vertices_; // with those that write() adds
   Attributes& attributes_;
   NamedEdges<Edge>& named_edges_;
-  Array<Index> left_{workspace_};   // the vertices that are left, ascending, with the duplicates
-  Array<Index> number_{workspace_}; // in left_, by the engine's final index
+  Array<Index> left_{workspace_};   // the vertices that are left, with the duplicates
+  Array<Index> number_{workspace_}; // of each vertex that was read: where it is in left_
   Array<Face> faces_{workspace_};   // the faces that are left
   Array<Side> sides_{workspace_};   // three a face, of numbers in left_: side k leads to corner k
   Array<Halfedge> halfedges_{workspace_}; // of each side before

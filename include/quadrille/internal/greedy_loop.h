@@ -95,7 +95,7 @@ private:
   }
 
   bool is_outdated(const QueuedPair& pair) const {
-    return pair.stamp < stamp_[pair.first] || pair.stamp < stamp_[pair.second];
+    return (pair.stamp < stamp_[pair.first]) | (pair.stamp < stamp_[pair.second]);
   }
   bool is_bare(const QueuedPair& pair) const {
     return !surface_.complex().has_faces(pair.first) || !surface_.complex().has_faces(pair.second);
@@ -141,6 +141,9 @@ private:
 
   // Pairs lie anywhere, so most of the time would go into waiting for memory.
   [[gnu::always_inline]] void prefetch() const {
+    if (const QueuedPair* last = queue_.peek(12))
+      for (Index v : {last->first, last->second})
+        internal::prefetch(&stamp_[v]);
     surface_.prefetch([&](std::size_t ahead) { return queue_.peek(ahead); },
                       [&](Index w) __attribute__((always_inline)) { parked_.prefetch(w); });
   }

@@ -22,12 +22,13 @@ public:
   }
   void sort() { std::stable_sort(edges_.begin(), edges_.end(), Named::less); }
 
-  /// The vertices have got other numbers, in the same order; an edge goes if an end has `none`.
+  /// The vertices have got other numbers; an edge goes if an end has `none`.
   template <class NumberOf>
   void renumber(NumberOf number_of) {
     for (Named& e : edges_)
-      e.low = number_of(e.low), e.high = number_of(e.high);
-    std::erase_if(edges_, [](const Named& e) { return e.low == none || e.high == none; });
+      std::tie(e.low, e.high) = std::minmax({number_of(e.low), number_of(e.high)});
+    std::erase_if(edges_, [](const Named& e) { return e.high == none; });
+    sort();
   }
 
   bool contains(const Side& side, Edge edge) {

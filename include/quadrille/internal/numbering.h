@@ -19,6 +19,13 @@ public:
 
   std::size_t first_count() const { return first_count_; }
   Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
+  Array<Index> of(const Array<Index>& numbers) const {
+    Array<Index> origins(numbers);
+    if (!is_identity())
+      for (Index& number : origins)
+        number = of_[number];
+    return origins;
+  }
   /// The other way round: the number of each origin; `none` for what has been left out.
   Origins inverse() const {
     return {first_count_, is_identity() ? of_ : places(of_, first_count_)};

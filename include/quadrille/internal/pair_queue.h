@@ -175,9 +175,14 @@ private:
         prefetch(&blocks_[blocks_[b].next]);
       const Block block = blocks_[b];
       free_block(b);
-      for (std::uint32_t i = 0; i < size; ++i)
-        if (!is_outdated(block.pairs[i]))
-          visit(block.pairs[i]);
+      std::array<std::uint8_t, Block::capacity> left; // of the pairs
+      std::uint32_t count = 0;
+      for (std::uint32_t i = 0; i < size; ++i) { // without a branch: it would wait for memory
+        left[count] = static_cast<std::uint8_t>(i);
+        count += !is_outdated(block.pairs[i]);
+      }
+      for (std::uint32_t i = 0; i < count; ++i)
+        visit(block.pairs[left[i]]);
       b = block.next;
       size = Block::capacity;
     }

@@ -1,7 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_RESULT_H
 #define QUADRILLE_INTERNAL_RESULT_H
 
+#include <quadrille/internal/array.h>
 #include <quadrille/internal/numbering.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/pair_contraction.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/quadric_form.h>
@@ -12,37 +14,31 @@
 
 namespace quadrille::internal {
 
-/// What became of a surface, asked and told in the numbers in which an adapter has read it.
+/// What became of a surface: the vertices and faces that are left, counted off in the engine's
+/// order, in which neighbours lie near each other. The numbers in which an adapter has read them
+/// are their origins.
 template <class Policies>
 class Result {
 public:
   Result(const PairContraction<Policies>& surface, Numbering numbering)
-      : surface_(surface), numbering_(std::move(numbering)),
-        vertices_(numbering_.vertices.inverse()),
-        faces_(std::exchange(numbering_.faces, Origins(0, {})).inverse()) {}
+      : surface_(surface), numbering_(std::move(numbering)), vertices_(complex().left_vertices()),
+        faces_(complex().left_faces()), numbers_(places(vertices_, complex().vertex_capacity())) {}
 
-  std::size_t vertex_count() const { return vertices_.first_count(); }
-  std::size_t face_count() const { return faces_.first_count(); }
+  /// How many an adapter has read.
+  std::size_t first_vertex_count() const { return numbering_.vertices.first_count(); }
+  std::size_t first_face_count() const { return numbering_.faces.first_count(); }
 
-  /// Those that are left.
-  std::size_t count_faces() const { return complex().live_faces(); }
-  bool has_face(Index face) const {
-    return faces_[face] != none && !complex().is_dead(faces_[face]);
-  }
-  /// Each as image() tells it.
+  /// The origins of those that are left.
+  Array<Index> vertex_origins() const { return numbering_.vertices.of(vertices_); }
+  Array<Index> face_origins() const { return numbering_.faces.of(faces_); }
+  /// The origin of what the vertex of an origin has become part of.
+  Index image(Index origin) const { return numbering_.image(origin); }
+
   TriangleComplex::Triangle corners(Index face) const {
     const auto [a, b, c] = complex().vertices(faces_[face]);
-    const Origins& origins = numbering_.vertices;
-    return {origins[a], origins[b], origins[c]};
-  }
-
-  bool has_vertex(Index v) const {
-    return vertices_[v] != none && complex().has_faces(vertices_[v]);
+    return {numbers_[a], numbers_[b], numbers_[c]};
   }
   bool is_closed() const { return surface_.is_closed(); }
-  /// What a vertex has become part of.
-  Index image(Index v) const { return numbering_.image(v); }
-  /// Of a vertex that is left.
   bool is_moved(Index v) const { return surface_.is_moved(vertices_[v]); }
   /// With attributes, in the units of the mesh.
   auto position(Index v) const { return surface_.position(vertices_[v]); }
@@ -61,7 +57,8 @@ private:
 
   const PairContraction<Policies>& surface_;
   Numbering numbering_;
-  Origins vertices_, faces_; // the other way round: the engine's numbers
+  Array<Index> vertices_, faces_; // in the engine's numbers
+  Array<Index> numbers_;          // of each vertex of the engine, as it is counted off here
 };
 
 } // namespace quadrille::internal

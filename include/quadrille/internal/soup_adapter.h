@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/array.h>
 #include <quadrille/internal/attributes.h>
+#include <quadrille/internal/packing.h>
 #include <quadrille/internal/points.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -66,24 +67,22 @@ public:
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     Points points = empty_like(points_);
-    Array<Index> left(workspace_);
-    Array<Index> new_index(result.vertex_count(), none, workspace_);
-    for (Index v = 0; v < result.vertex_count(); ++v) {
-      if (!result.has_vertex(v))
-        continue;
-      new_index[result.image(v)] = static_cast<Index>(left.size());
-      tell(left.size(), v, result);
-      left.push_back(v);
-      points.push_back(points_[v]);
+    const Array<Index> origins = result.vertex_origins();
+    const Array<Index> vertices = in_order(origins, result.first_vertex_count());
+    const Array<Index> new_index = places(vertices, vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      tell(i, vertices[i], result);
+      points.push_back(points_[origins[vertices[i]]]);
     }
     Triangles triangles = empty_like(triangles_);
-    for (Index face = 0; face < result.face_count(); ++face)
-      if (result.has_face(face))
-        triangles.push_back(renumbered(triangles_[face], result.corners(face), new_index));
+    const Array<Index> face_origins = result.face_origins();
+    for (Index face : in_order(face_origins, result.first_face_count()))
+      triangles.push_back(
+          renumbered(triangles_[face_origins[face]], result.corners(face), new_index));
     Undo undo;
     try {
-      move_points(result, left, points, undo);
-      write_attributes(result, left, undo);
+      move_points(result, vertices, points, undo);
+      write_attributes(result, vertices, origins, undo);
     } catch (...) {
       undo.run(*this, points);
       throw;
@@ -107,6 +106,13 @@ private:
           adapter.attributes_.put_raw(i, attributes[i]);
     }
   };
+
+  // The numbers of the result in the order of their origins, which are below `count`.
+  static Array<Index> in_order(const Array<Index>& origins, std::size_t count) {
+    Array<Index> order = places(origins, count);
+    std::erase(order, none);
+    return order;
+  }
 
   // With the same allocator, else they can't be swapped.
   template <class Container>
@@ -155,24 +161,25 @@ private:
   }
 
   template <class Result>
-  void move_points(const Result& result, const Array<Index>& left, Points& points, Undo& undo) {
-    for (std::size_t i = 0; i < left.size(); ++i)
-      if (result.is_moved(left[i])) {
+  void move_points(const Result& result, const Array<Index>& vertices, Points& points, Undo& undo) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (result.is_moved(vertices[i])) {
         undo.points.emplace_back(i, get(map_, points[i]));
-        put(map_, points[i], to_cgal<Point>(space(result.position(left[i]))));
+        put(map_, points[i], to_cgal<Point>(space(result.position(vertices[i]))));
       }
   }
 
   // A new index is never above the old one, so going up nothing is overwritten that is still
   // needed.
   template <class Result>
-  void write_attributes(const Result& result, const Array<Index>& left, Undo& undo) {
+  void write_attributes(const Result& result, const Array<Index>& vertices,
+                        const Array<Index>& origins, Undo& undo) {
     if constexpr (Attributes::size > 0)
-      for (std::size_t i = 0; i < left.size(); ++i) {
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
         undo.attributes.push_back(attributes_.raw(i));
-        attributes_.put_raw(i, attributes_.raw(std::size_t{left[i]}));
-        if (result.is_moved(left[i]))
-          attributes_.write(i, attributes_of(result.position(left[i])));
+        attributes_.put_raw(i, attributes_.raw(std::size_t{origins[vertices[i]]}));
+        if (result.is_moved(vertices[i]))
+          attributes_.write(i, attributes_of(result.position(vertices[i])));
       }
   }
 

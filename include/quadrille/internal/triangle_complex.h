@@ -134,6 +134,10 @@ public:
   /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
   /// is told.
   Array<Index> left_vertices() const { return indices_of(lists_, has_corners); }
+  /// The faces that are not dead.
+  Array<Index> left_faces() const {
+    return indices_of(faces_, [](const Triangle& face) { return face[0] != none; });
+  }
   /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
   /// No walk is possible before fill_lists() is called.
   void pack(const Array<Index>& vertices);
