@@ -172,6 +172,78 @@ TEST_CASE("A constrained edge keeps its descriptor, its ends and its values") {
   }
 }
 
+TEST_CASE("Of a large mesh out of order, which the engine renumbers, all descriptors stay right") {
+  const bool in_passes = GENERATE(false, true);
+  LabelledMesh labelled(test::shuffled(test::with_noise(test::grid(90, 90), 1, 1e-3), 1));
+  Mesh& mesh = labelled.mesh;
+  const Mesh input = mesh;
+  const auto constrained = mesh.add_property_map<Mesh::Edge_index, bool>("c", false).first;
+  test::Random random(1);
+  std::set<Mesh::Edge_index> chosen;
+  while (chosen.size() < 100)
+    chosen.insert(Mesh::Edge_index(random.below(mesh.number_of_edges())));
+  for (const auto e : chosen)
+    constrained[e] = true;
+
+  const auto constraints = CGAL::parameters::edge_is_constrained_map(constrained);
+  if (in_passes)
+    simplify(mesh, FaceRatio{0.2}, EndpointPlacement{}, RelaxedOrder{}, constraints);
+  else
+    simplify(mesh, FaceRatio{0.2}, EndpointPlacement{}, constraints);
+  REQUIRE(mesh.number_of_faces() < input.number_of_faces() / 4);
+  REQUIRE(test::is_valid_triangle_mesh(mesh));
+  for (const auto e : chosen) {
+    REQUIRE_FALSE(mesh.is_removed(e));
+    CHECK(std::set<std::uint32_t>{mesh.vertex(e, 0), mesh.vertex(e, 1)} == labelled.edge[e]);
+  }
+  std::map<std::uint32_t, std::uint32_t> image; // what vertices have become part of
+  for (const auto v : mesh.vertices()) {
+    image[v] = v;
+    REQUIRE(mesh.point(v) == input.point(v));
+  }
+  const auto require_image = [&](std::uint32_t v, std::uint32_t now) {
+    REQUIRE(image.emplace(v, now).first->second == now);
+  };
+  for (const auto h : mesh.halfedges()) {
+    require_image(labelled.ends[h][0], mesh.source(h));
+    require_image(labelled.ends[h][1], mesh.target(h));
+    if (mesh.is_border(h))
+      REQUIRE(input.is_border(h));
+  }
+  for (const auto f : mesh.faces()) // from the same corner on
+    for (std::size_t k = 0; k < 3; ++k)
+      require_image(labelled.face[f].at(k), labelled.corners(f).at(k));
+}
+
+TEST_CASE("Of a large soup out of order, points and triangles keep theirs") {
+  const bool in_passes = GENERATE(false, true);
+  const test::PointSoup input(test::shuffled(test::with_noise(test::grid(90, 90), 1, 1e-3), 1));
+  test::PointSoup soup = input;
+  if (in_passes)
+    simplify(soup.points, soup.triangles, FaceRatio{0.6}, EndpointPlacement{}, RelaxedOrder{});
+  else
+    simplify(soup.points, soup.triangles, FaceRatio{0.6}, EndpointPlacement{});
+  REQUIRE(soup.triangles.size() < 0.61 * static_cast<double>(input.triangles.size()));
+  std::vector<std::uint32_t> number; // in the input, of each point
+  for (const Point& p : soup.points) {
+    const auto first = input.points.begin() + (number.empty() ? 0 : number.back() + 1);
+    const auto place = std::find(first, input.points.end(), p);
+    REQUIRE(place != input.points.end());
+    number.push_back(static_cast<std::uint32_t>(place - input.points.begin()));
+  }
+  auto triangle = input.triangles.begin(); // of which no corner has changed
+  std::size_t unchanged = 0;
+  for (const auto& [a, b, c] : soup.triangles) {
+    const Triangle before{number[a], number[b], number[c]};
+    if (std::find(input.triangles.begin(), input.triangles.end(), before) == input.triangles.end())
+      continue;
+    triangle = std::find(triangle, input.triangles.end(), before);
+    REQUIRE(triangle != input.triangles.end());
+    ++unchanged;
+  }
+  CHECK(unchanged > 1000);
+}
+
 TEST_CASE("Where vertices go to an end of their pair, those that are left lie where they were") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   const auto topology = GENERATE(Topology::kept, Topology::free);

@@ -64,7 +64,7 @@ public:
     for (const StarFace& f : scratch_.star.shared)
       for (Index v : {f.second, f.third})
         drop_if_bare(v);
-    drop_if_bare(kept);
+    scratch_.tally.vertices += !complex_.has_faces(kept); // its list is new
   }
 
   /// The same where the list of a vertex that has been contracted is not up to date: none of these

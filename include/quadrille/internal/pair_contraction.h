@@ -163,8 +163,8 @@ public:
     const auto [kept, gone] = choose(a, b, candidate);
     if constexpr (asks_for_current<Cost>)
       costs_.forget(scratch.star, a, b);
-    complex_.merge(kept, gone);
     kill_shared(scratch);
+    complex_.merge(kept, gone);
     move(scratch, kept, gone, candidate);
     if (!is_topology_kept_)
       Leftovers(complex_, scratch).drop_bare_vertices(kept);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/array.h>
 #include <quadrille/internal/digit_sort.h>
 #include <quadrille/internal/packing.h>
+#include <quadrille/internal/parallel.h>
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace quadrille::internal {
 
@@ -109,22 +111,43 @@ private:
     });
   }
 
-  // By their lowest vertices.
+  struct PlacedFace {
+    Triangle corners;
+    Index origin;
+
+    PlacedFace() {} // a new one is not written to before it is used
+    PlacedFace(const Triangle& c, Index o) : corners(c), origin(o) {}
+  };
+
+  // By their lowest vertices: first into parts, which fit into a cache, then inside of each.
   template <std::size_t N>
   static void sort_faces(SurfaceInput<N>& surface, unsigned threads) {
-    const Array<Triangle>& triangles = surface.triangles;
+    constexpr unsigned part_bits = 12;
     const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
-    Array<Index> begin(surface.positions.size() + 1, 0, triangles.get_allocator());
+    Array<Triangle>& triangles = surface.triangles;
+    const std::size_t parts = (surface.positions.size() >> part_bits) + 1;
+    std::vector<Index> begin(parts + 1);
     for (const Triangle& triangle : triangles)
-      ++begin[lowest(triangle) + 1];
+      ++begin[(lowest(triangle) >> part_bits) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Index> end = begin;
+    UninitializedArray<PlacedFace> faces(triangles.size(), triangles.get_allocator());
+    for (Index face = 0; face < triangles.size(); ++face)
+      faces[end[lowest(triangles[face]) >> part_bits]++] = {triangles[face], face};
+
     surface.face_origins.resize(triangles.size());
-    for_each_range(threads, surface.positions.size(), [&](const auto& range, std::size_t) {
-      for (Index face = 0; face < triangles.size(); ++face)
-        if (const Index v = lowest(triangles[face]); range.contains(v))
-          surface.face_origins[begin[v]++] = face;
+    std::vector<std::vector<PlacedFace>> sorted(threads);
+    parallel_for(threads, parts, [&](std::size_t part, std::size_t worker) {
+      const std::size_t first = begin[part], count = begin[part + 1] - first;
+      sorted[worker].resize(std::max(count, sorted[worker].size()));
+      sort_by_digit<part_bits>(
+          faces.data() + first, count, sorted[worker].data(),
+          [&](const PlacedFace& face) { return lowest(face.corners) % (Index{1} << part_bits); });
+      for (std::size_t i = 0; i < count; ++i) {
+        triangles[first + i] = sorted[worker][i].corners;
+        surface.face_origins[first + i] = sorted[worker][i].origin;
+      }
     });
-    permute(surface.triangles, surface.face_origins, threads);
   }
 
   template <class Values>

@@ -107,18 +107,27 @@ public:
 
   void kill(Index face) { faces_[face] = {none, none, none}; }
 
-  /// Moves all faces of `gone` to `kept`. The caller kills those that hold both.
+  /// Moves all faces of `gone` to `kept`, whose list is then free of dead ones. Faces that hold
+  /// both must be dead already.
   void merge(Index kept, Index gone) {
-    make_room(lists_[kept].size + lists_[gone].size); // no walk may see the pool move
-    const Index begin = static_cast<Index>(pool_.size());
-    const auto append = [&](Index face, Index i) { pool_.push_back(4 * face + i); };
-    for_each_corner(kept, append);
-    for_each_corner(gone, [&](Index face, Index i) {
-      faces_[face][i] = kept;
-      append(face, i);
-    });
-    lists_[kept] = {begin, static_cast<Index>(pool_.size() - begin)};
+    const std::size_t most = lists_[kept].size + lists_[gone].size;
+    make_room(most); // no walk may see the pool move
+    const std::size_t begin = pool_.size();
+    pool_.resize(begin + most);
+    Index* end = pool_.data() + begin;
+    const auto append = [&](Index vertex) { // without a branch: it is hard to guess
+      for (Index i = 0; i < lists_[vertex].size; ++i) {
+        const Index corner = *end = pool_[lists_[vertex].begin + i];
+        const Index face = corner >> 2;
+        faces_[face][corner & 3] = is_dead(face) ? none : kept;
+        end += !is_dead(face);
+      }
+    };
+    append(kept);
+    append(gone);
+    lists_[kept] = {static_cast<Index>(begin), static_cast<Index>(end - pool_.data() - begin)};
     lists_[gone].size = 0;
+    pool_.resize(begin + lists_[kept].size);
   }
 
   /// The same, but the faces do not come into the list of `kept` before build_lists() is called.
