@@ -95,7 +95,7 @@ private:
   }
 
   bool is_outdated(const QueuedPair& pair) const {
-    return (pair.stamp < stamp_[pair.first]) | (pair.stamp < stamp_[pair.second]);
+    return pair.stamp < std::max(stamp_[pair.first], stamp_[pair.second]);
   }
   bool is_bare(const QueuedPair& pair) const {
     return !surface_.complex().has_faces(pair.first) || !surface_.complex().has_faces(pair.second);

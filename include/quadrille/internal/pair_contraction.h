@@ -163,6 +163,7 @@ public:
     const auto [kept, gone] = choose(a, b, candidate);
     if constexpr (asks_for_current<Cost>)
       costs_.forget(scratch.star, a, b);
+    complex_.make_room_to_merge(kept, gone);
     kill_shared(scratch);
     complex_.merge(kept, gone);
     move(scratch, kept, gone, candidate);

@@ -107,11 +107,16 @@ public:
 
   void kill(Index face) { faces_[face] = {none, none, none}; }
 
+  /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces die
+  /// whose vertices are asked about: in new lists a vertex that has lost its last face has none.
+  void make_room_to_merge(Index kept, Index gone) {
+    make_room(lists_[kept].size + lists_[gone].size);
+  }
   /// Moves all faces of `gone` to `kept`, whose list is then free of dead ones. Faces that hold
   /// both must be dead already.
   void merge(Index kept, Index gone) {
+    make_room_to_merge(kept, gone); // no walk may see the pool move
     const std::size_t most = lists_[kept].size + lists_[gone].size;
-    make_room(most); // no walk may see the pool move
     const std::size_t begin = pool_.size();
     pool_.resize(begin + most);
     Index* end = pool_.data() + begin;
