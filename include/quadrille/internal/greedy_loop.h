@@ -141,9 +141,6 @@ private:
 
   // Pairs lie anywhere, so most of the time would go into waiting for memory.
   [[gnu::always_inline]] void prefetch() const {
-    if (const QueuedPair* last = queue_.peek(12))
-      for (Index v : {last->first, last->second})
-        internal::prefetch(&stamp_[v]);
     surface_.prefetch([&](std::size_t ahead) { return queue_.peek(ahead); },
                       [&](Index w) __attribute__((always_inline)) { parked_.prefetch(w); });
   }

@@ -19,6 +19,7 @@ public:
 
   std::size_t first_count() const { return first_count_; }
   Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
+  /// Those of a list of numbers.
   Array<Index> of(const Array<Index>& numbers) const {
     Array<Index> origins(numbers);
     if (!is_identity())
