@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 
+#include <quadrille/distance.h>
 #include <quadrille/simplify.h>
 
 #include <algorithm>
@@ -25,6 +26,17 @@ namespace {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using WithIds = CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3>;
+
+// A point as linear algebra has them: coordinates by index, and by name to be read.
+struct Vector3 {
+  std::array<double, 3> coordinates;
+
+  double& operator[](std::size_t i) { return coordinates[i]; }
+  double operator[](std::size_t i) const { return coordinates[i]; }
+  double x() const { return coordinates[0]; }
+  double y() const { return coordinates[1]; }
+  double z() const { return coordinates[2]; }
+};
 
 } // namespace
 
@@ -47,6 +59,42 @@ TEMPLATE_TEST_CASE("Every mesh is simplified to a valid one of as many faces", "
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     CHECK(CGAL::is_triangle_mesh(mesh));
   }
+}
+
+TEMPLATE_TEST_CASE("Points of a soup may be three numbers by index", "", (std::array<double, 3>),
+                   Vector3) {
+  test::PointSoup expected(test::random_with_borders(1)), soup = expected;
+  std::vector<TestType> points;
+  for (const test::Point& p : soup.points)
+    points.push_back({{p.x(), p.y(), p.z()}});
+  simplify(expected.points, expected.triangles, FaceRatio{0.2});
+  simplify(points, soup.triangles, FaceRatio{0.2});
+  REQUIRE(points.size() == expected.points.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    CHECK(test::Point(points[v][0], points[v][1], points[v][2]) == expected.points[v]);
+  CHECK(soup.triangles == expected.triangles);
+  const SurfaceDistance d =
+      surface_distance(points, soup.triangles, expected.points, expected.triangles);
+  CHECK(d.hausdorff < 1e-9); // points of faces are rounded
+}
+
+TEST_CASE("Points of floats by index get the nearest floats") {
+  const test::PointSoup soup(test::random_with_borders(1));
+  std::vector<std::array<float, 3>> points;
+  std::vector<test::Point> doubles;
+  for (const test::Point& p : soup.points) {
+    points.push_back(
+        {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+    doubles.emplace_back(points.back()[0], points.back()[1], points.back()[2]);
+  }
+  auto triangles = soup.triangles, expected = triangles;
+  simplify(points, triangles, FaceRatio{0.2});
+  simplify(doubles, expected, FaceRatio{0.2});
+  REQUIRE(points.size() == doubles.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    CHECK(points[v] == std::array{static_cast<float>(doubles[v].x()),
+                                  static_cast<float>(doubles[v].y()),
+                                  static_cast<float>(doubles[v].z())});
 }
 
 TEST_CASE("Soups may lie in containers of any kind, with an allocator of their own") {

@@ -19,8 +19,8 @@ struct GreedyOrder {
   /// around them have changed; but not those of a neighbour of more than 64 faces. Without it, a
   /// pair that has become dearer goes back when its turn comes, and one that has become cheaper may
   /// wait for too long: only where the unevenness of the faces around a vertex has fallen to 0.7 of
-  /// what it was are its pairs costed anew. Takes twice the time and more, for an error that is
-  /// lower by half a percent.
+  /// what it was are its pairs costed anew. Takes two to three times the time, for an error
+  /// that is lower by half a percent.
   ///
   /// Source: as Lindstrom and Turk do, Fast and Memory Efficient Polygonal Simplification, 1998.
   bool eager = false;

@@ -50,9 +50,11 @@ namespace quadrille {
 /// OpenMesh) are left for the caller to tidy up: `mesh.collect_garbage()`.
 ///
 /// Time O(n log n) for n faces and close to linear on meshes; a vertex of d faces adds O(d²) if
-/// many of its pairs are refused. About 100 to 150 bytes a face beside the mesh. Throws
-/// std::invalid_argument for a face that is not a triangle, a vertex that is not finite, attributes
-/// that no weight makes comparable with positions, or a policy that makes no sense,
+/// many of its pairs are refused. Memory: about 100 to 150 bytes a face beside the mesh, 190 with
+/// ThinFeatureQuadric, more with attributes (see AttributeQuadric).
+///
+/// Throws std::invalid_argument for a face that is not a triangle, a vertex that is not finite,
+/// attributes that no weight makes comparable with positions, or a policy that makes no sense,
 /// std::length_error above 2³⁰ faces, and what the user's own maps, policies and visitors throw. If
 /// it throws, the mesh is as it was; what it has put into maps is put back, as far as they let it
 /// (but for vertex_quadric_map, which nobody else fills), and vertices that it had added are
@@ -75,11 +77,13 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
 
 /// Simplifies a polygon soup of triangles in place; it may be non-manifold and of any orientation.
 ///
-/// `points` and `triangles` are random-access containers, of points of a CGAL kernel (or of
-/// anything, with `point_map`) and of three indices each. Points and triangles that are left keep
-/// their order; points of no triangle, degenerate and doubled triangles are dropped. Property maps
-/// of the named parameters are over the index of a point, and hold the results at the new indices.
-/// Topology is free by default. Otherwise as above.
+/// `points` and `triangles` are random-access containers: of points of a CGAL kernel or of three
+/// floating-point numbers, as std::array<float, 3> (or of anything, with `point_map`), and of three
+/// indices each. Points and triangles that are left keep their order; points of no triangle,
+/// degenerate and doubled triangles are dropped. Property maps of the named parameters are over the
+/// index of a point, CGAL::make_property_map(vector) say, and hold the results at the new indices;
+/// the vector behind one keeps its length, with old values at the end. There are no maps over
+/// edges. Topology is free by default. Otherwise as above.
 template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Points,
           class Triangles, class... Arguments>
 requires internal::Fitting<Cost, Placement, Arguments...> && internal::PointContainer<Points> &&

@@ -46,6 +46,10 @@ struct NoAttributes {
 template <class Map, std::size_t N, Attribute A>
 class AttributeMap {
 public:
+  static_assert(
+      requires { typename boost::property_traits<Map>::value_type; },
+      "quadrille: attributes are passed as a property map; of a vector that is "
+      "CGAL::make_property_map(vector)");
   static constexpr std::size_t size = N;
   using Value = typename boost::property_traits<Map>::value_type;
 

@@ -1,11 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_DISTANCE_SURFACE_H
 #define QUADRILLE_INTERNAL_DISTANCE_SURFACE_H
 
+#include <quadrille/internal/points.h>
+#include <quadrille/vector.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -33,10 +35,10 @@ struct DistanceSurface {
 
 template <class Point>
 DistancePoint to_distance_point(const Point& p) {
-  const DistancePoint q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+  const Vector<3> q = position_of(p);
+  if (!is_finite(q))
     throw std::invalid_argument("quadrille: a coordinate of a measured surface is not finite");
-  return q;
+  return {q[0], q[1], q[2]};
 }
 
 inline void require_triangles(const DistanceSurface& surface) {

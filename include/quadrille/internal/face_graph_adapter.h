@@ -111,7 +111,7 @@ private:
   }
 
   Vector<dimension> read_position(Vertex v) {
-    const Vector<3> position = from_cgal(get(points_, v));
+    const Vector<3> position = position_of(get(points_, v));
     if constexpr (Attributes::size > 0)
       return join(position, attributes_.read(v));
     else

@@ -193,7 +193,7 @@ private:
 
   void write_position(Vertex v, const Vector<dimension>& position, Undo& undo) {
     undo.points.emplace_back(v, get(points_, v));
-    put(points_, v, to_cgal<Point>(space(position)));
+    put(points_, v, point_at<Point>(space(position)));
     if constexpr (Attributes::size > 0) {
       undo.attributes.emplace_back(v, attributes_.raw(v));
       attributes_.write(v, attributes_of(position));

@@ -8,14 +8,41 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace quadrille::internal {
 
-/// The nearest doubles of a point of any CGAL kernel.
+/// A point of a CGAL kernel, or another one to be read like that.
+template <class P>
+concept NamedPoint = requires(const P& p) {
+  CGAL::to_double(p.x());
+  CGAL::to_double(p.y());
+  CGAL::to_double(p.z());
+};
+
+/// Three numbers by index, as std::array<float, 3>.
+template <class P>
+concept IndexedPoint = std::is_trivially_destructible_v<P> && requires(P& p) {
+  p[0] = p[1];
+  requires std::is_floating_point_v<std::remove_cvref_t<decltype(p[0])>>;
+  requires sizeof(P) == 3 * sizeof(p[0]);
+};
+
+/// The coordinates, or the nearest doubles.
 template <class Point>
-Vector<3> from_cgal(const Point& p) {
-  return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+Vector<3> position_of(const Point& p) {
+  static_assert(NamedPoint<Point> || IndexedPoint<Point>,
+                "quadrille: a point is one of a CGAL kernel, or three numbers by index as in "
+                "std::array<double, 3>; for others pass a property map to such ones, point_map");
+  if constexpr (NamedPoint<Point>)
+    return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+  else if constexpr (IndexedPoint<Point>)
+    return {{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])}};
+  else
+    return {};
 }
 
 /// A finite number of type T: what lies beyond the greatest becomes that.
@@ -30,11 +57,21 @@ T to_number(double x) {
   }
 }
 
-/// A point of the given kernel at a position.
+/// A point of the given type at a position.
 template <class Point>
-Point to_cgal(const Vector<3>& p) {
-  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  return Point(to_number<FT>(p[0]), to_number<FT>(p[1]), to_number<FT>(p[2]));
+Point point_at(const Vector<3>& position) {
+  const auto [x, y, z] = position.coordinates;
+  if constexpr (IndexedPoint<Point>) {
+    using Number = std::remove_cvref_t<decltype(std::declval<Point&>()[0])>;
+    Point point{};
+    point[0] = to_number<Number>(x);
+    point[1] = to_number<Number>(y);
+    point[2] = to_number<Number>(z);
+    return point;
+  } else {
+    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+    return Point(to_number<FT>(x), to_number<FT>(y), to_number<FT>(z));
+  }
 }
 
 } // namespace quadrille::internal

@@ -124,7 +124,7 @@ private:
   }
 
   Vector<dimension> read_position(std::size_t v) {
-    const Vector<3> position = from_cgal(get(map_, points_[v]));
+    const Vector<3> position = position_of(get(map_, points_[v]));
     if constexpr (Attributes::size > 0)
       return join(position, attributes_.read(v));
     else
@@ -165,7 +165,7 @@ private:
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (result.is_moved(vertices[i])) {
         undo.points.emplace_back(i, get(map_, points[i]));
-        put(map_, points[i], to_cgal<Point>(space(result.position(vertices[i]))));
+        put(map_, points[i], point_at<Point>(space(result.position(vertices[i]))));
       }
   }
 
