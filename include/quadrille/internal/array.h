@@ -4,6 +4,7 @@
 #include <quadrille/internal/workspace.h>
 
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -32,18 +33,20 @@ public:
   friend bool operator==(const ArrayAllocator&, const ArrayAllocator&) = default;
 
   T* allocate(std::size_t count) {
-    void* memory = workspace_ ? workspace_->allocate(count * sizeof(T)) : nullptr;
+    T* memory = nullptr;
+    if (workspace_ && alignof(T) <= Workspace::unit)
+      memory = static_cast<T*>(workspace_->allocate(count * sizeof(T)));
     if (!memory)
-      memory = ::operator new(count * sizeof(T));
+      memory = std::allocator<T>().allocate(count);
     if constexpr (takes_pages)
       take_pages(memory, count * sizeof(T));
-    return static_cast<T*>(memory);
+    return memory;
   }
   void deallocate(T* memory, std::size_t count) {
     if (workspace_ && workspace_->owns(memory))
       workspace_->deallocate(memory, count * sizeof(T));
     else
-      ::operator delete(memory);
+      std::allocator<T>().deallocate(memory, count);
   }
 
   Workspace* workspace() const { return workspace_; }

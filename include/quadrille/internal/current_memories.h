@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 namespace quadrille::internal {
@@ -47,6 +48,7 @@ template <class Cost>
 class CurrentStar {
 public:
   using Current = typename Cost::Current;
+  static_assert(std::is_trivially_copyable_v<Current>, "quadrille: Cost::Current is copied as bytes");
   static constexpr std::size_t most_faces = 16;
 
   CurrentStar() {} // of no vertex

@@ -86,7 +86,7 @@ private:
         park(*next, Rejection::distance);
       else if (surface_.is_enough())
         return StopReason::target_met;
-      else if (surface_.overshoots(scratch_) && !is_last_resort_)
+      else if (surface_.overshoots(scratch_, next->second) && !is_last_resort_)
         overshooting_.push_back(*next);
       else
         contract(*next, candidate);

@@ -36,6 +36,11 @@ bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b, IsFixed i
          any_cut_off(star, b, is_fixed);
 }
 
+/// How many faces and vertices a contraction takes.
+struct Loss {
+  std::size_t faces, vertices;
+};
+
 /// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
 /// and vertices without a face.
 class Leftovers {
@@ -53,35 +58,55 @@ public:
 
   /// The same for the faces that the contraction of the star has changed.
   void drop_doubled_faces() {
-    const PairStar& star = scratch_.star;
-    scratch_.faces.assign(star.first.begin(), star.first.end());
-    scratch_.faces.insert(scratch_.faces.end(), star.second.begin(), star.second.end());
+    gather_changed();
     drop_doubled();
   }
 
-  /// A vertex whose last face is gone with the contraction of the star is gone too.
-  void drop_bare_vertices(Index kept) {
-    for (const StarFace& f : scratch_.star.shared)
-      for (Index v : {f.second, f.third})
-        drop_if_bare(v);
-    scratch_.tally.vertices += !complex_.has_faces(kept); // its list is new
-  }
-
-  /// The same where the list of a vertex that has been contracted is not up to date: none of these
-  /// may be cut off.
-  void drop_bare_vertices_in_pass(Index kept, Index b) {
+  /// A vertex whose last face is gone with the contraction of the star is gone too. Where the list
+  /// of a vertex that has been contracted is not up to date, none of these may be cut off.
+  void drop_bare_vertices(Index kept, Index b) {
     const PairStar& star = scratch_.star;
     any_cut_off(star, b, [&](Index v) {
       drop_if_bare(v);
       return false;
     });
-    if (star.first.empty() && star.second.empty())
-      drop_if_bare(kept); // its list has the faces that vanish, and no others
+    if (star.first.empty() && star.second.empty()) {
+      complex_.for_each_corner(kept, [](Index, Index) {}); // drops them all
+      ++scratch_.tally.vertices;
+    }
+  }
+
+  /// How many faces and vertices the contraction of the star will take.
+  Loss loss(Index b) {
+    const PairStar& star = scratch_.star;
+    Loss loss{star.shared.size(), 1};
+    gather_changed();
+    for_each_doubled([&](Index) { ++loss.faces; });
+    any_cut_off(star, b, [&](Index v) {
+      loss.vertices += !has_others(v);
+      return false;
+    });
+    loss.vertices += star.first.empty() && star.second.empty();
+    return loss;
   }
 
 private:
-  // Of faces at one vertex with the same two others, the first is left.
+  void gather_changed() {
+    const PairStar& star = scratch_.star;
+    scratch_.faces.assign(star.first.begin(), star.first.end());
+    scratch_.faces.insert(scratch_.faces.end(), star.second.begin(), star.second.end());
+  }
+
   void drop_doubled() {
+    for_each_doubled([this](Index face) {
+      complex_.kill(face);
+      ++scratch_.tally.faces;
+    });
+  }
+
+  // Of the gathered faces, at one vertex, that have the same two others, all but the first.
+  template <class Visit>
+  void for_each_doubled(Visit visit) {
     std::vector<StarFace>& faces = scratch_.faces;
     for (StarFace& f : faces)
       if (f.third < f.second)
@@ -90,10 +115,18 @@ private:
       return std::tie(a.second, a.third, a.face) < std::tie(b.second, b.third, b.face);
     });
     for (std::size_t i = 1; i < faces.size(); ++i)
-      if (faces[i - 1].second == faces[i].second && faces[i - 1].third == faces[i].third) {
-        complex_.kill(faces[i].face);
-        ++scratch_.tally.faces;
-      }
+      if (faces[i - 1].second == faces[i].second && faces[i - 1].third == faces[i].third)
+        visit(faces[i].face);
+  }
+
+  // Than those that vanish.
+  bool has_others(Index v) {
+    bool has = false;
+    complex_.for_each_corner(v, [&](Index face, Index) {
+      const auto is_it = [face](const StarFace& f) { return f.face == face; };
+      has |= std::ranges::none_of(scratch_.star.shared, is_it);
+    });
+    return has;
   }
 
   void drop_if_bare(Index v) {

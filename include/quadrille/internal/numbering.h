@@ -88,17 +88,22 @@ public:
     merged_into_ = std::move(by_origins);
   }
 
-  /// The origin of what the vertex of an origin has become part of. By origins only.
+  /// The origin of what the vertex of an origin has become part of. By origins only. Shortens the
+  /// way that it goes, so that many questions take little more than linear time.
   Index image(Index origin) const {
-    while (merged_into_[origin] != none)
-      origin = merged_into_[origin];
+    while (merged_into_[origin] != none) {
+      Index& next = merged_into_[origin];
+      if (merged_into_[next] != none)
+        next = merged_into_[next];
+      origin = next;
+    }
     return origin;
   }
 
   Origins vertices, faces;
 
 private:
-  Array<Index> merged_into_; // of each vertex that is gone
+  mutable Array<Index> merged_into_; // of each vertex that is gone, or one further on
   bool is_by_origins_;
 };
 

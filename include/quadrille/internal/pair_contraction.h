@@ -148,13 +148,15 @@ public:
   }
 
   /// Would the contraction go beyond the target of the stop policy, where another one might not?
-  bool overshoots(const Scratch& scratch) const {
+  bool overshoots(Scratch& scratch, Index b) {
     if (is_closed())
       return false; // each contraction takes two faces
-    Status after = progress_.status;
-    after.faces -= scratch.star.shared.size();
-    --after.vertices;
-    return is_passed(policies_.stop, after);
+    const PairStar& star = scratch.star;
+    if (is_topology_kept_)
+      return is_passed_without({star.shared.size(), 1});
+    const std::size_t doubled = std::min(star.first.size(), star.second.size());
+    return is_passed_without({star.shared.size() + doubled, star.shared.size() + 2}) &&
+           is_passed_without(Leftovers(complex_, scratch).loss(b));
   }
 
   /// Contracts the pair and returns the vertex that is left: an end that keeps its place, else the
@@ -168,7 +170,7 @@ public:
     complex_.merge(kept, gone);
     move(scratch, kept, gone, candidate);
     if (!is_topology_kept_)
-      Leftovers(complex_, scratch).drop_bare_vertices(kept);
+      Leftovers(complex_, scratch).drop_bare_vertices(kept, b);
     if constexpr (asks_for_current<Cost>)
       update_current(scratch, kept);
     return kept;
@@ -183,7 +185,7 @@ public:
     kill_shared(scratch);
     move(scratch, kept, gone, candidate);
     if (!is_topology_kept_)
-      Leftovers(complex_, scratch).drop_bare_vertices_in_pass(kept, b);
+      Leftovers(complex_, scratch).drop_bare_vertices(kept, b);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
@@ -336,6 +338,14 @@ private:
 
   auto interior() const {
     return [this](Index v) { return link_condition_.is_interior(v); };
+  }
+
+  // Does the surface lie beyond the target of the stop policy, once it has lost that?
+  bool is_passed_without(const Loss& loss) const {
+    Status after = progress_.status;
+    after.faces -= std::min(after.faces, loss.faces);
+    after.vertices -= std::min(after.vertices, loss.vertices);
+    return is_passed(policies_.stop, after);
   }
 
   bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace quadrille::internal {
@@ -15,10 +17,15 @@ namespace quadrille::internal {
 /// dropped by the next walk that meets both.
 class PairLists {
 public:
+  static constexpr std::size_t most = std::size_t{1} << 30;
+
   PairLists() = default;
   explicit PairLists(std::size_t vertices) : head_(vertices, none) {}
 
   void add(Index a, Index b) {
+    if (size() == most)
+      throw std::length_error("quadrille::simplify: the pair policy selected more than " +
+                              std::to_string(most) + " pairs that are no edges");
     const Index end = static_cast<Index>(ends_.size());
     ends_.push_back({a, next_of(a, end)});
     ends_.push_back({b, next_of(b, end + 1)});

@@ -284,7 +284,7 @@ private:
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
       return;
     }
-    if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch) ||
+    if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch, second) ||
         cuts_off_touched(scratch.star, second))
       return;
     surface_.contract_in_pass(scratch, first, second, candidate);

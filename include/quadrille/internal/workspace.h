@@ -40,6 +40,8 @@ struct MemoryNeeds {
 /// to be had.
 class Workspace {
 public:
+  static constexpr std::size_t unit = 64; ///< parts begin at multiples of it: a line of a cache
+
   explicit Workspace(const MemoryNeeds& needs) {
     const std::size_t size = rounded_up(needs.most);
     if (is_checked || needs.least < large_page)
@@ -113,7 +115,6 @@ private:
   static constexpr std::align_val_t alignment{large_page};
 
   static constexpr std::size_t rounded_up(std::size_t bytes) {
-    constexpr std::size_t unit = 64; // a line of a cache
     return std::max(unit, (bytes + unit - 1) / unit * unit);
   }
   static void* behind(Gap* gap, std::size_t size) {
