@@ -169,6 +169,42 @@ TEST_CASE("A vertex forgets what few faces have said when it gets many") {
   }
 }
 
+TEST_CASE("Current memories follow in passes, but for vertices that these have contracted") {
+  const Soup input = test::random_closed(5);
+  const auto policies =
+      internal::pick_policies<MemorylessQuadric, OptimalPlacement>(RelaxedOrder{});
+  const auto arrays = test::input_of(test::large(input));
+  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(arrays, arrays.box(),
+                                                                             policies);
+  std::vector<bool> is_touched(surface.vertex_capacity());
+  internal::Scratch& scratch = surface.scratch();
+  std::size_t contractions = 0, compared = 0;
+  for (Index face = 0; face < surface.complex().face_capacity(); face += 7) {
+    const auto [a, b, c] = surface.complex().vertices(face);
+    if (surface.complex().is_dead(face) || is_touched[a] || is_touched[b])
+      continue;
+    const auto candidate = surface.evaluate(a, b);
+    surface.gather(scratch, a, b);
+    if (surface.rejection(scratch, a, b, candidate))
+      continue;
+    surface.contract_in_pass(scratch, a, b, candidate, [&](Index v) { return !is_touched[v]; });
+    is_touched[a] = is_touched[b] = true;
+    ++contractions;
+    const Soup soup = soup_of(surface);
+    for (const test::Triangle& t : soup.triangles) {
+      if (is_touched[t[0]] || is_touched[t[1]])
+        continue;
+      const auto other = surface.evaluate(t[0], t[1]);
+      CAPTURE(face, t);
+      REQUIRE(other.cost ==
+              Approx(cost_of(soup, t[0], t[1], other.target, 100, 1.25)).epsilon(1e-6));
+      ++compared;
+    }
+  }
+  CHECK(contractions > 5);
+  CHECK(compared > 100);
+}
+
 TEST_CASE("Current memories follow where topology is free") {
   check(test::random_with_borders(4), 4, Topology::free);
 }

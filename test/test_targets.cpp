@@ -104,6 +104,35 @@ TEST_CASE("A soup gets to every number of faces") {
   }
 }
 
+TEST_CASE("A soup gets to its target where the cheapest contractions would go beyond it") {
+  // The grid with a tiny surface beside it.
+  const auto with_tiny = [](std::vector<test::Position> points,
+                            const std::vector<test::Triangle>& triangles) {
+    Soup soup = open_surface();
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const test::Position& p : points)
+      soup.points.push_back(1e-3 * p + test::Position{{100, 0, 0}});
+    for (const auto& [a, b, c] : triangles)
+      soup.triangles.push_back({first + a, first + b, first + c});
+    return soup;
+  };
+  const std::vector<test::Position> corners = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
+  const Soup tetrahedron = // becomes two equal faces, of which one goes
+      with_tiny(corners, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const Soup triangle = // all three points go at once
+      with_tiny({corners[0], corners[1], corners[2]}, {{0, 1, 2}});
+  for (std::size_t less = 1; less < 6; ++less) {
+    CAPTURE(less);
+    PointSoup soup(tetrahedron), other(triangle);
+    const std::size_t faces = soup.triangles.size() - less, points = other.points.size() - less;
+    CHECK(simplify_soup(soup, FaceCount{faces}, NormalFlip{180}).stop == StopReason::target_met);
+    CHECK(soup.triangles.size() == faces);
+    CHECK(simplify_soup(other, VertexCount{points}, NormalFlip{180}).stop ==
+          StopReason::target_met);
+    CHECK(other.points.size() == points);
+  }
+}
+
 TEST_CASE("AnyOf stops at the first of its targets, AllOf at the last") {
   const Mesh input = test::make_mesh(open_surface());
   for (const auto faces : std::array<std::size_t, 3>{11, 30, 57}) {

@@ -121,6 +121,21 @@ TEST_CASE("Random parts of a workspace keep what was written to them") {
   CHECK(workspace.allocate(some_needs.most)); // one gap again
 }
 
+TEMPLATE_TEST_CASE_SIG("Arrays align their values as these ask", "", ((std::size_t a), a), 32, 64,
+                       128) {
+  struct alignas(a) Value {
+    char byte;
+  };
+  Workspace workspace(some_needs);
+  std::vector<Array<Value>> arrays;
+  for (std::size_t size = 1; size < 20; ++size) {
+    arrays.emplace_back(size);
+    arrays.emplace_back(size, &workspace);
+  }
+  for (const Array<Value>& array : arrays)
+    CHECK(reinterpret_cast<std::uintptr_t>(array.data()) % a == 0);
+}
+
 TEST_CASE("Arrays take their workspace along") {
   Workspace workspace(some_needs);
   Array<int> a(100, 3, &workspace), b;

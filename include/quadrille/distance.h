@@ -190,7 +190,8 @@ SurfaceDistance surface_distance(const MeshA& a, const MeshB& b,
 /// The sampled distance between two polygon soups, which may be non-manifold.
 ///
 /// Points are anything with x(), y() and z(), or three numbers by index, in a random access range;
-/// triangles are ranges of three indices. Otherwise as for meshes, and std::out_of_range when an index names no point.
+/// triangles are ranges of three indices. Otherwise as for meshes, and std::out_of_range when an
+/// index names no point.
 template <class PointsA, class TrianglesA, class PointsB, class TrianglesB>
 requires internal::MeasurableSoup<PointsA, TrianglesA> &&
     internal::MeasurableSoup<PointsB, TrianglesB>

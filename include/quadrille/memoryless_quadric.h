@@ -15,9 +15,10 @@ namespace quadrille {
 /// Quadrics of the surface as it is now: a position costs the sum of its squared distances to the
 /// planes of the current faces around the pair, each counted once, with weights between their areas
 /// and the squares of these: area^(5/4). The position of least cost is sought among those that keep
-/// the volume, with which the result is more accurate than with what `Quadric` remembers, by a fifth
-/// in root mean square at a tenth of the faces, and takes about twice the time. At very low counts
-/// the order may turn: thin parts that no vertex remembers get lost. ThinFeatureQuadric keeps them.
+/// the volume, with which the result is more accurate than with what `Quadric` remembers, by a
+/// fifth in root mean square at a tenth of the faces, and takes about twice the time. At very low
+/// counts the order may turn: thin parts that no vertex remembers get lost. ThinFeatureQuadric
+/// keeps them.
 ///
 /// Boundary edges add constraint planes as in Quadric, each with the weight of a square on its
 /// edge. The error in Status and Report is that of single contractions, each from the surface just

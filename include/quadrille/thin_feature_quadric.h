@@ -20,8 +20,8 @@ namespace quadrille {
 ///     C(x) + loss_weight · max(0, Q(x) − Qa(a) − Qb(b) − 3 (loss_tolerance · A)²)
 ///
 /// Neither factor has a unit. The position of least cost is that of C everywhere. Takes up to
-/// a third more time than MemorylessQuadric, and 88 bytes more a vertex. With RelaxedOrder::refresh vertices
-/// remember no more than the last pass.
+/// a third more time than MemorylessQuadric, and 88 bytes more a vertex. With RelaxedOrder::refresh
+/// vertices remember no more than the last pass.
 ///
 /// As with MemorylessQuadric the error in Status and Report is that of single contractions; a loss
 /// counts in it as in the cost. Boundaries are what MemorylessQuadric makes of them.

@@ -39,6 +39,8 @@ public:
   }
 
   void join() { ++joins_; }
+  /// Is the star of a vertex inside of its block? Not if it is touched.
+  bool is_inside(Index v) const { return joins_needed_[v] <= joins_; }
   /// Are the stars of both ends of a pair inside of one block, the same? Not if one is touched.
   bool are_inside(Index v, Index w) const {
     return std::max(joins_needed_[v], joins_needed_[w]) <= joins_;

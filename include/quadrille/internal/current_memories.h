@@ -48,7 +48,8 @@ template <class Cost>
 class CurrentStar {
 public:
   using Current = typename Cost::Current;
-  static_assert(std::is_trivially_copyable_v<Current>, "quadrille: Cost::Current is copied as bytes");
+  static_assert(std::is_trivially_copyable_v<Current>,
+                "quadrille: Cost::Current is no plain value");
   static constexpr std::size_t most_faces = 16;
 
   CurrentStar() {} // of no vertex
@@ -183,15 +184,23 @@ public:
     return shared.sum(a, b, cost, positions);
   }
 
-  /// Takes the faces that a contraction changes or removes out of the vertices around it.
-  void forget(const PairStar& star, Index a, Index b, const Cost& cost,
-              const Positions& positions) {
-    for (const StarFace& f : star.first)
-      forget(f, a, cost, positions);
-    for (const StarFace& f : star.second)
-      forget(f, b, cost, positions);
-    for (const StarFace& f : star.shared)
-      forget(f, a, cost, positions);
+  /// Takes the faces that a contraction changes or removes out of the vertices around it for which
+  /// is_wanted(v) holds.
+  template <class IsWanted>
+  void forget(const PairStar& star, Index a, Index b, const Cost& cost, const Positions& positions,
+              IsWanted is_wanted) {
+    const auto forget_all = [&](const Room<StarFace>& faces, Index corner) {
+      for (const StarFace& f : faces) {
+        const Current old =
+            cost.current_face(positions[corner], positions[f.second], positions[f.third]);
+        for (Index v : {f.second, f.third})
+          if (is_wanted(v))
+            current_[v] -= old;
+      }
+    };
+    forget_all(star.first, a);
+    forget_all(star.second, b);
+    forget_all(star.shared, a);
   }
 
   /// Puts the faces that a contraction has left into its vertex and those around it.
@@ -216,6 +225,23 @@ public:
     current_[kept] = sum;
   }
 
+  /// Puts the faces that a contraction in a pass has left into the vertices around it for which
+  /// is_wanted(v) holds.
+  template <class IsWanted>
+  void learn_around(const PairStar& star, Index kept, const Cost& cost, const Positions& positions,
+                    const TriangleComplex& complex, IsWanted is_wanted) {
+    for (const auto* faces : {&star.first, &star.second})
+      for (const StarFace& f : *faces) {
+        if (complex.is_dead(f.face))
+          continue;
+        const Current now =
+            cost.current_face(positions[kept], positions[f.second], positions[f.third]);
+        for (Index v : {f.second, f.third})
+          if (is_wanted(v))
+            current_[v] += now;
+      }
+  }
+
   /// Of the vertex that was learned last, if its faces are few: as they are now.
   const CurrentStar<Cost>& learned() const { return learned_; }
 
@@ -236,13 +262,6 @@ private:
       if (edge.faces == 1)
         current_[v] +=
             cost.current_boundary(positions[v], positions[edge.other], positions[edge.opposite[0]]);
-  }
-
-  void forget(const StarFace& f, Index corner, const Cost& cost, const Positions& positions) {
-    const Current old =
-        cost.current_face(positions[corner], positions[f.second], positions[f.third]);
-    current_[f.second] -= old;
-    current_[f.third] -= old;
   }
 
   Array<Current> current_;

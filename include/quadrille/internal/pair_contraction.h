@@ -178,12 +178,19 @@ public:
 
   /// The same, for any number of pairs that have no end in common; then end_pass() is called.
   /// Pairs whose stars have no vertex in common may be contracted at the same time. Where topology
-  /// is free, no end of an earlier pair may be cut off: see any_cut_off().
-  void contract_in_pass(Scratch& scratch, Index a, Index b, const Candidate& candidate) {
+  /// is free, no end of an earlier pair may be cut off: see any_cut_off(). A cost that looks at the
+  /// surface as it is sees the change at the vertices around for which is_seen(v) holds.
+  template <class IsSeen>
+  void contract_in_pass(Scratch& scratch, Index a, Index b, const Candidate& candidate,
+                        [[maybe_unused]] IsSeen is_seen) {
     const auto [kept, gone] = choose(a, b, candidate);
+    if constexpr (asks_for_current<Cost>)
+      costs_.forget(scratch.star, a, b, is_seen);
     complex_.relabel(kept, gone);
     kill_shared(scratch);
     move(scratch, kept, gone, candidate);
+    if constexpr (asks_for_current<Cost>)
+      costs_.learn_around(scratch.star, kept, is_seen);
     if (!is_topology_kept_)
       Leftovers(complex_, scratch).drop_bare_vertices(kept, b);
   }

@@ -80,10 +80,21 @@ public:
   }
   /// The same around a contraction: before, and after.
   void forget(const PairStar& star, Index a, Index b) requires asks_for_current<Cost> {
-    current_.forget(star, a, b, policies_.cost, positions_);
+    forget(star, a, b, [](Index) { return true; });
   }
   void learn(Index kept, TriangleComplex& complex) requires asks_for_current<Cost> {
     current_.learn(kept, policies_.cost, positions_, complex);
+  }
+  /// The same in a pass, for the vertices for which is_wanted(v) holds.
+  template <class IsWanted>
+  void forget(const PairStar& star, Index a, Index b,
+              IsWanted is_wanted) requires asks_for_current<Cost> {
+    current_.forget(star, a, b, policies_.cost, positions_, is_wanted);
+  }
+  template <class IsWanted>
+  void learn_around(const PairStar& star, Index kept,
+                    IsWanted is_wanted) requires asks_for_current<Cost> {
+    current_.learn_around(star, kept, policies_.cost, positions_, complex_, is_wanted);
   }
   void recompute(Index v, TriangleComplex& complex, Marks& marks) requires asks_for_current<Cost> {
     current_.recompute(v, policies_.cost, positions_, complex, marks);
