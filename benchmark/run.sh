@@ -2,7 +2,8 @@
 # Measures the library and its peers. Debian packages that are missing are installed first.
 #   sh benchmark/run.sh [--quick] [--data DIR] [ARGUMENT...]
 # --quick leaves out the models of 1.2 and 4.8 million faces, which take hours; --data DIR adds all
-# meshes of a folder. Other arguments go to quadrille_benchmark: --ratio 0.01, --faces 1000, --runs 9.
+# meshes of a folder; these two come first. Other arguments go to quadrille_benchmark: --ratio 0.01,
+# --faces 1000, --runs 9.
 # Per model a table (.md), its figures (.csv) and a plot (.png) go to build/benchmark/results.
 set -eu
 export LC_ALL=C
@@ -16,6 +17,11 @@ while [ $# -gt 0 ]; do
     *) break ;;
   esac
   shift
+done
+for argument in "$@"; do
+  case $argument in
+    --quick | --data) echo "$argument comes before other arguments" >&2; exit 2 ;;
+  esac
 done
 
 cd -- "$(dirname -- "$0")/.."

@@ -29,8 +29,8 @@ concept HasMinimizer = requires(const Cost cost, const Pair pair) {
 };
 
 /// The position of least cost. Where the cost has none, or it lies further from both ends than
-/// `pair.reach`, the distance to the farthest neighbour, the cheapest of the two ends and the
-/// midpoint.
+/// `pair.squared_reach`, the distance to the farthest neighbour, the cheapest of the two ends and
+/// the midpoint.
 ///
 /// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: with the
 /// point quadrics of `Quadric` a system that is singular along a line does not come up).
