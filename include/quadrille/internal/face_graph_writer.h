@@ -14,7 +14,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>

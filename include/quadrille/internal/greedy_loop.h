@@ -250,10 +250,11 @@ private:
     ring_.clear();
     ++time_; // so that what was pushed before is outdated
     flattened_.take([this](Index v) {
-      if (stamp_[v] == dead || !surface_.complex().has_faces(v) ||
-          surface_.complex().degree_bound(v) > few_faces)
+      if (stamp_[v] == dead || !surface_.complex().has_faces(v))
         return;
       note_unevenness(v);
+      if (surface_.complex().degree_bound(v) > few_faces)
+        return;
       stamp_[v] = time_;
       ring_.push_back(v);
     });

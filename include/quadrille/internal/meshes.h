@@ -13,7 +13,6 @@
 #include <CGAL/property_map.h>
 
 #include <concepts>
-#include <cstddef>
 #include <ranges>
 #include <type_traits>
 

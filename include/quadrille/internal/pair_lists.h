@@ -4,7 +4,6 @@
 #include <quadrille/internal/array.h>
 #include <quadrille/internal/triangle_complex.h>
 
-#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>

@@ -12,7 +12,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <iterator>
 #include <ranges>
 #include <stdexcept>
 #include <string>
