@@ -73,8 +73,8 @@ TEMPLATE_TEST_CASE("Points of a soup may be three numbers by index", "", (std::a
   for (std::size_t v = 0; v < points.size(); ++v)
     CHECK(test::Point(points[v][0], points[v][1], points[v][2]) == expected.points[v]);
   CHECK(soup.triangles == expected.triangles);
-  const SurfaceDistance d =
-      surface_distance(points, soup.triangles, expected.points, expected.triangles);
+  const SurfaceDistance d = surface_distance(points, soup.triangles, expected.points,
+                                             expected.triangles, {.samples = 1000});
   CHECK(d.hausdorff < 1e-9); // points of faces are rounded
 }
 

@@ -74,6 +74,7 @@ while IFS="$(printf '\t')" read -r header code replacement tests; do
     continue
   }
   verdict=SURVIVED
+  [ -n "$tests" ] || verdict="NAMES NO TEST" # as where nothing stands between two tabs
   for test in $tests; do
     passes "$test" || break
   done
