@@ -64,16 +64,13 @@ public:
 
   /// A vertex whose last face is gone with the contraction of the star is gone too. Where the list
   /// of a vertex that has been contracted is not up to date, none of these may be cut off.
-  void drop_bare_vertices(Index kept, Index b) {
+  void drop_bare_vertices(Index b) {
     const PairStar& star = scratch_.star;
     any_cut_off(star, b, [&](Index v) {
       drop_if_bare(v);
       return false;
     });
-    if (star.first.empty() && star.second.empty()) {
-      complex_.for_each_corner(kept, [](Index, Index) {}); // drops them all
-      ++scratch_.tally.vertices;
-    }
+    scratch_.tally.vertices += star.first.empty() && star.second.empty();
   }
 
   /// How many faces and vertices the contraction of the star will take.

@@ -170,7 +170,7 @@ public:
     complex_.merge(kept, gone);
     move(scratch, kept, gone, candidate);
     if (!is_topology_kept_)
-      Leftovers(complex_, scratch).drop_bare_vertices(kept, b);
+      Leftovers(complex_, scratch).drop_bare_vertices(b);
     if constexpr (asks_for_current<Cost>)
       update_current(scratch, kept);
     return kept;
@@ -192,7 +192,7 @@ public:
     if constexpr (asks_for_current<Cost>)
       costs_.learn_around(scratch.star, kept, is_seen);
     if (!is_topology_kept_)
-      Leftovers(complex_, scratch).drop_bare_vertices(kept, b);
+      Leftovers(complex_, scratch).drop_bare_vertices(b);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
