@@ -59,7 +59,7 @@ TEST_CASE("The smallest gap that fits is taken, and gaps that touch become one")
     return;
   Workspace workspace(some_needs);
   std::vector<void*> parts;
-  for (std::size_t size : {640, 64, 320, 64, 448, 64})
+  for (std::size_t size : {640u, 64u, 320u, 64u, 448u, 64u})
     parts.push_back(workspace.allocate(size));
   workspace.deallocate(parts[0], 640);
   workspace.deallocate(parts[2], 320);

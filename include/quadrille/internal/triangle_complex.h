@@ -130,7 +130,7 @@ public:
     };
     append(kept);
     append(gone);
-    lists_[kept] = {static_cast<Index>(begin), static_cast<Index>(end - pool_.data() - begin)};
+    lists_[kept] = {static_cast<Index>(begin), static_cast<Index>(end - (pool_.data() + begin))};
     lists_[gone].size = 0;
     pool_.resize(begin + lists_[kept].size);
   }
