@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ALLOWANCE_H
 
 #include <quadrille/concepts.h>
+#include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/report.h>
 
@@ -46,8 +47,8 @@ public:
   std::size_t most_used(const PairStar& star) const {
     if (is_topology_kept_)
       return 1;
-    const std::size_t doubled = std::min(star.first.size(), star.second.size());
-    return used(star.shared.size() + doubled, star.shared.size() + 2);
+    const auto [faces, vertices] = most_loss(star);
+    return used(faces, vertices);
   }
 
 private:

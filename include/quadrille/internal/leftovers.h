@@ -41,6 +41,13 @@ struct Loss {
   std::size_t faces, vertices;
 };
 
+/// The most that contracting the star may take where topology is free: doubled faces go too, and
+/// what is bare then.
+inline Loss most_loss(const PairStar& star) {
+  const std::size_t doubled = std::min(star.first.size(), star.second.size());
+  return {star.shared.size() + doubled, star.shared.size() + 2};
+}
+
 /// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
 /// and vertices without a face.
 class Leftovers {

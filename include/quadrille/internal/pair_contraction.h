@@ -151,11 +151,9 @@ public:
   bool overshoots(Scratch& scratch, Index b) {
     if (is_closed())
       return false; // each contraction takes two faces
-    const PairStar& star = scratch.star;
     if (is_topology_kept_)
-      return is_passed_without({star.shared.size(), 1});
-    const std::size_t doubled = std::min(star.first.size(), star.second.size());
-    return is_passed_without({star.shared.size() + doubled, star.shared.size() + 2}) &&
+      return is_passed_without({scratch.star.shared.size(), 1});
+    return is_passed_without(most_loss(scratch.star)) &&
            is_passed_without(Leftovers(complex_, scratch).loss(b));
   }
 
@@ -164,7 +162,7 @@ public:
   Index contract(Scratch& scratch, Index a, Index b, const Candidate& candidate) {
     const auto [kept, gone] = choose(a, b, candidate);
     if constexpr (asks_for_current<Cost>)
-      costs_.forget(scratch.star, a, b);
+      costs_.forget(scratch.star, a, b, [](Index) { return true; });
     complex_.make_room_to_merge(kept, gone);
     kill_shared(scratch);
     complex_.merge(kept, gone);

@@ -78,18 +78,15 @@ public:
     else
       return 0;
   }
-  /// The same around a contraction: before, and after.
-  void forget(const PairStar& star, Index a, Index b) requires asks_for_current<Cost> {
-    forget(star, a, b, [](Index) { return true; });
-  }
-  void learn(Index kept, TriangleComplex& complex) requires asks_for_current<Cost> {
-    current_.learn(kept, policies_.cost, positions_, complex);
-  }
-  /// The same in a pass, for the vertices for which is_wanted(v) holds.
+  /// The same around a contraction: before, and after, or after one in a pass; at the vertices for
+  /// which is_wanted(v) holds.
   template <class IsWanted>
   void forget(const PairStar& star, Index a, Index b,
               IsWanted is_wanted) requires asks_for_current<Cost> {
     current_.forget(star, a, b, policies_.cost, positions_, is_wanted);
+  }
+  void learn(Index kept, TriangleComplex& complex) requires asks_for_current<Cost> {
+    current_.learn(kept, policies_.cost, positions_, complex);
   }
   template <class IsWanted>
   void learn_around(const PairStar& star, Index kept,

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <concepts>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>

@@ -287,7 +287,7 @@ private:
     if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch, second) ||
         cuts_off_touched(scratch.star, second))
       return;
-    // What has stars beyond the block is seen from there.
+    // Other blocks look at the vertices whose stars reach into them.
     surface_.contract_in_pass(scratch, first, second, candidate,
                               [this](Index v) { return stars_.is_inside(v); });
     stars_.touch(first);
