@@ -27,11 +27,11 @@ struct Model {
 
 std::vector<Model> models() {
   std::vector<Model> models;
-  for (const char* name : {"cow", "bones", "nefertiti", "blobby_3cc", "mech-holes-shark", "pinion"})
+  for (const char* name : {"cow", "bones", "nefertiti", "blobby_3cc", "pinion"})
     models.push_back({name, read_model(name)});
   models.push_back({"sphere", test::make_mesh(test::sphere(4))});
   models.push_back({"torus", test::make_mesh(test::torus(40, 20))});
-  models.push_back({"cube", test::make_mesh(test::cube(12))});
+  models.push_back({"cube", test::make_mesh(test::cube(6))});
   models.push_back({"noise", test::make_mesh(test::with_noise(test::sphere(4), 1, 0.02))});
   models.push_back({"holes", test::make_mesh(test::random_with_borders(3))});
   return models;
