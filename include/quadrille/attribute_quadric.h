@@ -77,25 +77,30 @@ struct AttributeQuadric {
     const Position e1 = unit(q - p);
     const Position side = unit(r - p); // a unit vector first: it keeps e₂ perpendicular to e₁
     const Position e2 = unit(side - dot(side, e1) * e1);
-    Memory memory = Memory::point((1 + Quadric::shape_weight) * weight);
+    Memory memory = Memory::point(weight);
     memory += Memory::plane(e1, -weight);
     memory += Memory::plane(e2, -weight);
     return memory;
   }
   static constexpr bool face_is_alike_at_corners = true;
 
-  /// The plane through the boundary edge pq, perpendicular to the face pqr, in space: see Quadric.
+  /// The line of the boundary edge pq of a face pqr, in space: see Quadric.
   Memory boundary(const Position& p, const Position& q, const Position& r) const {
     return in_all_dimensions(
-        Quadric::constraint_plane(space(p), space(q), space(r), boundary_weight));
+        Quadric::constraint_line(space(p), space(q), space(r), boundary_weight));
   }
 
   double operator()(const auto& pair, const Position& x) const {
     return pair.memory(x - pair.first);
   }
 
+  /// Tells pairs of equal costs apart: see CostPolicy.
+  double tie_break(const auto& pair, const Position& x) const {
+    return tie_break(pair)(x - pair.first);
+  }
+
   std::optional<Position> minimizer(const auto& pair) const {
-    std::optional<Position> x = pair.memory.minimizer();
+    std::optional<Position> x = tie_break(pair).minimizer(pair.memory);
     if (x)
       *x += pair.first;
     return x;
@@ -122,6 +127,10 @@ struct AttributeQuadric {
   }
 
 private:
+  static internal::TieBreak<dimension> tie_break(const auto& pair) {
+    return {pair.memory.trace(), pair.second - pair.first};
+  }
+
   static Memory in_all_dimensions(const QuadricForm<3>& form) {
     SymmetricMatrix<dimension> matrix;
     for (std::size_t i = 0; i < 3; ++i)

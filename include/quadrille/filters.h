@@ -22,6 +22,10 @@ enum class Folds { refused, allowed };
 /// neighbours: unless folds are allowed, one that would do it is refused too, as far as that is
 /// seen where a face turns by more than 20 degrees.
 ///
+/// A *needle* is lower than a ten thousandth of its length: rounding soon decides its normal. A
+/// contraction that makes one of a better face is refused as well; flat and straight parts would
+/// end in faces of three points on a line otherwise.
+///
 /// On by default, with 90 degrees. A face of three points on a line, up to rounding, has no normal
 /// and may turn to any; 180 degrees allows everything.
 class NormalFlip {
@@ -45,9 +49,13 @@ public:
       const Vector<3> before = double_area_vector(face.before, face.second, face.third);
       const Vector<3> after = double_area_vector(face.after, face.second, face.third);
       const double product = dot(before, after);
-      const double squared_lengths = squared_length(before) * squared_length(after);
+      const double squared_after = squared_length(after);
+      const double squared_lengths = squared_length(before) * squared_after;
       if (turns_too_far(product, squared_lengths) &&
           has_normal(face.before, face.second, face.third))
+        return false;
+      if (is_needle(squared_after, face.after, face.second, face.third) &&
+          is_better(face.before, face.after, face.second, face.third))
         return false;
       may_fold |= product * product < squared_cosine_of_20_degrees * squared_lengths;
     }
@@ -59,11 +67,30 @@ private:
     return squared_length(normal_vector(p, q, r)) > 0;
   }
 
+  // Twice the area is the height times the longest edge, whose square is at most twice the sum of
+  // those of the two others.
+  static bool is_needle(double squared_doubled_area, const Vector<3>& p, const Vector<3>& q,
+                        const Vector<3>& r) {
+    const double edges = squared_distance(p, q) + squared_distance(p, r);
+    return squared_doubled_area < 4 * least_height * least_height * edges * edges;
+  }
+
+  // Is the face pqr higher, for its length, than p'qr?
+  static bool is_better(const Vector<3>& p, const Vector<3>& p2, const Vector<3>& q,
+                        const Vector<3>& r) {
+    const auto height = [&](const Vector<3>& x) {
+      const double edges = squared_distance(x, q) + squared_distance(x, r);
+      return edges > 0 ? std::sqrt(squared_length(double_area_vector(x, q, r))) / edges : 0;
+    };
+    return height(p) > height(p2);
+  }
+
   bool turns_too_far(double product, double squared_lengths) const {
     return product <= (cosine_ == 0 ? 0 : cosine_ * std::sqrt(squared_lengths));
   }
 
   static constexpr double squared_cosine_of_20_degrees = 0.883;
+  static constexpr double least_height = 1e-4; // of a face, in its longest edge
 
   double cosine_;
   bool allows_everything_, allows_folds_;

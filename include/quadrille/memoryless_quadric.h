@@ -20,16 +20,17 @@ namespace quadrille {
 /// counts the order may turn: thin parts that no vertex remembers get lost. ThinFeatureQuadric
 /// keeps them.
 ///
-/// Boundary edges add constraint planes as in Quadric, each with the weight of a square on its
-/// edge. The error in Status and Report is that of single contractions, each from the surface just
-/// before it: it does not add up to a distance to the input.
+/// Boundary edges add the constraint planes of the paper, perpendicular to their faces, each with
+/// the weight of a square on its edge. The error in Status and Report is that of single
+/// contractions, each from the surface just before it: it does not add up to a distance to the
+/// input.
 ///
 /// Source: Lindstrom and Turk, Fast and Memory Efficient Polygonal Simplification, 1998 (memoryless
 /// costs, volume preservation); Hoppe, New Quadric Metric, 1999, section 5 (the same for quadrics).
 struct MemorylessQuadric {
   static constexpr std::size_t dimension = 3;
 
-  double boundary_weight = 100; ///< as in Quadric
+  double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
 
   /// Nothing.
   struct Memory {
@@ -54,18 +55,15 @@ struct MemorylessQuadric {
   struct Current {
     SymmetricMatrix<3> matrix; ///< of the planes
     Vector<3> doubled_area;    ///< the sum of their doubled area vectors
-    double weight = 0;         ///< of the faces: that of their point quadrics
 
     Current& operator+=(const Current& other) {
       matrix += other.matrix;
       doubled_area += other.doubled_area;
-      weight += other.weight;
       return *this;
     }
     Current& operator-=(const Current& other) {
       matrix -= other.matrix;
       doubled_area -= other.doubled_area;
-      weight -= other.weight;
       return *this;
     }
   };
@@ -89,13 +87,12 @@ struct MemorylessQuadric {
     if (!(length > 0))
       return {};
     const double factor = emphasis(0.5 * length);
-    return {SymmetricMatrix<3>::outer_product(normal, 0.5 / length * factor), normal,
-            0.5 * length * factor};
+    return {SymmetricMatrix<3>::outer_product(normal, 0.5 / length * factor), normal};
   }
 
   Current current_boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const double weight = boundary_weight * emphasis(squared_length(q - p));
-    return {Quadric::constraint_plane(p, q, r, weight).matrix(), {}, 0};
+    return {Quadric::constraint_plane(p, q, r, weight).matrix(), {}};
   }
 
   /// All of a pair, about its first end: the quadric, and the plane that keeps the volume.
@@ -105,14 +102,11 @@ struct MemorylessQuadric {
     double offset = 0; ///< normal · x = offset keeps the volume
   };
 
-  /// Joins what the two ends say, `to_second` apart, and takes out what they share. The point
-  /// quadrics of shared faces (see Quadric) lie at both ends, with half of their weight.
+  /// Joins what the two ends say, `to_second` apart, and takes out what they share.
   PairCurrent join(const Current& first, const Current& second, const Current& shared,
                    const Vector<3>& to_second) const {
     QuadricForm<3> quadric(second.matrix);
-    quadric += QuadricForm<3>::point(Quadric::shape_weight * (second.weight - 0.5 * shared.weight));
     quadric.move_origin(-1.0 * to_second);
-    quadric += QuadricForm<3>::point(Quadric::shape_weight * (first.weight - 0.5 * shared.weight));
     quadric.matrix() += first.matrix;
     quadric.matrix() -= shared.matrix;
     return {quadric, first.doubled_area + second.doubled_area - shared.doubled_area,
@@ -123,9 +117,15 @@ struct MemorylessQuadric {
     return pair.current.quadric(x - pair.first);
   }
 
+  /// Tells pairs of equal costs apart: see CostPolicy.
+  double tie_break(const auto& pair, const Vector<3>& x) const {
+    return tie_break(pair)(x - pair.first);
+  }
+
   std::optional<Vector<3>> minimizer(const auto& pair) const {
     const PairCurrent& current = pair.current;
-    std::optional<Vector<3>> x = current.quadric.minimizer_on_plane(current.normal, current.offset);
+    std::optional<Vector<3>> x =
+        tie_break(pair).minimizer(current.quadric, current.normal, current.offset);
     if (x)
       *x += pair.first;
     return x;
@@ -139,6 +139,11 @@ struct MemorylessQuadric {
   /// Throws std::invalid_argument for a weight that makes no sense.
   void validate() const {
     internal::require_weight("quadrille::MemorylessQuadric", "boundary_weight", boundary_weight);
+  }
+
+private:
+  static internal::TieBreak<3> tie_break(const auto& pair) {
+    return {pair.current.quadric.trace(), pair.second - pair.first};
   }
 };
 

@@ -45,7 +45,24 @@ struct OptimalPlacement {
     return cost(pair, midpoint) < cost(pair, end) ? midpoint : end;
   }
 
+  /// Does the predicate hold of another position that costs as much as x, up to rounding: of an end
+  /// or the midpoint? On flat and straight parts filters may take one where they refuse x.
+  template <class Cost, class Pair, class Predicate>
+  requires HasMinimizer<Cost, Pair>
+  static bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) {
+    if constexpr (requires { cost.tie_break(pair, x); }) {
+      const double most = cost(pair, x) + rounding * cost.tie_break(pair, x);
+      for (const auto& y : {pair.first, pair.second, MidpointPlacement{}(cost, pair)})
+        if (cost(pair, y) <= most && predicate(y))
+          return true;
+    }
+    return false;
+  }
+
 private:
+  // Of what tells equal costs apart: a distance of about a millionth of the pair's.
+  static constexpr double rounding = 1e-3;
+
   // False for a position that is not finite.
   static bool is_within_reach(const auto& pair, const auto& x) {
     return std::min(squared_distance(space(x), space(pair.first)),

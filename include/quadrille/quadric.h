@@ -21,6 +21,36 @@ inline void require_weight(const char* policy, const char* name, double weight) 
                                 internal::text_of(weight) + " is negative or not finite");
 }
 
+/// Of the ends of a pair, beside the planes that it remembers. See TieBreak.
+inline constexpr double shape_weight = 1e-9;
+
+/// What decides between pairs, and between positions, that planes leave equal: the sum of the
+/// squared distances to the two ends, with a billionth of the weight of the planes. It belongs to
+/// the order of pairs and to the choice of a position, not to the cost, and is forgotten then.
+template <std::size_t N>
+class TieBreak {
+public:
+  /// `trace` is that of the planes' matrix; the ends of the pair are `to_second` apart.
+  TieBreak(double trace, const Vector<N>& to_second)
+      : weight_(shape_weight * trace), to_second_(to_second) {}
+
+  /// At a position x from the first end.
+  double operator()(const Vector<N>& x) const {
+    return 0.5 * weight_ * (squared_length(x) + squared_distance(x, to_second_));
+  }
+
+  /// The position of least cost by the planes alone, and of those the one that this prefers, from
+  /// the first end; on the plane normal · x = offset, if the normal has a length.
+  std::optional<Vector<N>> minimizer(const QuadricForm<N>& planes, const Vector<N>& normal = {},
+                                     double offset = 0) const {
+    return planes.minimizer_near_on_plane(0.5 * to_second_, weight_, normal, offset);
+  }
+
+private:
+  double weight_;
+  Vector<N> to_second_;
+};
+
 } // namespace internal
 
 /// How much the plane of a face counts.
@@ -33,14 +63,19 @@ enum class Weighting {
 /// it, as a sum of quadrics, and a position costs the weighted sum of its squared distances to
 /// them.
 ///
-/// A boundary edge adds a *constraint plane* through the edge and perpendicular to its face,
-/// weighted with boundary_weight · |edge|², so that it scales as the areas do. Quadrics are kept
-/// about their vertices, where a new plane has neither a linear nor a constant term.
+/// A boundary edge adds the squared distance to its line, weighted with boundary_weight · |edge|²,
+/// so that it scales as the areas do; along the normal of its face a distance counts half. The
+/// constraint plane of the paper, perpendicular to the face, holds within the surface only: where a
+/// rim is jagged and the surface noisy, such planes meet in lines that lean along the normal, and a
+/// vertex slides up one of these to satisfy planes that contradict each other by d, at worst by
+/// d / (2β) where a distance along the normal counts β times. With a half it is no more than d.
+/// Quadrics are kept about their vertices, where a new plane has neither a linear nor a constant
+/// term.
 ///
-/// Each face also adds a point quadric of 10⁻⁹ of its weight. Where the planes leave a direction
-/// free (a flat part, a straight crease) it decides between positions that cost the same otherwise,
-/// so flat parts keep an even triangulation and the system to be solved is never singular by
-/// rounding; elsewhere it vanishes beside the planes.
+/// Where the planes leave a direction free (a flat part, a straight crease), positions that cost
+/// the same are told apart by their distances to the two ends of the pair, so flat parts keep an
+/// even triangulation and the system to be solved is never singular by rounding. This is no part of
+/// the cost: simplifying a flat part has an error of 0, up to rounding.
 ///
 /// Source: Garland and Heckbert, Surface Simplification Using Quadric Error Metrics, 1997, sections
 /// 4 to 6; area weights and the squared edge length: Garland's thesis, 1999.
@@ -49,7 +84,7 @@ struct Quadric {
   using Memory = QuadricForm<3>;
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
-  double crease_weight = 100;   ///< the same for both faces of a crease
+  double crease_weight = 100;   ///< the same for each of the two faces of a crease
   double crease_degrees = 180;  ///< an edge is a crease if its normals differ by more; 180: none is
   Weighting weighting = Weighting::by_area;
 
@@ -69,29 +104,32 @@ struct Quadric {
     if (!(squared > 0))
       return {};
     const double weight = weighting == Weighting::by_area ? std::sqrt(squared) / 2 : 1;
-    Memory memory = Memory::plane(normal, weight / squared);
-    memory.matrix().add_to_diagonal(shape_weight * weight);
-    return memory;
+    return Memory::plane(normal, weight / squared);
   }
   static constexpr bool face_is_alike_at_corners = true;
 
   /// What the boundary edge pq of a face pqr leaves at both of its ends.
   Memory boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    return constraint_plane(p, q, r, boundary_weight);
+    return constraint_line(p, q, r, boundary_weight);
   }
 
   /// What a crease pq leaves at both of its ends for its face pqr.
   Memory crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    return constraint_plane(p, q, r, crease_weight);
+    return constraint_line(p, q, r, crease_weight);
   }
 
   double operator()(const auto& pair, const Vector<3>& x) const {
     return pair.memory(x - pair.first);
   }
 
+  /// Tells pairs of equal costs apart: see CostPolicy.
+  double tie_break(const auto& pair, const Vector<3>& x) const {
+    return tie_break(pair)(x - pair.first);
+  }
+
   /// The position of least cost, if there is one.
   std::optional<Vector<3>> minimizer(const auto& pair) const {
-    std::optional<Vector<3>> x = pair.memory.minimizer();
+    std::optional<Vector<3>> x = tie_break(pair).minimizer(pair.memory);
     if (x)
       *x += pair.first;
     return x;
@@ -101,6 +139,19 @@ struct Quadric {
   double squared_error(const auto& pair, double cost) const {
     const double weight = pair.memory.trace(); // a plane of unit normal has a trace of its weight
     return weight > 0 ? cost / weight : 0;
+  }
+
+  /// The squared distance to the line pq, about p, with weight · |pq|²; along the normal of pqr a
+  /// distance counts half.
+  static Memory constraint_line(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
+                                double weight) {
+    const Vector<3> normal = normal_vector(p, q, r);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return {};
+    Memory line = constraint_plane(p, q, r, weight);
+    line += Memory::plane(normal, 0.25 * weight * squared_distance(p, q) / squared);
+    return line;
   }
 
   /// The plane through the edge pq and perpendicular to the face pqr, about p, with weight · |pq|².
@@ -114,8 +165,10 @@ struct Quadric {
     return Memory::plane(cross(q - p, normal), weight / squared);
   }
 
-  /// Of the point quadric of a face, beside its plane.
-  static constexpr double shape_weight = 1e-9;
+private:
+  static internal::TieBreak<3> tie_break(const auto& pair) {
+    return {pair.memory.trace(), pair.second - pair.first};
+  }
 };
 
 } // namespace quadrille

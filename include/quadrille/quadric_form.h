@@ -91,16 +91,32 @@ public:
     return factorization.solve(-1.0 * g_);
   }
 
-  /// The displacement of least value on the plane n · x = h, or nothing where A is singular. Where
-  /// n has no length there is no plane, and the least value is taken everywhere.
-  constexpr std::optional<Position> minimizer_on_plane(const Position& n, double h) const {
-    const Factorization<N> factorization(a_);
+  /// The displacement of least value, and where A leaves directions free the one that is nearest to
+  /// m in these; or nothing where A + weight · I is singular. What A determines is moved by less
+  /// than (weight / λ)² of the way to m, for eigenvalues λ of A well above the weight.
+  ///
+  /// Source: two steps of the proximal point algorithm (Rockafellar, Monotone operators and the
+  /// proximal point algorithm, 1976): each minimises Q(x) + weight · |x − where the step began|².
+  constexpr std::optional<Position> minimizer_near(const Position& m, double weight) const {
+    return minimizer_near_on_plane(m, weight, {}, 0);
+  }
+
+  /// The same on the plane n · x = h. Where n has no length there is no plane.
+  constexpr std::optional<Position> minimizer_near_on_plane(const Position& m, double weight,
+                                                            const Position& n, double h) const {
+    SymmetricMatrix<N> regular = a_;
+    regular.add_to_diagonal(weight);
+    const Factorization<N> factorization(regular);
     if (factorization.is_singular())
       return std::nullopt;
-    Position x = factorization.solve(-1.0 * g_);
     const Position across = factorization.solve(n);
-    if (const double slope = dot(n, across); slope > 0)
-      x += ((h - dot(n, x)) / slope) * across;
+    const double slope = dot(n, across);
+    Position x = m;
+    for (int step = 0; step < 2; ++step) {
+      x -= factorization.solve(a_ * x + g_);
+      if (slope > 0)
+        x += ((h - dot(n, x)) / slope) * across;
+    }
     return x;
   }
 

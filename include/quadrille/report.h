@@ -28,12 +28,21 @@ struct Status {
 };
 
 enum class StopReason {
-  target_met,         ///< the stop policy said so
-  no_pair_left,       ///< every pair has been contracted
+  target_met,    ///< the stop policy said so
+  target_passed, ///< the same, a face or so beyond an exact count: a pair that meets it was not
+                 ///< there, or not worth its price
+  no_pair_left,  ///< every pair has been contracted
   all_pairs_rejected, ///< pairs are left, and each of them is refused by the topology or by a
                       ///< filter
+  target_unreachable, ///< the topology that is kept does not let the target be reached, and what is
+                      ///< left would only destroy parts on the way to it
   cancelled           ///< the visitor said so
 };
+
+/// Has the stop policy had its will, exactly or next to it?
+constexpr bool is_target_reached(StopReason reason) {
+  return reason == StopReason::target_met || reason == StopReason::target_passed;
+}
 
 /// Why a contraction was refused.
 enum class Rejection {
@@ -44,19 +53,22 @@ enum class Rejection {
   degree,      ///< the vertex would have too many edges
   distance,    ///< the surface would leave the distance that the stop policy allows
   position,    ///< the placement gave a position that is not finite
+  destruction, ///< a part would lose its shape for a target that can't be reached
   filter,      ///< a filter of the user's refused
 };
-inline constexpr std::size_t rejection_causes = 8;
+inline constexpr std::size_t rejection_causes = 9;
 
 constexpr std::string_view to_string(StopReason reason) {
-  constexpr std::array<std::string_view, 4> names{"target met", "no pair left",
-                                                  "all pairs rejected", "cancelled"};
+  constexpr std::array<std::string_view, 6> names{"target met",         "target passed",
+                                                  "no pair left",       "all pairs rejected",
+                                                  "target unreachable", "cancelled"};
   return names[static_cast<std::size_t>(reason)];
 }
 
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
-      "topology", "constraint", "normal flip", "shape", "degree", "distance", "position", "filter"};
+      "topology", "constraint", "normal flip", "shape", "degree",
+      "distance", "position",   "destruction", "filter"};
   return names[static_cast<std::size_t>(cause)];
 }
 

@@ -54,7 +54,7 @@ struct ThinFeatureQuadric : MemorylessQuadric {
     return weighted_face(p, q, r, [](double) { return 1.0; });
   }
   Current current_boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    return {Quadric::constraint_plane(p, q, r, boundary_weight).matrix(), {}, 0};
+    return {Quadric::constraint_plane(p, q, r, boundary_weight).matrix(), {}};
   }
 
   double operator()(const auto& pair, const Vector<3>& x) const {

@@ -69,8 +69,8 @@ double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
 
 /// The same, but zero, no normal, if the three points lie on a line up to the rounding of their
 /// coordinates. A triangle higher than a millionth of its length has one, however few bits tell it.
-[[gnu::always_inline]] constexpr Vector<3>
-normal_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+[[gnu::always_inline]] constexpr Vector<3> normal_vector(const Vector<3>& p, const Vector<3>& q,
+                                                         const Vector<3>& r) {
   const Vector<3> normal = double_area_vector(p, q, r);
   const double edges = squared_distance(p, q) + squared_distance(p, r);
   if (squared_length(normal) > 0x1p-40 * edges * edges)

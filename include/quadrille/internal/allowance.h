@@ -45,9 +45,8 @@ public:
 
   /// The most that contracting the star may count.
   std::size_t most_used(const PairStar& star) const {
-    if (is_topology_kept_)
-      return 1;
-    const auto [faces, vertices] = most_loss(star);
+    const auto [faces, vertices] =
+        is_topology_kept_ ? Loss{star.shared.size(), 1} : most_loss(star);
     return used(faces, vertices);
   }
 

@@ -68,14 +68,15 @@ private:
   static constexpr std::uint32_t dead = ~std::uint32_t{0};
   static constexpr std::size_t few_faces = 64; // at a vertex
   static constexpr std::size_t all = ~std::size_t{0};
+  static constexpr double dearest_exact_pair = 4; // by what the next pair in the order costs
 
   StopReason contract_pairs() {
     while (const std::optional<QueuedPair> next = next_pair()) {
       if (is_cancelled())
         return StopReason::cancelled;
-      const Candidate candidate = surface_.evaluate(next->first, next->second);
+      Candidate candidate = surface_.evaluate(next->first, next->second);
       if (has_become_dearer(candidate, *next)) {
-        push(next->first, next->second, static_cast<float>(candidate.cost));
+        push(next->first, next->second, static_cast<float>(candidate.key));
         continue;
       }
       surface_.announce(candidate);
@@ -85,8 +86,10 @@ private:
       else if (is_too_far(*next, candidate))
         park(*next, Rejection::distance);
       else if (surface_.is_enough())
-        return StopReason::target_met;
-      else if (surface_.overshoots(scratch_, next->second) && !is_last_resort_)
+        return reason_of_target();
+      else if (destroys(candidate))
+        park(*next, Rejection::destruction);
+      else if (!is_last_resort_ && misses_target(*next, candidate))
         overshooting_.push_back(*next);
       else
         contract(*next, candidate);
@@ -113,7 +116,7 @@ private:
   // A cost that looks at the surface as it is can change while a pair waits.
   bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
     if constexpr (asks_for_current<Cost>)
-      return static_cast<float>(candidate.cost) > tolerated_rise<Cost> * pair.cost &&
+      return static_cast<float>(candidate.key) > tolerated_rise<Cost> * pair.cost &&
              !is_last_resort_;
     else
       return false;
@@ -127,6 +130,28 @@ private:
       next = queue_.pop(outdated());
     is_last_resort_ = !next;
     return next ? next : next_overshooting();
+  }
+
+  // For nothing, since the target can't be reached? Asked when the surface has few faces left.
+  bool destroys(const Candidate& candidate) {
+    if (!surface_.is_destructive(candidate))
+      return false;
+    if (!is_target_reachable_)
+      is_target_reachable_ = surface_.is_target_reachable();
+    return !*is_target_reachable_;
+  }
+
+  // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
+  // costs too much more than the first that would have had its turn?
+  bool misses_target(const QueuedPair& pair, const Candidate& candidate) {
+    const bool others_wait = first_overshooting_ < overshooting_.size();
+    if (others_wait && candidate.cost > highest_cost_)
+      return true;
+    if (!surface_.overshoots(scratch_, pair.second))
+      return false;
+    if (!others_wait)
+      highest_cost_ = dearest_exact_pair * candidate.key;
+    return true;
   }
 
   // They came in the order of their costs.
@@ -159,17 +184,24 @@ private:
     }
   }
 
+  StopReason reason_of_target() const {
+    return surface_.is_passed() ? StopReason::target_passed : StopReason::target_met;
+  }
+
   StopReason final_reason() {
     if constexpr (asks_for_distance<typename Policies::Stop>)
       surface_.announce_distance(0);
     if (surface_.is_enough() || has_met_distance_)
-      return StopReason::target_met;
+      return reason_of_target();
+    if (has_met_destruction_)
+      return StopReason::target_unreachable;
     return parked_.size() == 0 ? StopReason::no_pair_left : StopReason::all_pairs_rejected;
   }
 
   void park(const QueuedPair& pair, Rejection cause) {
     ++scratch_.tally.rejections[static_cast<std::size_t>(cause)];
     has_met_distance_ |= cause == Rejection::distance;
+    has_met_destruction_ |= cause == Rejection::destruction;
     parked_.park(pair);
   }
 
@@ -339,9 +371,11 @@ private:
   std::uint32_t time_to_release_ = 0;              // these
   std::vector<QueuedPair> overshooting_;           // pairs that would go beyond the target
   std::size_t first_overshooting_ = 0;             // of them that has not had its turn
+  double highest_cost_ = 0;                        // of a pair that is taken instead of one of them
   bool is_last_resort_ = false;                    // does one of them have it now?
   std::size_t pairs_seen_ = 0;
-  bool has_met_distance_ = false;
+  std::optional<bool> is_target_reachable_; // if it has been asked
+  bool has_met_distance_ = false, has_met_destruction_ = false;
 };
 
 } // namespace quadrille::internal

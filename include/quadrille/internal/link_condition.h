@@ -19,11 +19,12 @@
 namespace quadrille::internal {
 
 /// How the faces lie around a vertex: all round and each in the same sense, all round in senses
-/// that differ, along a path, or otherwise.
-enum class VertexKind : std::uint8_t { interior, unoriented, boundary, singular };
+/// that differ, along a path, as three pages or more of a book on whose spine the vertex is, or
+/// otherwise.
+enum class VertexKind : std::uint8_t { interior, unoriented, boundary, spine, singular };
 
 /// Classifies vertices by their links: that of an interior vertex is one cycle, that of a boundary
-/// vertex one path.
+/// vertex one path, that of a vertex on a spine three paths or more between the same two ends.
 class VertexClassifier {
 public:
   VertexKind operator()(TriangleComplex& complex, Index v, Marks& marks) {
@@ -70,7 +71,7 @@ private:
     Index start = 0;
     for (Index i = 0; i < link_.size(); ++i) {
       if (link_[i].degree > 2)
-        return VertexKind::singular;
+        return is_spine(i, marks) ? VertexKind::spine : VertexKind::singular;
       if (link_[i].degree == 1) {
         ++ends;
         start = i;
@@ -100,12 +101,14 @@ private:
     }
   }
 
-  // The number of edges on the way from `start` to the other end of its path, or round its cycle.
-  std::size_t walk(Index start) const {
-    if (link_.empty())
-      return 0;
+  struct Path {
+    std::size_t edges;
+    Index end;
+  };
+
+  // From `start` over `current` to the other end of that path, or round its cycle.
+  Path follow(Index start, Index current) const {
     Index previous = start;
-    Index current = link_[start].neighbours[0];
     std::size_t edges = 1;
     while (current != start && link_[current].degree == 2) {
       const auto& n = link_[current].neighbours;
@@ -114,7 +117,28 @@ private:
       current = next;
       ++edges;
     }
-    return edges;
+    return {edges, current};
+  }
+  std::size_t walk(Index start) const {
+    return link_.empty() ? 0 : follow(start, link_[start].neighbours[0]).edges;
+  }
+
+  // Does every path from an end of pages lead to the same other end, and are there no other edges?
+  bool is_spine(Index first, const Marks& marks) const {
+    Index second = none;
+    std::size_t edges = 0;
+    const auto leads_to_second = [&](Index next) {
+      const Path page = follow(first, next);
+      edges += page.edges;
+      second = second == none ? page.end : second;
+      return page.end == second && page.end != first;
+    };
+    for (const StarFace& f : star_) {
+      const Index p = marks[f.second], q = marks[f.third];
+      if ((p == first && !leads_to_second(q)) || (q == first && !leads_to_second(p)))
+        return false;
+    }
+    return edges == star_.size() && link_[second].degree == link_[first].degree;
   }
 
   std::vector<StarFace> star_;
@@ -124,10 +148,11 @@ private:
 /// Tells whether a contraction keeps the topology of the surface.
 ///
 /// The contraction of an edge ab does, if Lk(a) ∩ Lk(b) = Lk(ab), where the links of boundary edges
-/// are joined to a point at infinity. Vertices that are neither inside the surface nor on its
-/// boundary (on an edge of three faces, or where two sheets meet in a point) are called singular;
-/// for them the test here is stricter than it need be: two of them are never contracted. Source:
-/// Dey, Edelsbrunner, Guha and Nekhayev, Topology preserving edge contraction, 1999.
+/// are joined to a point at infinity. A line along which three sheets or more meet, as the pages of
+/// a book do at its spine, is contracted along itself; other vertices that are neither inside the
+/// surface nor on its boundary (where such lines meet, or two sheets in a point) are called
+/// singular; for them the test here is stricter than it need be: two of them are never contracted.
+/// Source: Dey, Edelsbrunner, Guha and Nekhayev, Topology preserving edge contraction, 1999.
 class LinkCondition {
 public:
   LinkCondition() = default;
@@ -169,7 +194,8 @@ public:
       if (marks.is_marked_with(f.second, in_both) && marks.is_marked_with(f.third, in_both) &&
           has_link_edge(star.second, f.second, f.third))
         return false; // a common edge: the two would become a doubled face
-    return std::min(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b);
+    return std::min(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b) ||
+           is_along_spine(star, a, b, marks);
   }
 
   /// Is every vertex known to be inside the surface?
@@ -217,6 +243,23 @@ private:
     const StarFace& f = star.shared.front();
     const Index opposite = f.second == b ? f.third : f.second;
     return has_vertex(star.first, opposite) || has_vertex(star.second, opposite);
+  }
+
+  // One end lies on a spine, and the other on the same: so must the edge, and nothing may join them
+  // behind it. The next vertex on the spine is that of as many faces as the edge has.
+  bool is_along_spine(const PairStar& star, Index a, Index b, Marks& marks) const {
+    if (star.shared.size() < 3 || (kind_[a] != Kind::spine && kind_[b] != Kind::spine))
+      return false;
+    const Room<StarFace>& faces = kind_[a] == Kind::spine ? star.first : star.second;
+    const Index pages = static_cast<Index>(star.shared.size());
+    marks.clear(pages + 1);
+    for (const StarFace& f : faces)
+      for (Index v : {f.second, f.third}) {
+        marks.set(v, marks.is_marked(v) ? marks[v] + 1 : 1);
+        if (marks[v] == pages)
+          return !has_vertex(star.shared, v);
+      }
+    return false;
   }
 
   static bool has_vertex(const Room<StarFace>& star, Index v) {

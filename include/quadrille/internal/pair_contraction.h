@@ -5,6 +5,7 @@
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/contraction_view.h>
 #include <quadrille/internal/distance_bound.h>
+#include <quadrille/internal/least_surface.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/link_condition.h>
 #include <quadrille/internal/numbering.h>
@@ -30,6 +31,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -47,12 +49,12 @@ public:
   using Position = Vector<dimension>;
   using Pair = PairOf<Cost>;
 
-  /// A pair with the place of its contraction, the cost of that, and the error as a distance in the
-  /// mesh's units.
+  /// A pair with the place of its contraction, the cost of that, the key by which it is ordered,
+  /// and the error as a distance in the mesh's units.
   struct Candidate {
     Pair pair;
     Position target;
-    double cost, error;
+    double cost, key, error;
   };
 
   PairContraction(SurfaceInput<dimension> input, const Box<dimension>& box,
@@ -118,9 +120,10 @@ public:
 
   /// Where the pair goes and what that costs.
   Candidate evaluate(Index a, Index b) const {
-    Candidate candidate{costs_.view(a, b), {}, 0, 0};
+    Candidate candidate{costs_.view(a, b), {}, 0, 0, 0};
     candidate.target = costs_.target(a, b, candidate.pair);
     candidate.cost = costs_(candidate.pair, candidate.target);
+    candidate.key = candidate.cost + tie_break(policies_.cost, candidate.pair, candidate.target);
     const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
     candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
     return candidate;
@@ -129,21 +132,19 @@ public:
   /// Gathers the star of a pair, for the three functions that follow.
   void gather(Scratch& scratch, Index a, Index b) { scratch.star.gather(complex_, a, b); }
 
-  /// Why this contraction must not be done, if so.
+  /// Why this contraction must not be done, if so. Where only filters refuse it, and another place
+  /// that costs the same suits them, the candidate goes there.
   std::optional<Rejection> rejection(Scratch& scratch, Index a, Index b,
-                                     const Candidate& candidate) const {
+                                     Candidate& candidate) const {
     if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(scratch.star, a, b))
       return Rejection::constraint;
     if (!is_finite(candidate.target) || !std::isfinite(candidate.cost))
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(scratch.star, a, b, scratch.marks))
       return Rejection::topology;
-    const ContractionView<dimension> contraction(scratch.star, complex_, costs_.positions(),
-                                                 candidate.pair.first, candidate.pair.second,
-                                                 candidate.target);
-    std::optional<Rejection> cause;
-    std::apply([&](const auto&... filter) { (refuses(filter, contraction, cause) || ...); },
-               policies_.filters);
+    const std::optional<Rejection> cause = refusal(scratch.star, candidate, candidate.target);
+    if (cause && !is_fixed(a) && !is_fixed(b) && finds_equal_place(scratch.star, candidate))
+      return std::nullopt;
     return cause;
   }
 
@@ -229,6 +230,35 @@ public:
 
   /// Does the stop policy say so?
   bool is_enough() const { return policies_.stop(progress_.status); }
+  /// And have contractions gone beyond its target?
+  bool is_passed() const {
+    return status().contractions > 0 && internal::is_passed(policies_.stop, progress_.status);
+  }
+
+  /// Would the contraction spoil the shape of what is around it: is its error more than a fifth of
+  /// the distance to the farthest neighbour? An edge of a cube of twelve faces, say. Only a cost
+  /// that tells its error as a distance to the surface can say so.
+  bool is_destructive(const Candidate& candidate) const {
+    if constexpr (requires { policies_.cost.squared_error(candidate.pair, 0.0); })
+      return candidate.error > 0.2 * scale_.length_of_mesh(std::sqrt(candidate.pair.squared_reach));
+    else
+      return false;
+  }
+
+  /// Might contractions satisfy the stop policy? Not if the topology is kept and even the smallest
+  /// surface that has it is too large. Takes linear time.
+  bool is_target_reachable() const {
+    if (!is_topology_kept_)
+      return true;
+    const auto [faces, vertices] =
+        least_surface(complex_, link_condition_, [this](Index v) { return is_fixed(v); });
+    Status least = progress_.status;
+    least.contractions += least.vertices - std::min(least.vertices, vertices);
+    least.faces = std::min(least.faces, faces);
+    least.vertices = std::min(least.vertices, vertices);
+    least.next_error = least.next_distance = std::numeric_limits<double>::infinity();
+    return policies_.stop(least);
+  }
 
   /// Tells what became of the surface.
   void complete(Report& report) {
@@ -350,12 +380,40 @@ private:
     Status after = progress_.status;
     after.faces -= std::min(after.faces, loss.faces);
     after.vertices -= std::min(after.vertices, loss.vertices);
-    return is_passed(policies_.stop, after);
+    return internal::is_passed(policies_.stop, after);
   }
 
   bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
     return costs_.is_any_fixed() && !is_topology_kept_ &&
            internal::takes_a_fixed_vertex_away(star, a, b, [this](Index v) { return is_fixed(v); });
+  }
+
+  // Why a filter refuses a target, if one does.
+  std::optional<Rejection> refusal(const PairStar& star, const Candidate& candidate,
+                                   const Position& target) const {
+    const ContractionView<dimension> contraction(
+        star, complex_, costs_.positions(), candidate.pair.first, candidate.pair.second, target);
+    std::optional<Rejection> cause;
+    std::apply([&](const auto&... filter) { (refuses(filter, contraction, cause) || ...); },
+               policies_.filters);
+    return cause;
+  }
+
+  [[gnu::noinline]] bool finds_equal_place(const PairStar& star, // seldom
+                                           Candidate& candidate) const {
+    const auto takes = [&](const Position& x) {
+      if (refusal(star, candidate, x))
+        return false;
+      candidate.target = x;
+      return true;
+    };
+    const auto& placement = policies_.placement;
+    if constexpr (requires {
+                    placement.any_equal(policies_.cost, candidate.pair, Position{}, takes);
+                  })
+      return placement.any_equal(policies_.cost, candidate.pair, Position(candidate.target), takes);
+    else
+      return false;
   }
 
   template <class Filter, class Contraction>

@@ -179,7 +179,8 @@ private:
   float cost_of(const VertexPair& p) const {
     const auto [a, b] = std::minmax(p.first, p.second);
     const Pair pair = view(a, b);
-    return as_key(policies_.cost(pair, target(a, b, pair)));
+    const Position x = target(a, b, pair);
+    return as_key(policies_.cost(pair, x) + tie_break(policies_.cost, pair, x));
   }
 
   using Two = std::array<VertexPair, 2>;

@@ -105,6 +105,15 @@ Memory sum_about_first(const Memory& first, const Memory& second, const Vector<N
   }
 }
 
+/// What tells pairs of equal costs apart, for costs that do.
+template <class Cost>
+double tie_break(const Cost& cost, const PairOf<Cost>& pair, const Vector<Cost::dimension>& x) {
+  if constexpr (requires { cost.tie_break(pair, x); })
+    return cost.tie_break(pair, x);
+  else
+    return 0;
+}
+
 /// The square of the error of a contraction as a distance, in the engine's unit.
 template <class Cost>
 double squared_error(const Cost& cost, const PairOf<Cost>& pair, double value) {

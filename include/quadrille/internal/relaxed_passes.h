@@ -279,14 +279,14 @@ private:
   // Unless it is refused.
   void contract(Scratch& scratch, const Proposal& proposal) {
     const auto [cost, first, second] = proposal;
-    const Candidate candidate = surface_.evaluate(first, second);
+    Candidate candidate = surface_.evaluate(first, second);
     if (const auto cause = surface_.rejection(scratch, first, second, candidate)) {
       ++scratch.tally.rejections[static_cast<std::size_t>(*cause)];
       return;
     }
     if (is_stop(scratch, proposal, candidate) || surface_.overshoots(scratch, second) ||
-        cuts_off_touched(scratch.star, second))
-      return;
+        surface_.is_destructive(candidate) || cuts_off_touched(scratch.star, second))
+      return; // the greedy loop decides
     // Other blocks look at the vertices whose stars reach into them.
     surface_.contract_in_pass(scratch, first, second, candidate,
                               [this](Index v) { return stars_.is_inside(v); });

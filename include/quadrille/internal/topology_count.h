@@ -12,8 +12,9 @@
 
 namespace quadrille::internal {
 
-/// How many parts there are that no vertex connects.
-inline std::size_t count_components(const TriangleComplex& complex) {
+/// Of each vertex, one that stands for the part of the surface in which it is: parts are what no
+/// vertex connects.
+inline Array<Index> component_roots(const TriangleComplex& complex) {
   Array<Index> parent(complex.vertex_capacity(), complex.workspace());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](Index v) {
@@ -28,9 +29,17 @@ inline std::size_t count_components(const TriangleComplex& complex) {
     parent[root(b)] = root(a);
     parent[root(c)] = root(a);
   }
-  std::size_t components = 0;
   for (Index v = 0; v < parent.size(); ++v)
-    components += parent[v] == v && complex.has_faces(v);
+    parent[v] = root(v);
+  return parent;
+}
+
+/// How many parts there are.
+inline std::size_t count_components(const TriangleComplex& complex) {
+  const Array<Index> root = component_roots(complex);
+  std::size_t components = 0;
+  for (Index v = 0; v < root.size(); ++v)
+    components += root[v] == v && complex.has_faces(v);
   return components;
 }
 
@@ -43,7 +52,7 @@ inline TopologyCount count_topology(TriangleComplex& complex, Marks& marks) {
   VertexClassifier classify;
   EdgeStar star;
   for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-    if (!complex.has_faces(v) || classify(complex, v, marks) != VertexKind::singular)
+    if (!complex.has_faces(v) || classify(complex, v, marks) < VertexKind::spine)
       continue;
     ++count.non_manifold_vertices;
     for (const EdgeAt& edge : star.gather(complex, v, marks))

@@ -62,6 +62,7 @@ struct LaneMatrix {
   friend LaneMatrix operator+(const LaneMatrix& a, Lanes value) {
     return {a.xx + value, a.yx, a.yy + value, a.zx, a.zy, a.zz + value};
   }
+  Lanes trace() const { return xx + yy + zz; }
   friend LaneVector operator*(const LaneMatrix& a, const LaneVector& v) {
     return {a.xx * v.x + a.yx * v.y + a.zx * v.z, a.yx * v.x + a.yy * v.y + a.zy * v.z,
             a.zx * v.x + a.zy * v.y + a.zz * v.z};
@@ -74,7 +75,7 @@ public:
   using Mask = decltype(Lanes{} < Lanes{});
 
   explicit LaneFactorization(const LaneMatrix& a) {
-    const Lanes least_pivot = Factorization<3>::least_relative_pivot * (a.xx + a.yy + a.zz);
+    const Lanes least_pivot = Factorization<3>::least_relative_pivot * a.trace();
     inverse0_ = 1.0 / a.xx;
     l10_ = a.yx * inverse0_;
     l20_ = a.zx * inverse0_;
@@ -113,8 +114,9 @@ inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
 }
 
 /// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
-/// point `displacement` from it. A value that can't be had so, because the matrix is singular or
-/// the position lies further than √reach from both points, is NaN.
+/// point `displacement` from it, with what tells those of equal cost apart (see TieBreak). A value
+/// that can't be had so, because the matrix is singular or the position lies further than √reach
+/// from both points, is NaN.
 [[gnu::always_inline]] inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
                                                  const std::array<const QuadricForm<3>*, 2>& others,
                                                  const std::array<Vector<3>, 2>& displacements,
@@ -125,12 +127,14 @@ inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
   const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
   const LaneMatrix b = LaneMatrix::of(r->matrix(), s->matrix());
   const LaneVector h = LaneVector::of(r->gradient(), s->gradient());
-  const LaneVector bd = b * d;
+  const LaneMatrix a = LaneMatrix::of(p->matrix(), q->matrix()) + b;
+  const Lanes weight = shape_weight * a.trace(); // half of it at each end
+  const LaneVector bd = b * d + 0.5 * weight * d;
   const LaneVector g = LaneVector::of(p->gradient(), q->gradient()) + h - bd;
   const Lanes c = Lanes{p->constant(), q->constant()} + Lanes{r->constant(), s->constant()} +
                   dot(d, bd) - 2.0 * dot(h, d);
 
-  const LaneFactorization factorization(LaneMatrix::of(p->matrix(), q->matrix()) + b);
+  const LaneFactorization factorization(a + weight);
   const LaneVector x = factorization.solve(-g);
   return value_if_found(c + dot(g, x), factorization, x, d, squared_reach); // Ax = −g
 }
@@ -149,18 +153,15 @@ inline LaneMinima minima(const MemorylessQuadric::Current& first,
   const auto& [p, q] = others;
   const auto& [s, t] = shared;
   const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
-  const Lanes half_shared = 0.5 * Lanes{s.weight, t.weight};
-  const Lanes point = Quadric::shape_weight * (first.weight - half_shared);
-  const Lanes other_point = Quadric::shape_weight * (Lanes{p->weight, q->weight} - half_shared);
-  const LaneMatrix b = LaneMatrix::of(p->matrix, q->matrix) + other_point;
-  const LaneVector bd = b * d;
-  const LaneMatrix a =
-      LaneMatrix::twice(first.matrix) + point + b - LaneMatrix::of(s.matrix, t.matrix);
+  const LaneMatrix b = LaneMatrix::of(p->matrix, q->matrix);
+  const LaneMatrix a = LaneMatrix::twice(first.matrix) + b - LaneMatrix::of(s.matrix, t.matrix);
+  const Lanes weight = shape_weight * a.trace(); // half of it at each end
+  const LaneVector bd = b * d + 0.5 * weight * d;
   const LaneVector other_area = LaneVector::of(p->doubled_area, q->doubled_area);
   const LaneVector normal = LaneVector::twice(first.doubled_area) + other_area -
                             LaneVector::of(s.doubled_area, t.doubled_area);
 
-  const LaneFactorization factorization(a);
+  const LaneFactorization factorization(a + weight);
   const LaneVector x = factorization.solve(bd); // without the plane: it costs dᵀBd − dᵀBx
   const LaneVector across = factorization.solve(normal);
   const Lanes slope = dot(normal, across);
