@@ -27,7 +27,7 @@ inline quadrille::internal::SurfaceInput<3> input_of(const Soup& soup) {
 /// Contracts the pair a < b. False if it is refused.
 template <class Surface>
 bool contract(Surface& surface, quadrille::internal::Index a, quadrille::internal::Index b) {
-  const auto candidate = surface.evaluate(a, b);
+  auto candidate = surface.evaluate(a, b);
   surface.gather(surface.scratch(), a, b);
   if (surface.rejection(surface.scratch(), a, b, candidate))
     return false;

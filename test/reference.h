@@ -20,7 +20,7 @@ namespace test {
 
 /// What `simplify` with Quadric, OptimalPlacement and EdgePairs is compared with: the same rules,
 /// told with sets and maps and nothing else. It shares no code with the engine. A vertex remembers
-/// a list of planes and points, not a quadric; the link condition is the equation of sets that
+/// a list of planes, not a quadric; the link condition is the equation of sets that
 /// defines it; and every step looks at every edge there is.
 class Reference {
 public:
@@ -56,11 +56,11 @@ public:
       if (!is_link_condition_met(a, b)) {
         ++topology_rejections;
         refused_.insert(next->edge);
-      } else if (turns_a_face_over(a, b, next->target) || makes_fold(a, b, next->target)) {
+      } else if (const std::optional<Position> target = good_target(*next)) {
+        return contract(*next, *target);
+      } else {
         ++flip_rejections;
         refused_.insert(next->edge);
-      } else {
-        return contract(*next);
       }
     }
     return std::nullopt;
@@ -86,22 +86,15 @@ private:
     Position point, normal; // of unit length
     double weight;
   };
-  struct WeightedPoint {
-    Position point;
-    double weight;
-  };
-  struct Memory {
-    std::vector<Plane> planes;
-    std::vector<WeightedPoint> points;
-  };
+  using Memory = std::vector<Plane>;
   struct Candidate {
-    float cost;
+    float key; // what it costs, and what tells it from others that cost the same
     Edge edge;
     Position target;
-    Real exact_cost;
+    Real cost;
     Real weight;
     bool operator<(const Candidate& other) const {
-      return std::pair(cost, edge) < std::pair(other.cost, other.edge);
+      return std::pair(key, edge) < std::pair(other.key, other.edge);
     }
   };
 
@@ -135,10 +128,8 @@ private:
     const double area = std::sqrt(squared_length(twice)) / 2;
     if (!(area > 0))
       return;
-    for (Vertex v : face) {
-      memory_[v].planes.push_back({position_[p], 0.5 / area * twice, area});
-      memory_[v].points.push_back({position_[v], 1e-9 * area});
-    }
+    for (Vertex v : face)
+      memory_[v].push_back({position_[p], 0.5 / area * twice, area});
   }
 
   void remember_boundary(const Edge& edge, double boundary_weight) {
@@ -147,22 +138,24 @@ private:
         if (std::min(t[i], t[(i + 1) % 3]) != edge[0] || std::max(t[i], t[(i + 1) % 3]) != edge[1])
           continue;
         const Position along = position_[t[(i + 1) % 3]] - position_[t[i]];
-        const Position normal =
-            cross(along, cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]));
-        const double length = std::sqrt(squared_length(normal));
-        if (!(length > 0))
+        const Position normal = cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]);
+        const Position within = cross(along, normal);
+        if (!(squared_length(normal) > 0))
           continue;
-        for (Vertex v : edge)
-          memory_[v].planes.push_back(
-              {position_[t[i]], 1 / length * normal, boundary_weight * squared_length(along)});
+        const double weight = boundary_weight * squared_length(along);
+        for (Vertex v : edge) {
+          memory_[v].push_back({position_[t[i]], unit(within), weight});
+          memory_[v].push_back({position_[t[i]], unit(normal), weight / 4});
+        }
       }
   }
+
+  static Position unit(const Position& v) { return 1 / std::sqrt(squared_length(v)) * v; }
 
   Memory memory_of(const Edge& edge) const {
     Memory both = memory_[edge[0]];
     const Memory& second = memory_[edge[1]];
-    both.planes.insert(both.planes.end(), second.planes.begin(), second.planes.end());
-    both.points.insert(both.points.end(), second.points.begin(), second.points.end());
+    both.insert(both.end(), second.begin(), second.end());
     return both;
   }
 
@@ -170,29 +163,35 @@ private:
 
   static Real cost(const Memory& memory, const Position& x) {
     Real sum = 0;
-    for (const Plane& plane : memory.planes) {
+    for (const Plane& plane : memory) {
       Real distance = 0;
       for (std::size_t i = 0; i < 3; ++i)
         distance += Real(plane.normal[i]) * (Real(x[i]) - plane.point[i]);
       sum += plane.weight * distance * distance;
     }
-    for (const WeightedPoint& p : memory.points)
-      for (std::size_t i = 0; i < 3; ++i)
-        sum += p.weight * (Real(x[i]) - p.point[i]) * (Real(x[i]) - p.point[i]);
     return sum;
   }
 
   static Real weight(const Memory& memory) {
     Real sum = 0;
-    for (const Plane& plane : memory.planes)
+    for (const Plane& plane : memory)
       sum += plane.weight;
     return sum;
   }
 
-  // By the normal equations and Cramer's rule, as a displacement from `origin`.
+  // A billionth of the planes' weight pulls to the two ends.
+  Real tie_break(const Memory& memory, const Edge& edge, const Position& x) const {
+    return 0.5e-9L * weight(memory) *
+           (squared_distance(x, position_[edge[0]]) + squared_distance(x, position_[edge[1]]));
+  }
+
+  // Of the sum of the costs and of a billionth of their weight times the squared distance to
+  // `origin`. By the normal equations and Cramer's rule, as a displacement from there.
   static std::optional<Position> minimizer(const Memory& memory, const Position& origin) {
     std::array<std::array<Real, 4>, 3> m{}; // the matrix and, in column 3, the right side
-    for (const Plane& plane : memory.planes) {
+    for (std::size_t i = 0; i < 3; ++i)
+      m[i][i] = 1e-9L * weight(memory);
+    for (const Plane& plane : memory) {
       Real offset = 0;
       for (std::size_t i = 0; i < 3; ++i)
         offset += Real(plane.normal[i]) * (Real(plane.point[i]) - origin[i]);
@@ -202,11 +201,6 @@ private:
         m[i][3] += plane.weight * plane.normal[i] * offset;
       }
     }
-    for (const WeightedPoint& p : memory.points)
-      for (std::size_t i = 0; i < 3; ++i) {
-        m[i][i] += p.weight;
-        m[i][3] += p.weight * (Real(p.point[i]) - origin[i]);
-      }
     const auto determinant = [&](std::size_t a, std::size_t b, std::size_t c) {
       return m[0][a] * (m[1][b] * m[2][c] - m[2][b] * m[1][c]) -
              m[1][a] * (m[0][b] * m[2][c] - m[2][b] * m[0][c]) +
@@ -221,10 +215,16 @@ private:
 
   Position best_position(const Memory& memory, const Edge& edge) const {
     const Position &p = position_[edge[0]], &q = position_[edge[1]];
-    const std::optional<Position> x = minimizer(memory, p);
+    std::optional<Position> x = minimizer(memory, 0.5 * (p + q));
+    if (x)
+      x = minimizer(memory, *x); // takes back what it has given for being near
     const double reach = std::max(reach_[edge[0]], reach_[edge[1]]);
-    if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach)
+    if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach) {
+      for (const Position& end : {p, q}) // not moved by rounding alone
+        if (squared_distance(*x, end) <= reach * 0x1p-80)
+          return end;
       return *x;
+    }
     const Position middle = 0.5 * (p + q);
     Position best = p;
     for (const Position& other : {q, middle})
@@ -241,7 +241,8 @@ private:
       const Memory memory = memory_of(edge);
       const Position target = best_position(memory, edge);
       const Real value = cost(memory, target);
-      const Candidate candidate{static_cast<float>(value), edge, target, value, weight(memory)};
+      const Candidate candidate{static_cast<float>(value + tie_break(memory, edge, target)), edge,
+                                target, value, weight(memory)};
       if (!best || candidate < *best)
         best = candidate;
     }
@@ -310,11 +311,48 @@ private:
     return changed;
   }
 
+  // Where the pair goes; nowhere if faces would turn over, fold or become needles there, and at its
+  // ends and between these, as far as it costs no more.
+  std::optional<Position> good_target(const Candidate& candidate) const {
+    const auto [a, b] = candidate.edge;
+    const Memory memory = memory_of(candidate.edge);
+    const Real most = candidate.cost + 1e-3L * tie_break(memory, candidate.edge, candidate.target);
+    const Position middle = 0.5 * (position_[a] + position_[b]);
+    for (const Position& x : {candidate.target, position_[a], position_[b], middle})
+      if ((x == candidate.target || cost(memory, x) <= most) && !turns_a_face_over(a, b, x) &&
+          !makes_needle(a, b, x) && !makes_fold(a, b, x))
+        return x;
+    return std::nullopt;
+  }
+
   bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
     const std::vector<Turn> changed = changed_faces(a, b, target);
     return std::any_of(changed.begin(), changed.end(), [](const Turn& f) {
       return squared_length(f.before) > 0 && dot(f.before, f.after) <= 0;
     });
+  }
+
+  // Does a face become lower than 10⁻⁴ of about its length, and lower than it was?
+  bool makes_needle(Vertex a, Vertex b, const Position& target) const {
+    for (const auto& face : faces_) {
+      if (has(face, a) == has(face, b))
+        continue;
+      const Turn f = turn(face.second, a, b, target);
+      const auto height = [&](const Position& normal, const auto& at) {
+        double edges = 0; // the two at the corner that moves
+        for (Vertex v : face.second)
+          for (Vertex w : face.second)
+            if ((v == a || v == b) && w != v)
+              edges += squared_distance(at(v), at(w));
+        return std::sqrt(squared_length(normal)) / edges;
+      };
+      const double after =
+          height(f.after, [&](Vertex v) { return v == a || v == b ? target : position_[v]; });
+      if (after < 2e-4 && after < height(
+                                      f.before, [&](Vertex v) { return position_[v]; }))
+        return true;
+    }
+    return false;
   }
 
   static constexpr double degrees = 180 / std::numbers::pi; // in a radian
@@ -362,13 +400,13 @@ private:
 
   // --- The contraction ---------------------------------------------------------------------------
 
-  Contraction contract(const Candidate& candidate) {
+  Contraction contract(const Candidate& candidate, const Position& target) {
     Vertex kept = candidate.edge[0], gone = candidate.edge[1]; // clang captures no bindings
-    if (candidate.target == position_[gone] && candidate.target != position_[kept])
+    if (target == position_[gone] && target != position_[kept])
       std::swap(kept, gone);
-    error = std::max(error, std::sqrt(double(candidate.exact_cost / candidate.weight)));
+    error = std::max(error, std::sqrt(double(candidate.cost / candidate.weight)));
     memory_[kept] = memory_of(candidate.edge);
-    position_[kept] = candidate.target;
+    position_[kept] = target;
     image_[gone] = kept;
     std::erase_if(faces_, [&](const auto& face) { return has(face, kept) && has(face, gone); });
     for (auto& [f, t] : faces_)
@@ -379,7 +417,7 @@ private:
     std::erase_if(refused_, [&](const Edge& edge) {
       return changed.contains(edge[0]) || changed.contains(edge[1]);
     });
-    return {kept, gone, candidate.target};
+    return {kept, gone, target};
   }
 
   std::vector<Position> position_;

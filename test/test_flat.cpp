@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -59,6 +60,65 @@ void require_even(const Order& order) {
 TEMPLATE_TEST_CASE("No vertex gathers the edges of a flat part", "", Quadric, MemorylessQuadric) {
   require_even<TestType>(GreedyOrder{});
   require_even<TestType>(RelaxedOrder{});
+}
+
+namespace {
+
+// The lowest height of a face, in its longest edge.
+double lowest_face(const Mesh& mesh) {
+  double lowest = 1;
+  for (const auto& t : test::to_soup(mesh).triangles) {
+    const test::Soup soup = test::to_soup(mesh);
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, squared_distance(soup.points[t[i]], soup.points[t[(i + 1) % 3]]));
+    lowest = std::min(lowest, std::sqrt(squared_length(test::area_vector(soup, t))) * 2 / longest);
+  }
+  return lowest;
+}
+
+// An L of three cubes, stairs, and a block with a pit.
+std::vector<std::pair<test::Soup, std::size_t>> solids() {
+  return {
+      {test::cube(8), 12},
+      {test::surface_of_cubes(6, 6, 6, [](int x, int y, int) { return x < 3 || y < 3; }), 20},
+      {test::surface_of_cubes(6, 6, 6, [](int x, int, int z) { return x / 2 + z / 2 < 3; }), 28},
+      {test::surface_of_cubes(
+           6, 6, 6, [](int x, int y, int z) { return z < 3 || x < 2 || x > 3 || y < 2 || y > 3; }),
+       28}};
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Block solids lose nothing down to their corners, and make no needles", "",
+                   Quadric, MemorylessQuadric) {
+  for (const auto& [solid, lossless] : solids()) {
+    const Mesh input = test::make_mesh(solid);
+    for (std::size_t faces = lossless; faces < input.number_of_faces(); faces = faces * 5 / 4 + 2) {
+      Mesh mesh = input;
+      const Report report = simplify<TestType, OptimalPlacement>(mesh, FaceCount{faces / 2 * 2});
+      INFO(report);
+      CHECK(report.stop == StopReason::target_met);
+      CHECK(report.error < 1e-7);
+      CHECK(test::volume(test::to_soup(mesh)) == Approx(test::volume(solid)));
+      CHECK(lowest_face(mesh) > 1e-4);
+    }
+  }
+}
+
+TEST_CASE("Corners of a block keep their bits") {
+  Mesh mesh = test::make_mesh(test::cube(10));
+  simplify(mesh, FaceCount{12});
+  for (Mesh::Vertex_index v : mesh.vertices())
+    for (double x : test::to_position(mesh.point(v)).coordinates)
+      CHECK((x == std::floor(x)));
+}
+
+TEST_CASE("A sheet is simplified without an error") {
+  Mesh mesh = test::make_mesh(test::tilted(test::grid(40, 40)));
+  const Report report = simplify(mesh, FaceCount{2});
+  CHECK(report.faces_after == 2);
+  CHECK(report.error < 1e-8);
 }
 
 TEST_CASE("HighestDegree keeps its word where steps would not") {

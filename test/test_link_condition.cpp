@@ -135,6 +135,35 @@ TEST_CASE("A tube of three faces around does not close") {
   CHECK(holds(tube.triangles, 3, 6));       // along the tube
 }
 
+TEST_CASE("A spine of three pages is contracted along itself, and in no other way") {
+  // Three strips that share the line 0 1 2 3; the strip of page k has 4k + 4 … 4k + 7 beyond it.
+  std::vector<Triangle> book;
+  for (Index page = 0; page < 3; ++page)
+    for (Index i = 0; i < 3; ++i) {
+      const Index outer = 4 * page + 4 + i;
+      book.push_back({i, i + 1, outer});
+      book.push_back({i + 1, outer + 1, outer});
+    }
+  CHECK(kind(book, 1) == VertexKind::spine);
+  CHECK(kind(book, 2) == VertexKind::spine);
+  CHECK(kind(book, 0) == VertexKind::singular); // where the pages' borders meet
+  CHECK(holds(book, 1, 2));
+  CHECK(holds(book, 0, 1)); // along it, to where it ends
+  CHECK(holds(book, 3, 2));
+  CHECK_FALSE(holds(book, 1, 4)); // from its inside to a border
+
+  // A triangle of spines: three pages along each side of 0 1 2.
+  std::vector<Triangle> ring;
+  for (Index i = 0; i < 3; ++i)
+    for (Index page = 0; page < 3; ++page) {
+      const Index j = (i + 1) % 3, outer = 3 + 3 * page;
+      ring.push_back({i, j, outer + i});
+      ring.push_back({j, outer + j, outer + i});
+    }
+  CHECK(kind(ring, 0) == VertexKind::spine);
+  CHECK_FALSE(holds(ring, 0, 1)); // the third vertex joins them behind
+}
+
 TEST_CASE("Vertices are inside, on the border, or singular") {
   CHECK(kind(test::tetrahedron().triangles, 0) == VertexKind::interior);
   std::vector<Triangle> turned = test::tetrahedron().triangles;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -63,8 +64,11 @@ void require_same_contractions(const Soup& soup, double boundary_weight) {
     const bool is_done = contractions > 0 && !reference.contract_next();
     Mesh mesh = input;
     const Report report =
-        simplify(mesh, Quadric{.boundary_weight = boundary_weight},
-                 [&](const Status& status) { return status.contractions == contractions; });
+        simplify(mesh, Quadric{.boundary_weight = boundary_weight}, [&](const Status& status) {
+          // Where the end is out of reach, parts would be spared: see StopReason.
+          const bool is_imagined = status.next_error > std::numeric_limits<double>::max();
+          return status.contractions == contractions || is_imagined;
+        });
     INFO("after " << contractions << " contractions: " << report);
     if (is_done) {
       REQUIRE(report.contractions == contractions - 1);
@@ -76,7 +80,8 @@ void require_same_contractions(const Soup& soup, double boundary_weight) {
     }
     REQUIRE(difference(mesh, reference, tolerance) == "");
     REQUIRE(report.contractions == contractions);
-    REQUIRE(report.error == Approx(reference.error).epsilon(1e-5));
+    REQUIRE(report.error ==
+            Approx(reference.error).epsilon(1e-5).margin(1e-8 * test::diagonal(soup)));
   }
 }
 

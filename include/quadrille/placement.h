@@ -28,18 +28,20 @@ concept HasMinimizer = requires(const Cost cost, const Pair pair) {
   *cost.minimizer(pair);
 };
 
-/// The position of least cost. Where the cost has none, or it lies further from both ends than
-/// `pair.squared_reach`, the distance to the farthest neighbour, the cheapest of the two ends and
-/// the midpoint.
+/// The position of least cost; an end itself, to the last bit, where rounding alone parts it from
+/// that. Where the cost has none, or it lies further from both ends than `pair.squared_reach`, the
+/// distance to the farthest neighbour, the cheapest of the two ends and the midpoint.
 ///
-/// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: with the
-/// point quadrics of `Quadric` a system that is singular along a line does not come up).
+/// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: where
+/// planes leave directions free, costs of ours choose in these, see Quadric).
 struct OptimalPlacement {
   template <class Cost, class Pair>
   requires HasMinimizer<Cost, Pair>
   auto operator()(const Cost& cost, const Pair& pair) const {
     if (const auto x = cost.minimizer(pair); x && is_within_reach(pair, *x))
-      return *x;
+      return is_rounded(pair, pair.first, *x)    ? pair.first
+             : is_rounded(pair, pair.second, *x) ? pair.second
+                                                 : *x;
     const auto end = EndpointPlacement{}(cost, pair);
     const auto midpoint = MidpointPlacement{}(cost, pair);
     return cost(pair, midpoint) < cost(pair, end) ? midpoint : end;
@@ -62,6 +64,11 @@ struct OptimalPlacement {
 private:
   // Of what tells equal costs apart: a distance of about a millionth of the pair's.
   static constexpr double rounding = 1e-3;
+
+  // Is x that end, up to rounding?
+  static bool is_rounded(const auto& pair, const auto& end, const auto& x) {
+    return squared_distance(end, x) <= 0x1p-80 * pair.squared_reach;
+  }
 
   // False for a position that is not finite.
   static bool is_within_reach(const auto& pair, const auto& x) {

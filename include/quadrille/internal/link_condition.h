@@ -128,10 +128,10 @@ private:
     Index second = none;
     std::size_t edges = 0;
     const auto leads_to_second = [&](Index next) {
-      const Path page = follow(first, next);
-      edges += page.edges;
-      second = second == none ? page.end : second;
-      return page.end == second && page.end != first;
+      const Path path = follow(first, next);
+      edges += path.edges;
+      second = second == none ? path.end : second;
+      return path.end == second && path.end != first;
     };
     for (const StarFace& f : star_) {
       const Index p = marks[f.second], q = marks[f.third];

@@ -235,12 +235,13 @@ public:
     return status().contractions > 0 && internal::is_passed(policies_.stop, progress_.status);
   }
 
-  /// Would the contraction spoil the shape of what is around it: is its error more than a fifth of
-  /// the distance to the farthest neighbour? An edge of a cube of twelve faces, say. Only a cost
+  /// Would the contraction spoil the shape of what is around it: is its error more than a tenth of
+  /// the distance to the farthest neighbour? An edge of a cube of twelve faces is, a corner of a
+  /// sheet of two. Only a cost
   /// that tells its error as a distance to the surface can say so.
   bool is_destructive(const Candidate& candidate) const {
     if constexpr (requires { policies_.cost.squared_error(candidate.pair, 0.0); })
-      return candidate.error > 0.2 * scale_.length_of_mesh(std::sqrt(candidate.pair.squared_reach));
+      return candidate.error > 0.1 * scale_.length_of_mesh(std::sqrt(candidate.pair.squared_reach));
     else
       return false;
   }
@@ -253,11 +254,14 @@ public:
     const auto [faces, vertices] =
         least_surface(complex_, link_condition_, [this](Index v) { return is_fixed(v); });
     Status least = progress_.status;
-    least.contractions += least.vertices - std::min(least.vertices, vertices);
+    std::size_t contractions = least.vertices - std::min(least.vertices, vertices);
     least.faces = std::min(least.faces, faces);
     least.vertices = std::min(least.vertices, vertices);
     least.next_error = least.next_distance = std::numeric_limits<double>::infinity();
-    return policies_.stop(least);
+    for (; !policies_.stop(least); ++least.contractions) // it may look at their number
+      if (contractions-- == 0)
+        return false;
+    return true;
   }
 
   /// Tells what became of the surface.
