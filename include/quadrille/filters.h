@@ -55,7 +55,7 @@ public:
           has_normal(face.before, face.second, face.third))
         return false;
       if (is_needle(squared_after, face.after, face.second, face.third) &&
-          is_better(face.before, face.after, face.second, face.third))
+          is_better(face.before, face.after, face.second, face.third)) [[unlikely]]
         return false;
       may_fold |= product * product < squared_cosine_of_20_degrees * squared_lengths;
     }

@@ -40,9 +40,13 @@ public:
   }
 
   /// The position of least cost by the planes alone, and of those the one that this prefers, from
-  /// the first end; on the plane normal · x = offset, if the normal has a length.
-  std::optional<Vector<N>> minimizer(const QuadricForm<N>& planes, const Vector<N>& normal = {},
-                                     double offset = 0) const {
+  /// the first end.
+  std::optional<Vector<N>> minimizer(const QuadricForm<N>& planes) const {
+    return planes.minimizer_near(0.5 * to_second_, weight_);
+  }
+  /// The same on the plane normal · x = offset, if the normal has a length.
+  std::optional<Vector<N>> minimizer(const QuadricForm<N>& planes, const Vector<N>& normal,
+                                     double offset) const {
     return planes.minimizer_near_on_plane(0.5 * to_second_, weight_, normal, offset);
   }
 

@@ -98,22 +98,26 @@ public:
   /// Source: two steps of the proximal point algorithm (Rockafellar, Monotone operators and the
   /// proximal point algorithm, 1976): each minimises Q(x) + weight · |x − where the step began|².
   constexpr std::optional<Position> minimizer_near(const Position& m, double weight) const {
-    return minimizer_near_on_plane(m, weight, {}, 0);
+    const Factorization<N> factorization(regular_matrix(weight));
+    if (factorization.is_singular())
+      return std::nullopt;
+    Position x = m;
+    for (int step = 0; step < 2; ++step)
+      x -= factorization.solve(half_gradient(x));
+    return x;
   }
 
   /// The same on the plane n · x = h. Where n has no length there is no plane.
   constexpr std::optional<Position> minimizer_near_on_plane(const Position& m, double weight,
                                                             const Position& n, double h) const {
-    SymmetricMatrix<N> regular = a_;
-    regular.add_to_diagonal(weight);
-    const Factorization<N> factorization(regular);
+    const Factorization<N> factorization(regular_matrix(weight));
     if (factorization.is_singular())
       return std::nullopt;
     const Position across = factorization.solve(n);
     const double slope = dot(n, across);
     Position x = m;
     for (int step = 0; step < 2; ++step) {
-      x -= factorization.solve(a_ * x + g_);
+      x -= factorization.solve(half_gradient(x));
       if (slope > 0)
         x += ((h - dot(n, x)) / slope) * across;
     }
@@ -127,6 +131,13 @@ public:
   constexpr double trace() const { return a_.trace(); }     ///< of A: the sum of the weights
 
 private:
+  constexpr SymmetricMatrix<N> regular_matrix(double weight) const {
+    SymmetricMatrix<N> regular = a_;
+    regular.add_to_diagonal(weight);
+    return regular;
+  }
+  constexpr Position half_gradient(const Position& x) const { return a_ * x + g_; }
+
   SymmetricMatrix<N> a_;
   Position g_;
   double c_ = 0;
