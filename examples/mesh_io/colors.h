@@ -79,12 +79,21 @@ inline std::optional<std::string> guess_unit(const std::vector<Color>& colors, C
   return std::nullopt;
 }
 
-/// Makes the colours finite and, where they are integers, keeps them within their range. Returns
+/// A number as one of single precision, which may be infinite.
+inline double as_single(double x) {
+  if (std::abs(x) > std::numeric_limits<float>::max())
+    return std::copysign(std::numeric_limits<double>::infinity(), x);
+  return static_cast<float>(x);
+}
+
+/// Makes the colours finite numbers of their type, those of integers within their range. Returns
 /// how many numbers were none, and how many out of range.
 inline std::array<std::size_t, 2> mend_colors(std::vector<Color>& colors, const ColorType& type) {
   std::size_t not_numbers = 0, out_of_range = 0;
   for (Color& color : colors)
     for (double& channel : color) {
+      if (type.is_single)
+        channel = as_single(channel);
       not_numbers += std::isnan(channel);
       if (!std::isfinite(channel))
         channel = channel > 0 ? type.full : 0; // NaN is not above 0
