@@ -104,6 +104,13 @@ struct CarryingCost : Cost {
   }
 
   template <class Pair>
+  double tie_break(const Pair& pair, const Position& x) const requires
+      requires(const Cost c, const InSpace<Pair> p, quadrille::Vector<3> v) {
+    c.tie_break(p, v);
+  }
+  { return Cost::tie_break(InSpace<Pair>(pair), space(x)); }
+
+  template <class Pair>
   double squared_error(const Pair& pair, double cost) const requires
       requires(const Cost c, const InSpace<Pair> p) {
     c.squared_error(p, cost);

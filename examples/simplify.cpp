@@ -54,9 +54,10 @@ struct Target {
     };
     return std::visit(asked, chosen);
   }
-  /// An error limit is kept also if there is nothing more to contract.
+  /// An error limit is kept also if there is nothing more to contract. A target that was passed by
+  /// a face or so counts as met: the report tells.
   bool is_met(quadrille::StopReason reason) const {
-    return reason == quadrille::StopReason::target_met ||
+    return quadrille::is_target_reached(reason) ||
            std::holds_alternative<quadrille::ErrorLimit>(chosen);
   }
 };

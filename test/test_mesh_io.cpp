@@ -949,6 +949,39 @@ TEST_CASE("A file is replaced as a whole or not at all", "[mesh_io]") {
   }
 }
 
+TEST_CASE("A file keeps its mode, a link its place, and a read-only file its content",
+          "[mesh_io]") {
+  const Folder folder;
+  const fs::path target = folder.file("target.off", "old");
+  fs::create_symlink("target.off", folder.path("link.off"));
+  fs::create_symlink("link.off", folder.path("link_to_link.off"));
+  for (const fs::perms mode : {fs::perms{0600}, fs::perms{0640}, fs::perms{0755}}) {
+    fs::permissions(target, mode);
+    write_mesh(folder.path("link_to_link.off"), {});
+    CHECK(fs::status(target).permissions() == mode);
+    CHECK(content_of(target) == "OFF\n0 0 0\n");
+    CHECK(fs::read_symlink(folder.path("link_to_link.off")) == "link.off");
+    CHECK(fs::read_symlink(folder.path("link.off")) == "target.off");
+  }
+  fs::create_symlink("new.off", folder.path("dangling.off"));
+  write_mesh(folder.path("dangling.off"), {});
+  CHECK(fs::is_symlink(folder.path("dangling.off")));
+  CHECK(fs::is_regular_file(folder.path("new.off")));
+
+  folder.file("target.off", "old");
+  fs::permissions(target, fs::perms{0444});
+  CHECK_THROWS_WITH(require_replaceable(target, false),
+                    Catch::EndsWith("target.off: is read-only; --force replaces it"));
+  CHECK_THROWS_WITH(write_mesh(folder.path("link.off"), {}),
+                    Catch::EndsWith("link.off: is read-only; --force replaces it"));
+  CHECK(content_of(target) == "old");
+  require_replaceable(target, true);
+  write_mesh(target, {}, mesh_format(target), true);
+  CHECK(content_of(target) == "OFF\n0 0 0\n");
+  CHECK(fs::status(target).permissions() == fs::perms{0444});
+  CHECK_THROWS_WITH(require_replaceable(folder.path("."), false), Catch::EndsWith("is a folder"));
+}
+
 TEST_CASE("Any cut of a good file is refused or reads no more than there is", "[mesh_io]") {
   IndexedMesh mesh; // a strip of triangles with colours
   for (int i = 0; i < 12; ++i) {

@@ -69,14 +69,13 @@ inline std::string content_of(std::istream& stream, const std::filesystem::path&
 
 /// Standard input, a pipe or a regular file. A device may never end.
 inline std::string read_content(const std::filesystem::path& path) {
-  if (path == "-")
+  if (is_standard_input(path))
     return content_of(std::cin, path);
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     fail(path, "no such file");
-  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status) &&
-      !is_standard_input(path))
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
     fail(path, "not a regular file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
