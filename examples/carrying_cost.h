@@ -87,8 +87,9 @@ struct CarryingCost : Cost {
   }
   { return Cost::join(first, second, shared, space(to_second)); }
 
-  double operator()(const auto& pair, const Position& x) const {
-    return Cost::operator()(InSpace(pair), space(x));
+  template <class Pair>
+  double operator()(const Pair& pair, const Position& x) const {
+    return Cost::operator()(InSpace<Pair>(pair), space(x));
   }
 
   template <class Pair>
