@@ -60,7 +60,7 @@ private:
   static bool names_a_texture(std::string comment) {
     std::transform(comment.begin(), comment.end(), comment.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    for (const char* sign : {"texture", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".bmp", ".dds",
+    for (const char* sign : {"texturefile", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".bmp", ".dds",
                              ".webp", ".exr", ".mtl"})
       if (comment.find(sign) != std::string::npos)
         return true;
