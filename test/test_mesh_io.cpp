@@ -872,15 +872,17 @@ TEST_CASE("Whatever a file has besides is told", "[mesh_io]") {
         "normals, face colours");
   CHECK(losses("a.off", "OFF 3 1 0\n0 0 0 5\n1 0 0\n0 1 0\n3 0 1 2") ==
         "numbers of vertices that the keyword does not name");
-  CHECK(losses("a.ply",
-               "ply\nformat ascii 1.0\ncomment made by hand\ncomment TextureFile a.png\n"
-               "obj_info skin.JPG\nelement vertex 3\nproperty float x\nproperty float y\n"
-               "property float z\nproperty float nx\nproperty float quality\nproperty uchar red\n"
-               "element face 1\nproperty list uchar int vertex_indices\nproperty int texnumber\n"
-               "element edge 1\nproperty int vertex1\nelement none 0\nproperty int a\nend_header\n"
-               "0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2 0\n1\n") ==
-        "comment 'TextureFile a.png', comment 'skin.JPG', normals, vertex property 'quality', "
-        "vertex property 'red', face property 'texnumber', element 'edge'");
+  CHECK(
+      losses(
+          "a.ply",
+          "ply\nformat ascii 1.0\ncomment made by hand, texture baked\ncomment TextureFile a.png\n"
+          "obj_info skin.JPG\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nproperty float nx\nproperty float quality\nproperty uchar red\n"
+          "element face 1\nproperty list uchar int vertex_indices\nproperty int texnumber\n"
+          "element edge 1\nproperty int vertex1\nelement none 0\nproperty int a\nend_header\n"
+          "0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2 0\n1\n") ==
+      "comment 'TextureFile a.png', comment 'skin.JPG', normals, vertex property 'quality', "
+      "vertex property 'red', face property 'texnumber', element 'edge'");
   CHECK(losses("a.stl", stl_triangle + stl_triangle) == "solids");
   CHECK(losses("a.ts",
                "GOCAD TSurf 1\nHEADER {\nname:a\n*solid*color: red\n}\nTFACE\n"
