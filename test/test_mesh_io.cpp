@@ -844,6 +844,8 @@ TEST_CASE("The unit of colours goes by their type, then by all of them", "[mesh_
        "colours are taken as fractions; numbers above 1, which stay as they are: 1"},
       {"0 0 0 3.5 .5 .5\n1 0 0 2.5 7 1.5\n0 1 0 1.0001 .5 .5\n", 1,
        "colours are taken as fractions; numbers above 1, which stay as they are: 5"},
+      {"0 0 0 20.0 .5 .5\n1 0 0 .5 7 .5\n0 1 0 .1 .5 .5\n", 1,
+       "colours are taken as fractions; numbers above 1, which stay as they are: 2"},
       {"0 0 0 255.0 0 0\n1 0 0 0 1 0.5\n0 1 0 12.5 128 3\n", 255,
        "colours with most numbers above 1 are taken as 0 to 255"},
   }));
