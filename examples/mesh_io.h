@@ -32,43 +32,69 @@ struct MeshFormat {
   const char* extension;
   PolygonSoup (*read)(const Source&);
   std::string (*encode)(const IndexedMesh&);
+  bool holds_attributes; ///< colours and texture coordinates
 };
 
-/// Throws if the extension, in any case of letters, names no format.
-inline const MeshFormat& mesh_format(const std::filesystem::path& path) {
-  static constexpr MeshFormat formats[] = {
-      {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off},
-      {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj},
-      {".ply", read_ply, encode_ply},
-      {".stl", read_stl, encode_stl},
-      {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad}};
-  const std::string extension = path.extension().string();
-  for (const MeshFormat& format : formats)
+inline constexpr MeshFormat mesh_formats[] = {
+    {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true},
+    {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true},
+    {".ply", read_ply, encode_ply, true},
+    {".stl", read_stl, encode_stl, false},
+    {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad, false}};
+
+/// The format of an extension, in any case of letters; nothing if there is none.
+inline const MeshFormat* find_format(const std::string& extension) {
+  for (const MeshFormat& format : mesh_formats)
     if (equal_ignoring_case(extension, format.extension))
-      return format;
+      return &format;
+  return nullptr;
+}
+
+/// The format that the extension of a path names. Throws if it names none.
+inline const MeshFormat& mesh_format(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (const MeshFormat* format = find_format(extension))
+    return *format;
   fail(path, "the extension " + in_quotes(extension) + " is none of .off .obj .ply .stl .ts");
 }
 
-/// Reads a mesh; polygons are triangulated. Throws `std::runtime_error` with one line,
-/// "FILE: what" or "FILE:LINE: what", if the file is missing, cut off or broken: nothing is read in
-/// part. What can be left out without harm is left out, and told in `IndexedMesh::remarks`: faces
-/// of fewer than three corners, vertices that are not finite and that no face uses.
-inline IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld = Weld::loose_faces) {
-  const MeshFormat& format = mesh_format(path);
+/// Reads a mesh, from standard input if the path is "-"; polygons are triangulated. Throws
+/// `std::runtime_error` with one line, "FILE: what" or "FILE:LINE: what", if the file is missing,
+/// cut off or broken: nothing is read in part. What can be left out without harm is left out, and
+/// told in `IndexedMesh::remarks`: faces of fewer than three corners, vertices that are not finite
+/// and that no face uses. What an IndexedMesh has no place for is told in `IndexedMesh::losses`.
+inline IndexedMesh read_mesh(const std::filesystem::path& path, const MeshFormat& format,
+                             Weld weld = Weld::loose_faces) {
   PolygonSoup soup = format.read(read_source(path));
   return Assembly(std::move(soup), path).mesh(weld);
 }
+inline IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld = Weld::loose_faces) {
+  return read_mesh(path, mesh_format(path), weld);
+}
 
-/// Writes a mesh: all of it, or, throwing `std::runtime_error`, nothing, in which case a file that
-/// was there stays. Coordinates read back as they are, but for STL, which is of single precision.
-/// Colours are written to OFF, OBJ and PLY, texture coordinates too.
-inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
-  const MeshFormat& format = mesh_format(path);
+/// May a file be written? Throws if not.
+inline void require_replaceable(const std::filesystem::path& path, bool is_forced) {
   try {
-    replace_file(path, format.encode(mesh));
+    FileReplacement(path, is_forced);
   } catch (const std::runtime_error& error) {
     fail(path, error.what());
   }
+}
+
+/// Writes a mesh, to standard output if the path is "-": all of it, or, throwing
+/// `std::runtime_error`, nothing, in which case a file that was there stays. See FileReplacement.
+/// Coordinates read back as they are, but for STL, which is of single precision. Colours are
+/// written to OFF, OBJ and PLY, texture coordinates too.
+inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
+                       const MeshFormat& format, bool is_forced = false) {
+  try {
+    FileReplacement(path, is_forced).write(format.encode(mesh));
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
+}
+inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  write_mesh(path, mesh, mesh_format(path));
 }
 
 } // namespace quadrille_examples

@@ -3,10 +3,11 @@
 //   simplify IN OUT [--faces N | --ratio R | --vertices N | --error D] [options]
 //
 // Exit status: 0 done; 1 the target was not reached, OUT holds how far it went; 2 bad usage or
-// file, OUT is as it was.
+// file, or nothing to simplify, OUT is as it was.
 
+#include "carrying_cost.h"
+#include "mesh_attributes.h"
 #include "mesh_io.h"
-#include "transfer_attributes.h"
 
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -52,9 +54,10 @@ struct Target {
     };
     return std::visit(asked, chosen);
   }
-  /// An error limit is kept also if there is nothing more to contract.
+  /// An error limit is kept also if there is nothing more to contract. A target that was passed by
+  /// a face or so counts as met: the report tells.
   bool is_met(quadrille::StopReason reason) const {
-    return reason == quadrille::StopReason::target_met ||
+    return quadrille::is_target_reached(reason) ||
            std::holds_alternative<quadrille::ErrorLimit>(chosen);
   }
 };
@@ -80,12 +83,14 @@ struct Placement {
 struct Options {
   std::string input, output;
   Target target;
-  std::string cost = "quadric";
-  std::string placement; // empty: the best that the cost has
+  std::string format, output_format; // empty: as their names say
+  std::string cost;                  // empty: quadric with attributes
+  std::string placement;             // empty: the best that the cost has
   double boundary_weight = quadrille::Quadric{}.boundary_weight;
   double pairs_closer_than = 0;
   std::string topology; // empty: free if there are pairs that are no edges
   bool welds = false;
+  bool is_forced = false;
   bool is_quiet = false;
 };
 
@@ -134,10 +139,10 @@ void add_policies(CLI::App& app, Options& options) {
          "--cost", options.cost,
          "which pair is contracted first: by distance to the planes of all faces so far, of the "
          "current faces, the same and of lost thin parts, with colours or texture coordinates as "
-         "further dimensions, or the shortest")
+         "further dimensions, or the shortest (default: quadric, with all colours and texture "
+         "coordinates of IN as further dimensions)")
       ->check(
-          CLI::IsMember({"quadric", "memoryless", "thin-features", "color", "texture", "length"}))
-      ->capture_default_str();
+          CLI::IsMember({"quadric", "memoryless", "thin-features", "color", "texture", "length"}));
   app.add_option("--placement", options.placement,
                  "where the vertex goes (default: optimal, or midpoint with --cost length)")
       ->check(CLI::IsMember({"optimal", "endpoint", "midpoint"}));
@@ -153,15 +158,27 @@ void add_policies(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"kept", "free"}));
 }
 
+void add_files(CLI::App& app, Options& options) {
+  const CLI::IsMember is_format({"off", "obj", "ply", "stl", "ts"});
+  const std::string formats = " (.off .obj .ply .stl .ts; - is standard ";
+  app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
+  app.add_option("OUT", options.output, "the mesh to write" + formats + "output)")->required();
+  app.add_option("--format", options.format,
+                 "the format of IN and OUT where their names end in none")
+      ->check(is_format);
+  app.add_option("--out-format", options.output_format, "the format of OUT, whatever its name")
+      ->check(is_format);
+  app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only");
+}
+
 void add_options(CLI::App& app, Options& options) {
-  const std::string formats = " (.off .obj .ply .stl .ts)";
-  app.add_option("IN", options.input, "the mesh to read" + formats)->required();
-  app.add_option("OUT", options.output, "the mesh to write" + formats)->required();
+  add_files(app, options);
   add_target(app, options.target);
   add_policies(app, options);
   app.add_flag("--weld", options.welds,
                "make vertices at exactly the same place one; without this, that is done only if no "
-               "two faces share a vertex");
+               "two faces share a vertex, and to vertices of the same colour and texture "
+               "coordinate");
   app.add_flag("--quiet", options.is_quiet, "print errors only");
 }
 
@@ -179,6 +196,20 @@ quadrille::Topology topology(const Options& options) {
   return is_free ? quadrille::Topology::free : quadrille::Topology::kept;
 }
 
+/// The format that the name of a file ends in, else that of --format.
+const MeshFormat& format_of(const std::string& file, const Options& options) {
+  if (const MeshFormat* named = find_format(std::filesystem::path(file).extension().string()))
+    return *named;
+  if (options.format.empty() && (is_standard_input(file) || is_standard_output(file)))
+    throw std::runtime_error(file + ": its name tells no format: pass --format");
+  return options.format.empty() ? mesh_format(file) : *find_format("." + options.format);
+}
+
+const MeshFormat& output_format(const Options& options) {
+  return options.output_format.empty() ? format_of(options.output, options)
+                                       : *find_format("." + options.output_format);
+}
+
 /// What concerns several options, or options and the mesh.
 void require_fit(const Options& options, const IndexedMesh& mesh) {
   if (options.cost == "length" && options.placement == "optimal")
@@ -187,6 +218,9 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
     throw std::runtime_error(options.input + ": no colours for --cost color");
   if (options.cost == "texture" && mesh.texture_coordinates.empty())
     throw std::runtime_error(options.input + ": no texture coordinates for --cost texture");
+  if (mesh.triangles.empty() && !mesh.is_blank)
+    throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
+                             "vertices, " + std::to_string(mesh.points.size()) + " vertices");
 }
 
 // --- The work ------------------------------------------------------------------------------------
@@ -210,57 +244,111 @@ quadrille::Report simplify(IndexedMesh& mesh, const Options& options, const auto
   return until(options.target);
 }
 
-quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
-  namespace parameters = CGAL::parameters;
-  if (options.cost == "length")
-    return simplify(mesh, options, quadrille::EdgeLength{});
-  if (options.cost == "memoryless")
-    return simplify(mesh, options, with_boundary_weight(quadrille::MemorylessQuadric{}, options));
-  if (options.cost == "thin-features")
-    return simplify(mesh, options, with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
-  if (options.cost == "color")
-    return simplify(mesh, options, with_boundary_weight(quadrille::ColorQuadric{}, options),
-                    parameters::vertex_color_map(CGAL::make_property_map(mesh.colors)));
-  if (options.cost == "texture")
-    return simplify(
-        mesh, options, with_boundary_weight(quadrille::TextureQuadric{}, options),
-        parameters::vertex_texture_map(CGAL::make_property_map(mesh.texture_coordinates)));
-  return simplify(mesh, options, with_boundary_weight(quadrille::Quadric{}, options));
+/// With attributes, which the engine places together with the positions.
+template <std::size_t N>
+quadrille::Report simplify_with(const MeshAttributes& attributes, IndexedMesh& mesh,
+                                const Options& options, const auto& cost) {
+  std::vector<CarriedAttributes<N>> carried = attributes.carried<N>();
+  const quadrille::Report report =
+      simplify(mesh, options, cost,
+               quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)));
+  attributes.restore(mesh, carried);
+  return report;
 }
 
-/// Colours and texture coordinates that the cost looks at are its own results. The others are
-/// taken from the closest places of the input.
-quadrille::Report simplify_with_attributes(IndexedMesh& mesh, const Options& options) {
-  const bool keeps_colors = options.cost != "color" && !mesh.colors.empty();
-  const bool keeps_textures = options.cost != "texture" && !mesh.texture_coordinates.empty();
-  const IndexedMesh input = keeps_colors || keeps_textures ? mesh : IndexedMesh{};
-  const quadrille::Report report = simplify_by_cost(mesh, options);
-  if (!mesh.colors.empty())
-    mesh.colors.resize(mesh.points.size());
-  if (!mesh.texture_coordinates.empty())
-    mesh.texture_coordinates.resize(mesh.points.size());
-  if (mesh.points.empty() || !(keeps_colors || keeps_textures))
-    return report;
-  const std::vector<SurfacePlace> places = closest_places(input, mesh.points);
-  if (keeps_colors)
-    mesh.colors = sampled(input.colors, places);
-  if (keeps_textures)
-    mesh.texture_coordinates = sampled(input.texture_coordinates, places);
+/// N attributes as further dimensions. They are lengths already.
+template <std::size_t N>
+quadrille::AttributeQuadric<N> attribute_quadric(const Options& options) {
+  auto cost = with_boundary_weight(quadrille::AttributeQuadric<N>{}, options);
+  cost.weights.emplace().coordinates.fill(1);
+  return cost;
+}
+
+/// The quadric in as many dimensions as vary, rounded up, since each takes time to compile.
+quadrille::Report simplify_by_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
+                                         const Options& options) {
+  if (attributes.size() <= 2)
+    return simplify_with<2>(attributes, mesh, options, attribute_quadric<2>(options));
+  if (attributes.size() == 3)
+    return simplify_with<3>(attributes, mesh, options, attribute_quadric<3>(options));
+  return simplify_with<6>(attributes, mesh, options, attribute_quadric<6>(options));
+}
+
+/// With a cost that looks at positions only. Attributes, if there are any, are carried along.
+quadrille::Report simplify_in_space(const MeshAttributes& attributes, IndexedMesh& mesh,
+                                    const Options& options, const auto& cost) {
+  if (attributes.size() > 0)
+    return simplify_with<6>(attributes, mesh, options,
+                            CarryingCost<std::remove_cvref_t<decltype(cost)>, 6>(cost));
+  const quadrille::Report report = simplify(mesh, options, cost);
+  attributes.restore(mesh);
   return report;
+}
+
+/// As AttributeQuadric has it for each kind. If one is asked for by name, the other hardly counts.
+Importance importance(const Options& options) {
+  constexpr double hardly = 1. / 64;
+  Importance importance{quadrille::ColorQuadric{}.importance,
+                        quadrille::TextureQuadric{}.importance};
+  if (options.cost == "color")
+    importance.of_textures *= hardly;
+  if (options.cost == "texture")
+    importance.of_colors *= hardly;
+  return importance;
+}
+
+quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
+  const MeshAttributes attributes(mesh, importance(options));
+  const auto in_space = [&](const auto& cost) {
+    return simplify_in_space(attributes, mesh, options, cost);
+  };
+  if (options.cost == "length")
+    return in_space(quadrille::EdgeLength{});
+  if (options.cost == "memoryless")
+    return in_space(with_boundary_weight(quadrille::MemorylessQuadric{}, options));
+  if (options.cost == "thin-features")
+    return in_space(with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
+  if (options.cost != "quadric" && attributes.size() > 0)
+    return simplify_by_attributes(attributes, mesh, options);
+  return in_space(with_boundary_weight(quadrille::Quadric{}, options));
+}
+
+/// Whatever of the file the result will not have, and what a user may not expect.
+void print_remarks(const Options& options, IndexedMesh& mesh) {
+  if (!output_format(options).holds_attributes && !mesh.colors.empty())
+    mesh.losses.add("colours");
+  if (!output_format(options).holds_attributes && !mesh.texture_coordinates.empty())
+    mesh.losses.add("texture coordinates");
+  if (!mesh.losses.empty())
+    mesh.remarks.push_back("not kept: " + mesh.losses.text());
+  const std::size_t open = options.pairs_closer_than > 0 ? 0 : OpenSeams::count(mesh);
+  if (open > 0)
+    mesh.remarks.push_back(
+        "boundary edges at the place of another one, along which cracks may open, since the two do "
+        "not share their vertices (--weld makes them one): " +
+        std::to_string(open));
+  for (const std::string& remark : mesh.remarks)
+    std::cerr << options.input << ": " << remark << '\n';
+}
+
+/// On standard output, unless that is the mesh.
+void print_report(const Options& options, const quadrille::Report& report) {
+  (is_standard_output(options.output) ? std::cerr : std::cout) << report << std::endl;
 }
 
 /// False if the target was not reached.
 bool run(const Options& options) {
-  mesh_format(options.output); // complains before the work rather than after
-  IndexedMesh mesh = read_mesh(options.input, options.welds ? Weld::always : Weld::loose_faces);
+  const MeshFormat& format = output_format(options); // complains before the work, not after
+  require_replaceable(options.output, options.is_forced);
+  IndexedMesh mesh = read_mesh(options.input, format_of(options.input, options),
+                               options.welds ? Weld::always : Weld::loose_faces);
   require_fit(options, mesh);
-  for (const std::string& remark : mesh.remarks)
-    if (!options.is_quiet)
-      std::cerr << options.input << ": " << remark << '\n';
-  const quadrille::Report report = simplify_with_attributes(mesh, options);
-  write_mesh(options.output, mesh);
   if (!options.is_quiet)
-    std::cout << report << std::endl;
+    print_remarks(options, mesh);
+  const quadrille::Report report = simplify_by_cost(mesh, options);
+  write_mesh(options.output, mesh, format, options.is_forced);
+  if (!options.is_quiet)
+    print_report(options, report);
   if (options.target.is_met(report.stop))
     return true;
   std::cerr << options.output << ": the target was not reached: " << to_string(report.stop) << '\n';

@@ -114,8 +114,12 @@ check_loaded() {
   esac
 }
 
+# A file of nothing at all is simplified to itself; one of vertices only is refused.
 check_empty() {
-  if [ "$status" -ne 0 ]; then
+  if [ "$status" -eq 2 ]; then
+    check_reject
+    grep -qF "nothing to simplify" "$work/stderr" || complain "it must load"
+  elif [ "$status" -ne 0 ]; then
     complain "it must load"
   elif ! check_output; then
     :

@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <CGAL/IO/Color.h>
+
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -62,6 +65,18 @@ std::string complaint(const std::string& name, const std::string& content) {
     return message.starts_with(folder_name) ? message.substr(folder_name.size()) : message;
   }
   return "accepted";
+}
+
+/// The colours as bytes, as most programs have them.
+std::vector<CGAL::IO::Color> bytes_of(const IndexedMesh& mesh) {
+  std::vector<CGAL::IO::Color> result;
+  const auto byte = [&](double channel) {
+    const double fraction = std::clamp(channel / mesh.color_type.full, 0., 1.);
+    return static_cast<unsigned char>(std::lround(255 * fraction));
+  };
+  for (const auto& [red, green, blue, alpha] : mesh.colors)
+    result.emplace_back(byte(red), byte(green), byte(blue), byte(alpha));
+  return result;
 }
 
 std::string content_of(const fs::path& path) {
@@ -231,6 +246,43 @@ TEST_CASE("OFF files come in variants", "[mesh_io]") {
   CHECK(read("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n").triangles ==
         one_triangle);
   CHECK(read("a.off", "OFF 0 0 0").points.empty());
+  const std::string triangle = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string keyword : {"OFF", "off", "OFF\n", "Off "})
+    if (keyword == "Off ")
+      CHECK(complaint("a.off", keyword + triangle) ==
+            "a.off:1: not an OFF file of three dimensions: it starts with 'Off'");
+    else
+      CHECK(read("a.off", keyword + triangle).points == its_points);
+}
+
+TEST_CASE("The letters of an OFF keyword come in any order", "[mesh_io]") {
+  const auto read_as = [](const std::string& keyword) {
+    std::string content = keyword + "3 1 0\n";
+    for (const std::string place : {"0 0 0", "1 0 0", "0 1 0"}) {
+      content += place;
+      if (keyword.find('4') != std::string::npos)
+        content += " 1";
+      if (keyword.find('N') != std::string::npos)
+        content += " 0 0 1";
+      if (keyword.find('C') != std::string::npos)
+        content += " 9 8 7 6";
+      if (keyword.find("ST") != std::string::npos)
+        content += " .25 .75";
+      content += "\n";
+    }
+    return read("a.off", content + "3 0 1 2\n");
+  };
+  for (const std::string keyword :
+       {"NCOFF", "CNOFF", "STCNOFF", "NSTCOFF", "C4OFF\n", "CNST4OFF ", "4STNCOFF"}) {
+    CAPTURE(keyword);
+    const IndexedMesh mesh = read_as(keyword);
+    CHECK(mesh.points == its_points);
+    CHECK(bytes_of(mesh)[2] == CGAL::IO::Color(9, 8, 7, 6));
+    CHECK(mesh.texture_coordinates.empty() == (keyword.find("ST") == std::string::npos));
+    CHECK(mesh.losses.text() == (keyword.find('N') == std::string::npos ? "" : "normals"));
+  }
+  CHECK(complaint("a.off", "CCOFF 0 0 0") ==
+        "a.off:1: not an OFF file of three dimensions: it starts with 'CCOFF'");
 }
 
 TEST_CASE("Broken OBJ files are refused with their place", "[mesh_io]") {
@@ -280,9 +332,7 @@ TEST_CASE("A vertex on a texture seam stays one vertex and keeps its first coord
   CHECK(mesh.points.size() == 4);
   CHECK(mesh.texture_coordinates ==
         std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {.5, 1}, {.9, 1}});
-  CHECK(mesh.remarks ==
-        std::vector<std::string>{
-            "vertices on texture seams, which keep one of their texture coordinates: 2"});
+  CHECK(mesh.losses.text() == "all but one of the texture coordinates of vertices on seams: 2");
 }
 
 TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_io]") {
@@ -294,9 +344,7 @@ TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_
                                                   "6 .5 0 1 1 0 .9 3 1 3 2\n");
   CHECK(mesh.texture_coordinates ==
         std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {0, .5}, {1, 1}});
-  CHECK(mesh.remarks ==
-        std::vector<std::string>{
-            "vertices on texture seams, which keep one of their texture coordinates: 1"});
+  CHECK(mesh.losses.text() == "all but one of the texture coordinates of vertices on seams: 1");
   CHECK(
       read("a.ply", header + "0 3 2 1 3\n0 3 0 1 2\n2 1 1 3 1 3 2\n").texture_coordinates.empty());
 }
@@ -358,6 +406,8 @@ TEST_CASE("Broken text PLY files are refused with their place", "[mesh_io]") {
       {"0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.ply:13: vertex index 3 is out of range: there are 3"},
       {"0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "a.ply:13: vertex index -1 is out of range: there are 3"},
       {"0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", "a.ply:13: value '1.5' is not an integer"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1 inf\n", "a.ply:13: value 'inf' is not an integer"},
+      {"0 0 0\n1 0 0\n0 1 0\n3 0 1 3.0\n", "a.ply:13: vertex index 3 is out of range: there are 3"},
       {"0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "a.ply:13: a list of -3 values"},
       {"0 0 0\n1 0 0\n0 1 0\n3000000000 0 1 2\n", "a.ply:13: the line ends before the next value"},
       {"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n",
@@ -445,10 +495,10 @@ TEST_CASE("Colours are read in the units of each format", "[mesh_io]") {
   using CGAL::IO::Color;
   const std::vector<Color> expected = {{255, 0, 0}, {0, 255, 0, 128}, {51, 102, 153}};
   const auto ply_colors = [](const std::string& type, const std::string& body) {
-    return read("a.ply", ply("ascii", body, "int", "uchar",
-                             "property " + type + " red\nproperty " + type + " green\nproperty " +
-                                 type + " blue\nproperty " + type + " alpha\n"))
-        .colors;
+    return bytes_of(
+        read("a.ply", ply("ascii", body, "int", "uchar",
+                          "property " + type + " red\nproperty " + type + " green\nproperty " +
+                              type + " blue\nproperty " + type + " alpha\n")));
   };
   CHECK(
       ply_colors("uchar", "0 0 0 255 0 0 255\n1 0 0 0 255 0 128\n0 1 0 51 102 153 255\n3 0 1 2") ==
@@ -460,11 +510,11 @@ TEST_CASE("Colours are read in the units of each format", "[mesh_io]") {
       expected);
   CHECK(ply_colors("ushort", "0 0 0 65535 0 0 65535\n1 0 0 0 65535 0 32896\n"
                              "0 1 0 13107 26214 39321 65535\n3 0 1 2") == expected);
-  CHECK(read("a.off", "COFF 3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0 128\n0 1 0 51 102 153\n3 0 1 2")
-            .colors == expected);
-  CHECK(read("a.off", "COFF 3 1 0\n0 0 0 1 0 0\n1 0 0 0 1 0 0.5\n0 1 0 .2 .4 .6\n3 0 1 2").colors ==
-        expected);
-  CHECK(read("a.obj", "v 0 0 0\nv 1 0 0 0 1 0\nv 0 1 0 .2 .4 .6\nf 1 2 3").colors ==
+  CHECK(bytes_of(read("a.off", "COFF 3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0 128\n0 1 0 51 102 153\n"
+                               "3 0 1 2")) == expected);
+  CHECK(bytes_of(read("a.off", "COFF 3 1 0\n0 0 0 1 0 0\n1 0 0 0 1 0 0.5\n0 1 0 .2 .4 .6\n"
+                               "3 0 1 2")) == expected);
+  CHECK(bytes_of(read("a.obj", "v 0 0 0\nv 1 0 0 0 1 0\nv 0 1 0 .2 .4 .6\nf 1 2 3")) ==
         std::vector<Color>{{255, 255, 255}, {0, 255, 0}, {51, 102, 153}});
 }
 
@@ -472,7 +522,7 @@ TEST_CASE("Colours and texture coordinates that are no numbers are taken as 0", 
   const IndexedMesh mesh =
       read("a.off", "STCOFF 3 1 0\n0 0 0 nan 0 inf 1 nan 1\n1 0 0 0.5 -1 0 1 1 1\n"
                     "0 1 0 0 0 0 1 1 -inf\n3 0 1 2");
-  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{0, 0, 255}, {128, 0, 0}, {0, 0, 0}});
+  CHECK(bytes_of(mesh) == std::vector<CGAL::IO::Color>{{0, 0, 255}, {128, 0, 0}, {0, 0, 0}});
   CHECK(mesh.texture_coordinates == std::vector<std::array<double, 2>>{{0, 0}, {1, 1}, {0, 0}});
   CHECK(mesh.remarks ==
         std::vector<std::string>{"colour values that are not numbers, taken as 0: 1",
@@ -482,7 +532,7 @@ TEST_CASE("Colours and texture coordinates that are no numbers are taken as 0", 
 TEST_CASE("OFF colours before texture coordinates may do without opacity", "[mesh_io]") {
   const IndexedMesh mesh = read(
       "a.off", "STCOFF 3 1 0\n0 0 0 1 2 3 .1 .2\n1 0 0 1 2 3 4 .1 .2\n0 1 0 1 2 3 .1 .2\n3 0 1 2");
-  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3}});
+  CHECK(bytes_of(mesh) == std::vector<CGAL::IO::Color>{{1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3}});
   CHECK(mesh.texture_coordinates ==
         std::vector<std::array<double, 2>>{{.1, .2}, {.1, .2}, {.1, .2}});
 }
@@ -503,6 +553,37 @@ TEST_CASE("Broken STL files are refused with their place", "[mesh_io]") {
   }));
   CAPTURE(text);
   CHECK(complaint("a.stl", text) == message);
+}
+
+TEST_CASE("The keywords of text STL files come in any spelling, on one line or on many",
+          "[mesh_io]") {
+  const std::string one_line = "solid m facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 "
+                               "vertex 0 1 0 endloop endfacet endsolid m";
+  const auto spelt = [](std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  const auto upper = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    return text;
+  };
+  for (const std::string& text :
+       {one_line, spelt(stl_triangle, "endloop", "end loop"),
+        spelt(stl_triangle, "endfacet", "end facet"),
+        spelt(stl_triangle, "endsolid", "end solid m"), spelt(one_line, "end", "end "),
+        upper(spelt(stl_triangle, "end", "end ")), upper(one_line),
+        spelt(stl_triangle, "solid\n", "solid a facet of the end # 1\n"),
+        spelt(one_line, "0 0 1", "nan nan nan"), "solid m endsolid m " + one_line,
+        "# a comment\n" + stl_triangle, spelt(stl_triangle, "endfacet", "endfacet // done"),
+        spelt(stl_triangle, " normal 0 0 1", "")}) {
+    CAPTURE(text);
+    CHECK(read("a.stl", text).points == its_points);
+    CHECK(read("a.stl", text).triangles == one_triangle);
+  }
+  CHECK(read("a.stl", one_line + " " + spelt(one_line, " m", " my solid part")).triangles.size() ==
+        2);
 }
 
 TEST_CASE("Binary STL files are refused if their size does not fit", "[mesh_io]") {
@@ -585,10 +666,33 @@ TEST_CASE("Only loose faces are welded, unless all shall be", "[mesh_io]") {
 }
 
 TEST_CASE("Welded vertices keep the colour of the first", "[mesh_io]") {
-  const IndexedMesh mesh =
-      read("a.off", "COFF 6 2 0\n0 0 0 1 0 0\n1 0 0 2 0 0\n0 1 0 3 0 0\n1 0 0 4 0 0\n"
-                    "1 1 0 5 0 0\n0 1 0 6 0 0\n3 0 1 2\n3 3 4 5");
-  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}});
+  const std::string content = "COFF 6 2 0\n0 0 0 1 0 0\n1 0 0 2 0 0\n0 1 0 3 0 0\n1 0 0 4 0 0\n"
+                              "1 1 0 5 0 0\n0 1 0 3 0 0\n3 0 1 2\n3 3 4 5";
+  const IndexedMesh mesh = read("a.off", content, Weld::always);
+  CHECK(bytes_of(mesh) == std::vector<CGAL::IO::Color>{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}});
+  CHECK(mesh.losses.text() == "colours or texture coordinates of welded vertices that differ from "
+                              "the first's: 1");
+
+  // Loose faces are joined only where they look alike.
+  const IndexedMesh alike = read("a.off", content);
+  CHECK(bytes_of(alike) ==
+        std::vector<CGAL::IO::Color>{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}});
+  CHECK(alike.triangles == std::vector<Triangle>{{0, 1, 2}, {3, 4, 2}});
+  CHECK(alike.losses.empty());
+}
+
+TEST_CASE("Seams of which the two sides have vertices of their own are counted", "[mesh_io]") {
+  // 3---2,5---7   two squares of two triangles each, side by side
+  // | / | | / |
+  // 0---1,4---6
+  const std::string points = "OFF 8 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 4 7 5")) == 2);
+  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 7 6\n3 4 5 7")) == 2);
+  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 1 6 7\n3 1 7 2")) == 0);
+  CHECK(OpenSeams::count(
+            read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 4 7 5", Weld::always)) == 0);
+  // They touch in one point only.
+  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 3 6 7")) == 0);
 }
 
 TEST_CASE("The first of many vertices at one place is kept", "[mesh_io]") {
@@ -598,8 +702,8 @@ TEST_CASE("The first of many vertices at one place is kept", "[mesh_io]") {
   for (int i = 0; i < 150; i += 3)
     faces +=
         "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
-  const IndexedMesh mesh = read("a.off", "COFF 150 50 0\n" + points + faces);
-  CHECK(mesh.colors == std::vector<CGAL::IO::Color>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+  const IndexedMesh mesh = read("a.off", "COFF 150 50 0\n" + points + faces, Weld::always);
+  CHECK(bytes_of(mesh) == std::vector<CGAL::IO::Color>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
 }
 
 TEST_CASE("Polygons that are not convex are cut without folds", "[mesh_io]") {
@@ -674,7 +778,7 @@ TEST_CASE("What is written reads back the same", "[mesh_io]") {
     CHECK(again.colors.empty());
     CHECK(again.texture_coordinates.empty());
   }
-  mesh.colors = {{255, 0, 0}, {1, 2, 3}, {0, 128, 255}, {254, 253, 252}};
+  mesh.colors = {{255, 0, 0, 255}, {1, 2, 3, 255}, {0, 128, 255, 255}, {254, 253, 252, 255}};
   mesh.texture_coordinates = {{0, 0}, {.1, 1. / 3}, {1, 1}, {-1, 2}};
   for (const std::string name : {"a.off", "a.obj", "a.ply"}) {
     CAPTURE(name);
@@ -682,14 +786,115 @@ TEST_CASE("What is written reads back the same", "[mesh_io]") {
     const IndexedMesh again = read_mesh(folder.path(name));
     CHECK(again.points == mesh.points);
     CHECK(again.triangles == mesh.triangles);
-    CHECK(again.colors == mesh.colors);
+    CHECK(bytes_of(again) == bytes_of(mesh));
     CHECK(again.texture_coordinates == mesh.texture_coordinates);
+    CHECK(again.color_type.has_alpha == false);
   }
   mesh.colors[0] = {255, 0, 0, 77};
-  for (const std::string name : {"a.off", "a.ply"}) {
+  mesh.color_type.has_alpha = true;
+  for (const std::string name : {"a.off", "a.obj", "a.ply"}) {
+    CAPTURE(name);
     write_mesh(folder.path(name), mesh);
-    CHECK(read_mesh(folder.path(name)).colors == mesh.colors);
+    CHECK(bytes_of(read_mesh(folder.path(name))) == bytes_of(mesh));
+    CHECK(read_mesh(folder.path(name)).color_type.has_alpha);
   }
+}
+
+TEST_CASE("Colours of every type are written without loss where the format can", "[mesh_io]") {
+  const std::string text = "0 0 0 0.1 0 1\n1 0 0 .9 1.0001 0\n0 1 0 .3 .3 .3\n3 0 1 2\n";
+  const std::string rgb = " red\nproperty @ green\nproperty @ blue\n";
+  const auto ply_of = [&](const std::string& type, const std::string& body) {
+    std::string more = "property @" + rgb;
+    for (std::size_t at = more.find('@'); at != std::string::npos; at = more.find('@'))
+      more.replace(at, 1, type);
+    return ply("ascii", body, "int", "uchar", more);
+  };
+  const Folder folder;
+  const auto again = [&](const IndexedMesh& mesh, const std::string& name) {
+    write_mesh(folder.path(name), mesh);
+    return read_mesh(folder.path(name));
+  };
+  const IndexedMesh doubles = read("a.off", "COFF 3 1 0\n" + text);
+  for (const std::string name : {"b.off", "b.obj", "b.ply"})
+    CHECK(again(doubles, name).colors == doubles.colors);
+  for (const std::string type : {"float", "double"}) {
+    const IndexedMesh mesh = read("a.ply", ply_of(type, text));
+    CHECK(mesh.colors[1][0] == (type == "float" ? double{.9F} : .9));
+    CHECK(again(mesh, "b.ply").color_type.is_single == (type == "float"));
+    CHECK(content_of(folder.path("b.ply")).find("property " + type + " red") != std::string::npos);
+  }
+  const std::string words = "0 0 0 65535 0 1\n1 0 0 2 3 4\n0 1 0 5 6 7\n3 0 1 2\n";
+  const IndexedMesh deep = read("a.ply", ply_of("ushort", words));
+  CHECK(again(deep, "b.ply").colors == deep.colors);
+  CHECK(again(deep, "b.ply").color_type.full == 65535);
+  CHECK(bytes_of(again(deep, "b.off")) == bytes_of(deep));
+}
+
+TEST_CASE("The unit of colours goes by their type, then by all of them", "[mesh_io]") {
+  const auto [content, full, remark] = GENERATE(table<std::string, double, std::string>({
+      // whole numbers in OFF
+      {"0 0 0 200 1 1\n1 0 0 1 1 0\n0 1 0 0 0 0\n", 255, ""},
+      {"0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n", 1,
+       "colours of whole numbers 0 and 1 are taken as fractions"},
+      {"0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n", 255, ""},
+      {"0 0 0 1 0 0 255\n1 0 0 1 1 0 255\n0 1 0 0 1 1 255\n", 255, ""},
+      // with decimal points
+      {"0 0 0 1. 0 0\n1 0 0 0 1 0\n0 1 0 0 1 1\n", 1, ""},
+      {"0 0 0 .5 .5 .5\n1 0 0 .9 .9 .9\n0 1 0 1.0001 .5 .5\n", 1,
+       "colours are taken as fractions; numbers above 1, which stay as they are: 1"},
+      {"0 0 0 3.5 .5 .5\n1 0 0 2.5 7 1.5\n0 1 0 1.0001 .5 .5\n", 1,
+       "colours are taken as fractions; numbers above 1, which stay as they are: 5"},
+      {"0 0 0 20.0 .5 .5\n1 0 0 .5 7 .5\n0 1 0 .1 .5 .5\n", 1,
+       "colours are taken as fractions; numbers above 1, which stay as they are: 2"},
+      {"0 0 0 255.0 0 0\n1 0 0 0 1 0.5\n0 1 0 12.5 128 3\n", 255,
+       "colours with most numbers above 1 are taken as 0 to 255"},
+  }));
+  CAPTURE(content);
+  const IndexedMesh mesh = read("a.off", "COFF 3 1 0\n" + content + "3 0 1 2\n");
+  CHECK(mesh.color_type.full == full);
+  CHECK(mesh.remarks ==
+        (remark.empty() ? std::vector<std::string>{} : std::vector<std::string>{remark}));
+}
+
+TEST_CASE("Whatever a file has besides is told", "[mesh_io]") {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto losses = [](const std::string& name, const std::string& content) {
+    return read(name, content).losses.text();
+  };
+  CHECK(losses("a.obj", points + "f 1 2 3") == "");
+  CHECK(losses("a.obj", "mtllib a.mtl\no a\n" + points +
+                            "vn 0 0 1\ng b\nusemtl c\ns 1\nusemtl d\nf 1//1 2//1 3//1\nl 1 2\n"
+                            "p 1\ncurv 0 1\ns off\n") ==
+        "material libraries (mtllib), objects, normals, groups, materials (usemtl), smoothing "
+        "groups, lines, points, lines that begin with 'curv'");
+  CHECK(losses("a.obj", points + "s off\nvt 0 0 0\nf 1 2 3") == "");
+  CHECK(losses("a.obj", points + "v 1 1 1 .5\nvt 0 0 .5\nf 1 2 3") ==
+        "numbers of vertices behind their coordinates, third texture coordinates");
+  CHECK(losses("a.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2 255 0 0") ==
+        "normals, face colours");
+  CHECK(losses("a.off", "OFF 3 1 0\n0 0 0 5\n1 0 0\n0 1 0\n3 0 1 2") ==
+        "numbers of vertices that the keyword does not name");
+  CHECK(
+      losses(
+          "a.ply",
+          "ply\nformat ascii 1.0\ncomment made by hand, texture baked\ncomment TextureFile a.png\n"
+          "obj_info skin.JPG\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nproperty float nx\nproperty float quality\nproperty uchar red\n"
+          "element face 1\nproperty list uchar int vertex_indices\nproperty int texnumber\n"
+          "element edge 1\nproperty int vertex1\nelement none 0\nproperty int a\nend_header\n"
+          "0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2 0\n1\n") ==
+      "comment 'TextureFile a.png', comment 'skin.JPG', normals, vertex property 'quality', "
+      "vertex property 'red', face property 'texnumber', element 'edge'");
+  CHECK(losses("a.stl", stl_triangle + stl_triangle) == "solids");
+  CHECK(losses("a.ts",
+               "GOCAD TSurf 1\nHEADER {\nname:a\n*solid*color: red\n}\nTFACE\n"
+               "PVRTX 1 0 0 0 7\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nBSTONE 1\nEND\n") ==
+        "properties of vertices, lines that begin with 'BSTONE'");
+  std::string many = points + "f 1 2 3\n";
+  for (char c = 'a'; c <= 'z'; ++c)
+    for (const char d : {'x', 'y'})
+      many += std::string{c, d} + "\n";
+  CHECK(read("a.obj", many).losses.text().ends_with(" and more"));
 }
 
 TEST_CASE("STL is written in single precision and refuses what that does not hold", "[mesh_io]") {
@@ -748,11 +953,44 @@ TEST_CASE("A file is replaced as a whole or not at all", "[mesh_io]") {
   }
 }
 
+TEST_CASE("A file keeps its mode, a link its place, and a read-only file its content",
+          "[mesh_io]") {
+  const Folder folder;
+  const fs::path target = folder.file("target.off", "old");
+  fs::create_symlink("target.off", folder.path("link.off"));
+  fs::create_symlink("link.off", folder.path("link_to_link.off"));
+  for (const fs::perms mode : {fs::perms{0600}, fs::perms{0640}, fs::perms{0755}}) {
+    fs::permissions(target, mode);
+    write_mesh(folder.path("link_to_link.off"), {});
+    CHECK(fs::status(target).permissions() == mode);
+    CHECK(content_of(target) == "OFF\n0 0 0\n");
+    CHECK(fs::read_symlink(folder.path("link_to_link.off")) == "link.off");
+    CHECK(fs::read_symlink(folder.path("link.off")) == "target.off");
+  }
+  fs::create_symlink("new.off", folder.path("dangling.off"));
+  write_mesh(folder.path("dangling.off"), {});
+  CHECK(fs::is_symlink(folder.path("dangling.off")));
+  CHECK(fs::is_regular_file(folder.path("new.off")));
+
+  folder.file("target.off", "old");
+  fs::permissions(target, fs::perms{0444});
+  CHECK_THROWS_WITH(require_replaceable(target, false),
+                    Catch::EndsWith("target.off: is read-only; --force replaces it"));
+  CHECK_THROWS_WITH(write_mesh(folder.path("link.off"), {}),
+                    Catch::EndsWith("link.off: is read-only; --force replaces it"));
+  CHECK(content_of(target) == "old");
+  require_replaceable(target, true);
+  write_mesh(target, {}, mesh_format(target), true);
+  CHECK(content_of(target) == "OFF\n0 0 0\n");
+  CHECK(fs::status(target).permissions() == fs::perms{0444});
+  CHECK_THROWS_WITH(require_replaceable(folder.path("."), false), Catch::EndsWith("is a folder"));
+}
+
 TEST_CASE("Any cut of a good file is refused or reads no more than there is", "[mesh_io]") {
   IndexedMesh mesh; // a strip of triangles with colours
   for (int i = 0; i < 12; ++i) {
     mesh.points.emplace_back(i, i % 2, 1. / (i + 1));
-    mesh.colors.emplace_back(static_cast<unsigned char>(20 * i), static_cast<unsigned char>(7), 3);
+    mesh.colors.push_back({20. * i, 7, 3, 255});
   }
   for (std::uint32_t i = 2; i < 12; ++i)
     mesh.triangles.push_back({i - 2, i - 1, i});

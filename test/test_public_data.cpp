@@ -1,5 +1,5 @@
 // Real surfaces that are no manifolds or of many parts, from the folder that the environment
-// variable QUADRILLE_DATA names; without it the test is skipped.
+// variable QUADRILLE_DATA names, or from its folder `public`; without it the test is skipped.
 #include "on_all.h"
 
 #include "../examples/mesh_io.h"
@@ -43,13 +43,16 @@ void check(const IndexedMesh& input, double ratio, const auto& pairs) {
 
 TEST_CASE("Surfaces that are no manifolds or of many parts go to 10 % and 1 %") {
   const char* data = std::getenv("QUADRILLE_DATA");
-  if (data == nullptr || !fs::exists(fs::path(data) / "nonmanifold")) {
+  fs::path models = data == nullptr ? "" : data;
+  if (fs::exists(models / "public"))
+    models /= "public";
+  if (data == nullptr || !fs::exists(models / "nonmanifold")) {
     WARN("skipped: QUADRILLE_DATA names no folder with models"); // ctest looks for this
     return;
   }
   std::size_t files = 0;
   for (const char* folder : {"nonmanifold", "multi"})
-    for (const auto& entry : fs::directory_iterator(fs::path(data) / folder)) {
+    for (const auto& entry : fs::directory_iterator(models / folder)) {
       CAPTURE(entry.path());
       ++files;
       const IndexedMesh mesh = quadrille_examples::read_mesh(entry.path());

@@ -29,16 +29,24 @@ public:
 
   IndexedMesh mesh(Weld weld) {
     mesh_.remarks = std::move(soup_.remarks);
+    mesh_.losses = std::move(soup_.losses);
     mesh_.points = std::move(soup_.points);
+    mesh_.is_blank = mesh_.points.empty() && soup_.polygon_ends.empty();
     if (mesh_.points.size() > most_points)
       fail(path_, "more vertices than 32-bit indices can tell apart");
     require_finite_corners();
     convert_colors();
     convert_textures();
     triangulate();
-    if (weld == Weld::always || is_loose())
-      remark(weld_points(mesh_), "vertices welded to another at the same place");
     drop_points_that_are_not_finite();
+    if (weld == Weld::always || is_loose()) {
+      const Welded welded = weld_points(mesh_, weld);
+      remark(welded.vertices, "vertices welded to another at the same place");
+      if (welded.unlike > 0)
+        mesh_.losses.add("colours or texture coordinates of welded vertices that differ from the "
+                         "first's: " +
+                         std::to_string(welded.unlike));
+    }
     drop_degenerate_triangles();
     return std::move(mesh_);
   }
@@ -60,23 +68,16 @@ private:
   }
 
   void convert_colors() {
-    const auto exceeds_one = [](const std::array<double, 4>& color) {
-      return std::any_of(color.begin(), color.begin() + 3,
-                         [](double channel) { return std::isfinite(channel) && channel > 1; });
-    };
-    double unit = soup_.color_unit;
-    if (unit == 1 && std::any_of(soup_.colors.begin(), soup_.colors.end(), exceeds_one))
-      unit = 255; // some programs write bytes as if they were fractions
-
-    std::size_t not_numbers = 0;
-    const auto to_byte = [&](double channel) {
-      not_numbers += std::isnan(channel);
-      const double fraction = std::isnan(channel) ? 0 : std::clamp(channel / unit, 0., 1.);
-      return static_cast<unsigned char>(std::lround(255 * fraction));
-    };
-    for (const auto& [red, green, blue, alpha] : soup_.colors)
-      mesh_.colors.emplace_back(to_byte(red), to_byte(green), to_byte(blue), to_byte(alpha));
+    mesh_.colors = std::move(soup_.colors);
+    mesh_.color_type = soup_.color_type;
+    if (mesh_.colors.empty())
+      return;
+    if (!soup_.is_color_unit_certain)
+      if (const auto guess = guess_unit(mesh_.colors, mesh_.color_type))
+        mesh_.remarks.push_back(*guess);
+    const auto [not_numbers, out_of_range] = mend_colors(mesh_.colors, mesh_.color_type);
     remark(not_numbers, "colour values that are not numbers, taken as 0");
+    remark(out_of_range, "colour values out of range, taken as its nearest end");
   }
 
   void convert_textures() {
@@ -110,8 +111,10 @@ private:
         is_on_seam[point] = true;
       is_set[point] = true;
     }
-    remark(static_cast<std::size_t>(std::count(is_on_seam.begin(), is_on_seam.end(), true)),
-           "vertices on texture seams, which keep one of their texture coordinates");
+    const auto count = std::count(is_on_seam.begin(), is_on_seam.end(), true);
+    if (count > 0)
+      mesh_.losses.add("all but one of the texture coordinates of vertices on seams: " +
+                       std::to_string(count));
   }
 
   void triangulate() {

@@ -3,7 +3,7 @@
 
 /// \file
 /// The triangulated surfaces (TSurf) of GOCAD. A file may hold several, each with vertex numbers of
-/// its own.
+/// its own. Properties of vertices and all that is no surface are passed over, and told.
 
 #include "indexed_mesh.h"
 #include "polygon_soup.h"
@@ -49,11 +49,23 @@ private:
       end_object();
     else if (keyword == "GOCAD")
       begin_object();
+    else if (keyword == "HEADER")
+      skip_header();
+    else
+      soup_.losses.add("lines that begin with " + in_quotes(keyword));
+  }
+
+  /// Names and looks, in braces.
+  void skip_header() {
+    std::string_view line = lines_.rest_of_line();
+    while (line.find('}') == std::string_view::npos && lines_.next_line())
+      line = lines_.rest_of_line();
   }
 
   void begin_object() {
     is_in_object_ = true;
     vertices_.clear();
+    soup_.losses.add("surfaces as parts of their own");
   }
 
   void end_object() {
@@ -67,6 +79,8 @@ private:
     const double x = lines_.next_number("coordinate");
     const double y = lines_.next_number("coordinate");
     soup_.points.emplace_back(x, y, lines_.next_number("coordinate"));
+    if (!lines_.at_line_end())
+      soup_.losses.add("properties of vertices");
   }
 
   /// Another number for a vertex.

@@ -1,7 +1,9 @@
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_INDEXED_MESH_H
 #define QUADRILLE_EXAMPLES_MESH_IO_INDEXED_MESH_H
 
-#include <CGAL/IO/Color.h>
+#include "colors.h"
+#include "losses.h"
+
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
@@ -17,9 +19,12 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 struct IndexedMesh {
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<CGAL::IO::Color> colors;                    ///< empty, or one per point
+  std::vector<Color> colors;                              ///< empty, or one per point
+  ColorType color_type;                                   ///< in which the colours are
   std::vector<std::array<double, 2>> texture_coordinates; ///< empty, or one per point
   std::vector<std::string> remarks;                       ///< what reading left out or changed
+  Losses losses;                                          ///< what the file has besides
+  bool is_blank = true; ///< did the file hold neither a vertex nor a face?
 };
 
 } // namespace quadrille_examples

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_NUMBER_TEXT_H
 #define QUADRILLE_EXAMPLES_MESH_IO_NUMBER_TEXT_H
 
+#include "colors.h"
+
 #include <array>
 #include <charconv>
 #include <string>
@@ -19,6 +21,14 @@ void append_number(std::string& text, Number value) {
 template <class... Numbers>
 void append_numbers(std::string& text, Numbers... values) {
   ((text += ' ', append_number(text, values)), ...);
+}
+
+/// Appends a number of a colour as a fraction of full intensity.
+inline void append_fraction(std::string& text, double channel, const ColorType& type) {
+  if (type.is_single || (type.is_whole && type.full == 255)) // as short as bytes need
+    append_number(text, static_cast<float>(channel) / static_cast<float>(type.full));
+  else
+    append_number(text, channel / type.full);
 }
 
 } // namespace quadrille_examples

@@ -2,9 +2,9 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_OBJ_H
 
 /// \file
-/// Wavefront OBJ: vertices, faces and texture coordinates. Vertex colours are read and written
-/// behind the coordinates, as MeshLab does. All else (normals, materials, groups, lines, curves) is
-/// passed over.
+/// Wavefront OBJ: vertices, faces and texture coordinates. Vertex colours, with or without alpha,
+/// are read and written behind the coordinates, as MeshLab does. All else (normals, materials,
+/// groups, lines, curves) is passed over, and told.
 
 #include "indexed_mesh.h"
 #include "number_text.h"
@@ -62,14 +62,14 @@ public:
     textures_.require_defined(soup_.texture_table.size(), lines_);
     normals_.require_defined(normal_count_, lines_);
     if (!soup_.colors.empty())
-      soup_.colors.resize(soup_.points.size(), white);
+      soup_.colors.resize(soup_.points.size(), unset);
     if (soup_.texture_table.empty())
       soup_.corner_textures.clear();
     return std::move(soup_);
   }
 
 private:
-  static constexpr std::array<double, 4> white = {1, 1, 1, PolygonSoup::opaque};
+  static constexpr Color unset = {opaque, opaque, opaque, opaque};
 
   void read_line(std::string_view keyword) {
     if (keyword == "v")
@@ -77,26 +77,63 @@ private:
     else if (keyword == "vt")
       read_texture();
     else if (keyword == "vn")
-      ++normal_count_;
+      read_normal();
     else if (keyword == "f")
       read_face();
+    else
+      pass_over(keyword);
+  }
+
+  void read_normal() {
+    ++normal_count_;
+    soup_.losses.add("normals");
+  }
+
+  void pass_over(std::string_view keyword) {
+    struct Kind {
+      std::string_view keyword;
+      const char* name;
+    };
+    static constexpr Kind kinds[] = {{"mtllib", "material libraries (mtllib)"},
+                                     {"usemtl", "materials (usemtl)"},
+                                     {"g", "groups"},
+                                     {"o", "objects"},
+                                     {"s", "smoothing groups"},
+                                     {"l", "lines"},
+                                     {"p", "points"}};
+    const std::string_view value = lines_.peek_word();
+    if (keyword == "s" && (value == "off" || value == "0"))
+      return; // none
+    for (const Kind& kind : kinds)
+      if (keyword == kind.keyword)
+        return soup_.losses.add(kind.name);
+    soup_.losses.add("lines that begin with " + in_quotes(keyword));
   }
 
   void read_vertex() {
     const double x = lines_.next_number("coordinate");
     const double y = lines_.next_number("coordinate");
     soup_.points.emplace_back(x, y, lines_.next_number("coordinate"));
-    if (lines_.words_left() < 3) // nothing, or a weight that matters to curves alone
-      return;
-    soup_.color_unit = 1;
-    soup_.colors.resize(soup_.points.size(), white);
-    for (std::size_t i = 0; i < 3; ++i)
+    const std::size_t more = lines_.words_left();
+    if (more > 4 || more == 2 || (more == 1 && parse_number(lines_.peek_word()) != 1))
+      soup_.losses.add("numbers of vertices behind their coordinates"); // as weights of curves
+    if (more == 3 || more == 4)
+      read_color(more);
+  }
+
+  void read_color(std::size_t channels) {
+    soup_.color_type.is_whole = soup_.is_color_unit_certain = false;
+    soup_.color_type.has_alpha |= channels == 4;
+    soup_.colors.resize(soup_.points.size(), unset);
+    for (std::size_t i = 0; i < channels; ++i)
       soup_.colors.back()[i] = lines_.next_number("colour");
   }
 
   void read_texture() {
     const double u = lines_.next_number("texture coordinate");
     const double v = lines_.at_line_end() ? 0 : lines_.next_number("texture coordinate");
+    if (!lines_.at_line_end() && parse_number(lines_.peek_word()) != 0)
+      soup_.losses.add("third texture coordinates");
     soup_.texture_table.push_back({u, v});
   }
 
@@ -157,8 +194,9 @@ inline std::string encode_obj(const IndexedMesh& mesh) {
     const Point& p = mesh.points[i];
     text += 'v';
     append_numbers(text, p.x(), p.y(), p.z());
-    for (std::size_t channel = 0; !mesh.colors.empty() && channel < 3; ++channel)
-      append_numbers(text, static_cast<float>(mesh.colors[i].to_rgb()[channel]) / 255);
+    const std::size_t channels = mesh.colors.empty() ? 0 : mesh.color_type.has_alpha ? 4 : 3;
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      append_fraction(text += ' ', mesh.colors[i][channel], mesh.color_type);
     text += '\n';
   }
   for (const auto& [u, v] : mesh.texture_coordinates) {

@@ -4,13 +4,17 @@
 /// \file
 /// The text form of Geomview's Object File Format: a keyword `[ST][C][N][4]OFF`, the counts, a line
 /// for each vertex and a line for each face. http://www.geomview.org/docs/html/OFF.html
-/// Normals and face colours are passed over.
+/// Whatever the order of the letters, a line holds the coordinates, the normal, the colour and the
+/// texture coordinates. Normals and face colours are passed over.
 
 #include "indexed_mesh.h"
 #include "number_text.h"
 #include "polygon_soup.h"
 #include "text.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -29,7 +33,8 @@ public:
     soup_.points.reserve(vertex_count_);
     for (std::uint64_t i = 0; i < vertex_count_; ++i)
       read_vertex();
-    soup_.color_unit = fractional_colors_ ? 1 : 255;
+    soup_.color_type.is_whole = !fractional_colors_;
+    soup_.is_color_unit_certain = false;
     soup_.polygon_ends.reserve(face_count_);
     for (std::uint64_t i = 0; i < face_count_; ++i)
       read_face();
@@ -42,36 +47,43 @@ private:
   void read_header() {
     if (!lines_.next_line())
       lines_.fail("not an OFF file: it holds comments only");
-    const LineReader first_line = lines_;
-    const std::string_view keyword = lines_.next_word();
-    if (parse_integer(keyword)) {
-      lines_ = first_line; // the keyword is optional
-    } else {
-      read_keyword(keyword);
-      if (lines_.at_line_end() && !lines_.next_line())
-        lines_.fail("the file ends where the counts are expected");
-    }
+    const std::string_view word = lines_.next_word();
+    const std::size_t length = word.find_last_not_of("+-0123456789") + 1;
+    if (length < word.size()) // a count, without a blank or without a keyword before it
+      lines_.go_back_to(word.substr(length));
+    if (length > 0)
+      read_keyword(word.substr(0, length));
+    if (lines_.at_line_end() && !lines_.next_line())
+      lines_.fail("the file ends where the counts are expected");
     require_text(*source_);
     vertex_count_ = read_count("vertex count");
     face_count_ = read_count("face count"); // the edge count may be missing, and nothing needs it
     require_room();
   }
 
-  void read_keyword(std::string_view keyword) {
+  /// The letters before `OFF` come in any order, each once; all may be small. A small `n` among
+  /// capitals is another thing: any number of dimensions.
+  void read_keyword(std::string_view word) {
+    std::string keyword(word);
+    if (std::none_of(word.begin(), word.end(), [](char c) { return c >= 'A' && c <= 'Z'; }))
+      std::transform(word.begin(), word.end(), keyword.begin(),
+                     [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
     std::string_view rest = keyword;
-    const auto take = [&rest](std::string_view prefix) {
-      const bool found = rest.starts_with(prefix);
-      rest.remove_prefix(found ? prefix.size() : 0);
-      return found;
+    const auto take = [&rest](std::string_view letters, bool& is_there) {
+      if (is_there || !rest.starts_with(letters))
+        return false;
+      rest.remove_prefix(letters.size());
+      return is_there = true;
     };
-    has_textures_ = take("ST");
-    has_colors_ = take("C");
-    has_normals_ = take("N");
-    is_homogeneous_ = take("4");
+    while (take("ST", has_textures_) || take("C", has_colors_) || take("N", has_normals_) ||
+           take("4", is_homogeneous_)) {
+    }
     if (rest != "OFF")
-      lines_.fail("not an OFF file of three dimensions: it starts with " + in_quotes(keyword));
+      lines_.fail("not an OFF file of three dimensions: it starts with " + in_quotes(word));
     if (lines_.peek_word() == "BINARY")
       lines_.fail("binary OFF is not supported");
+    if (has_normals_)
+      soup_.losses.add("normals");
   }
 
   std::uint64_t read_count(const char* what) {
@@ -106,12 +118,15 @@ private:
       const double s = lines_.next_number("texture coordinate");
       soup_.texture_coordinates.push_back({s, lines_.next_number("texture coordinate")});
     }
+    if (!lines_.at_line_end())
+      soup_.losses.add("numbers of vertices that the keyword does not name");
   }
 
   /// Three or four values: the fourth, opacity, is often left out.
   void read_color() {
     const bool has_alpha = lines_.words_left() >= (has_textures_ ? 6U : 4U);
-    std::array<double, 4> color = {0, 0, 0, PolygonSoup::opaque};
+    soup_.color_type.has_alpha |= has_alpha;
+    Color color = {0, 0, 0, opaque};
     for (std::size_t i = 0; i < (has_alpha ? 4U : 3U); ++i) {
       fractional_colors_ = fractional_colors_ || !parse_integer(lines_.peek_word());
       color[i] = lines_.next_number("colour");
@@ -125,6 +140,8 @@ private:
     const std::uint64_t corners = read_count("corner count");
     for (std::uint64_t i = 0; i < corners; ++i) // ends with the line, if the count is wild
       soup_.corners.push_back(read_index());
+    if (!lines_.at_line_end())
+      soup_.losses.add("face colours");
     soup_.end_polygon();
   }
 
@@ -147,6 +164,20 @@ private:
   PolygonSoup soup_;
 };
 
+/// Integers from 0 to 255, or fractions, each with a decimal point or an exponent.
+inline void append_off_color(std::string& text, const Color& color, const ColorType& type) {
+  for (std::size_t i = 0; i < (type.has_alpha ? 4U : 3U); ++i) {
+    if (type.is_whole && type.full == 255) {
+      append_numbers(text, std::lround(color[i]));
+      continue;
+    }
+    const std::size_t begin = (text += ' ').size();
+    append_fraction(text, color[i], type);
+    if (text.find_first_of(".e", begin) == std::string::npos)
+      text += ".0";
+  }
+}
+
 inline std::string encode_off(const IndexedMesh& mesh) {
   const bool has_colors = !mesh.colors.empty();
   const bool has_textures = !mesh.texture_coordinates.empty();
@@ -159,8 +190,7 @@ inline std::string encode_off(const IndexedMesh& mesh) {
     append_number(text, p.x());
     append_numbers(text, p.y(), p.z());
     if (has_colors)
-      for (const unsigned char channel : mesh.colors[i].to_rgba())
-        append_numbers(text, int{channel});
+      append_off_color(text, mesh.colors[i], mesh.color_type);
     if (has_textures)
       append_numbers(text, mesh.texture_coordinates[i][0], mesh.texture_coordinates[i][1]);
     text += '\n';

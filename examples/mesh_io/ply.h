@@ -4,7 +4,8 @@
 /// \file
 /// Stanford's polygon file format, as text or bytes of either order. Of the vertices it reads the
 /// coordinates, colours of any type and texture coordinates; of the faces the vertex indices and
-/// MeshLab's texture coordinates of the corners; of triangle strips the triangles.
+/// MeshLab's texture coordinates of the corners; of triangle strips the triangles. All else is
+/// passed over, and told.
 
 #include "indexed_mesh.h"
 #include "ply_header.h"
@@ -12,6 +13,7 @@
 #include "polygon_soup.h"
 #include "text.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -31,6 +33,9 @@ public:
 
   PolygonSoup read() {
     require_vertices();
+    for (const std::string& comment : header_.comments)
+      if (names_a_texture(comment))
+        soup_.losses.add("comment " + in_quotes(comment, 100));
     for (const PlyElement& element : header_.elements)
       if (element.count > 0)
         read_element(element);
@@ -51,6 +56,31 @@ private:
       fail(source_.path, std::to_string(*vertex_count_) + " vertices do not fit 32-bit indices");
   }
 
+  /// In the manner of "comment TextureFile a.png".
+  static bool names_a_texture(std::string comment) {
+    std::transform(comment.begin(), comment.end(), comment.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    for (const char* sign : {"texturefile", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".bmp", ".dds",
+                             ".webp", ".exr", ".mtl"})
+      if (comment.find(sign) != std::string::npos)
+        return true;
+    return false;
+  }
+
+  /// Tells of the properties of which is_read(its place) does not hold.
+  template <class IsRead>
+  void tell_losses(const PlyElement& element, const char* kind, IsRead is_read) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const std::string& name = element.properties[i].name;
+      if (is_read(i))
+        continue;
+      if (name == "nx" || name == "ny" || name == "nz")
+        soup_.losses.add("normals");
+      else
+        soup_.losses.add(std::string(kind) + " property " + in_quotes(name));
+    }
+  }
+
   static bool is_vertex(const PlyElement& element) {
     return element.name == "vertex" || element.name == "vertices";
   }
@@ -64,8 +94,7 @@ private:
     else if (element.name == "tristrips")
       read_strips(element);
     else if (!element.properties.empty())
-      for (std::uint64_t i = 0; i < element.count; ++i)
-        skip_item(element, i);
+      skip_element(element);
   }
 
   /// Before anything is allocated.
@@ -87,9 +116,14 @@ private:
       fail(source_.path, "the vertices have no x, y and z");
     const bool has_colors = has(red) && has(green) && has(blue);
     const bool has_textures = has(u) && has(v);
+    tell_losses(element, "vertex", [&](std::size_t i) {
+      return columns[i] <= z || (has_colors && columns[i] >= red && columns[i] <= alpha) ||
+             (has_textures && (columns[i] == u || columns[i] == v));
+    });
+    soup_.color_type.has_alpha = has_colors && has(alpha);
     soup_.points.reserve(element.count);
     std::array<double, column_count> row = {};
-    row[alpha] = PolygonSoup::opaque;
+    row[alpha] = opaque;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       read_row(element, i, columns, row);
       soup_.points.emplace_back(row[x], row[y], row[z]);
@@ -109,7 +143,7 @@ private:
         return;
       columns[*place] = column;
       if (column == red)
-        soup_.color_unit = full_intensity(element.properties[*place].type);
+        set_color_type(element.properties[*place].type);
     };
     assign(x, {"x"});
     assign(y, {"y"});
@@ -123,10 +157,10 @@ private:
     return columns;
   }
 
-  static double full_intensity(const PlyScalar& type) {
-    if (!type.is_integer)
-      return 1;
-    return type.size == 2 ? 65535 : 255;
+  void set_color_type(const PlyScalar& type) {
+    soup_.color_type.full = type.size == 2 ? 65535 : 255;
+    soup_.color_type.is_whole = soup_.is_color_unit_certain = type.is_integer;
+    soup_.color_type.is_single = !type.is_integer && type.size == 4;
   }
 
   void read_row(const PlyElement& element, std::uint64_t index, const std::vector<Column>& columns,
@@ -144,7 +178,8 @@ private:
 
   void read_faces(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
-    const std::optional<std::size_t> textures = element.find({"texcoord"});
+    const std::optional<std::size_t> textures = find_textures(element);
+    tell_losses(element, "face", [&](std::size_t i) { return i == indices || i == textures; });
     for (std::uint64_t i = 0; i < element.count; ++i) {
       read_item(element, i, indices, textures);
       for (const double index : indices_)
@@ -155,6 +190,11 @@ private:
     }
     if (soup_.texture_table.empty())
       soup_.corner_textures.clear();
+  }
+
+  static std::optional<std::size_t> find_textures(const PlyElement& element) {
+    const std::optional<std::size_t> place = element.find({"texcoord"});
+    return place && element.properties[*place].is_list() ? place : std::nullopt;
   }
 
   std::size_t find_indices(const PlyElement& element) {
@@ -183,8 +223,10 @@ private:
     values_.end_item();
   }
 
-  void skip_item(const PlyElement& element, std::uint64_t item) {
-    read_item(element, item, element.properties.size(), std::nullopt);
+  void skip_element(const PlyElement& element) {
+    for (std::uint64_t i = 0; i < element.count; ++i)
+      read_item(element, i, element.properties.size(), std::nullopt);
+    soup_.losses.add("element " + in_quotes(element.name));
   }
 
   /// Grows with the values that are there, not by the count that is claimed.
@@ -219,6 +261,7 @@ private:
 
   void read_strips(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
+    tell_losses(element, "strip", [&](std::size_t i) { return i == indices; });
     for (std::uint64_t i = 0; i < element.count; ++i) {
       read_item(element, i, indices, std::nullopt);
       append_strip();

@@ -53,6 +53,7 @@ struct PlyHeader {
   bool is_text = false;
   std::endian byte_order = std::endian::little;
   std::vector<PlyElement> elements;
+  std::vector<std::string> comments;
 };
 
 class PlyHeaderReader {
@@ -94,9 +95,16 @@ private:
       read_element();
     else if (keyword == "property")
       read_property();
-    else if (keyword != "comment" && keyword != "obj_info" && keyword != "end_header")
+    else if (keyword == "comment" || keyword == "obj_info")
+      read_comment();
+    else if (keyword != "end_header")
       lines_.fail("unknown keyword " + in_quotes(keyword) + " in the header");
     return keyword != "end_header";
+  }
+
+  void read_comment() {
+    if (header_.comments.size() < most_names)
+      header_.comments.emplace_back(lines_.rest_of_line());
   }
 
   void read_element() {

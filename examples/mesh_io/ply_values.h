@@ -30,8 +30,7 @@ public:
   }
 
   double next(const PlyScalar& type) {
-    return type.is_integer ? static_cast<double>(lines_.next_integer("value"))
-                           : lines_.next_number("value");
+    return type.is_integer ? lines_.next_whole_number("value") : lines_.next_number("value");
   }
 
   void end_item() {

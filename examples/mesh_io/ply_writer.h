@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -20,12 +21,32 @@ void append_little_endian(std::string& bytes, Value value) {
   bytes.append(raw.data(), raw.size());
 }
 
+inline const char* ply_type_name(const ColorType& type) {
+  if (type.is_whole)
+    return type.full == 255 ? "uchar" : "ushort";
+  return type.is_single ? "float" : "double";
+}
+
+inline void append_ply_color(std::string& bytes, const Color& color, const ColorType& type) {
+  for (std::size_t i = 0; i < (type.has_alpha ? 4U : 3U); ++i)
+    if (type.is_whole && type.full == 255)
+      append_little_endian(bytes, static_cast<std::uint8_t>(color[i]));
+    else if (type.is_whole)
+      append_little_endian(bytes, static_cast<std::uint16_t>(color[i]));
+    else if (type.is_single)
+      append_little_endian(bytes, static_cast<float>(color[i]));
+    else
+      append_little_endian(bytes, color[i]);
+}
+
 inline std::string ply_header(const IndexedMesh& mesh) {
+  static constexpr const char* channels[] = {"red", "green", "blue", "alpha"};
   std::string text = "ply\nformat binary_little_endian 1.0\n";
   text += "element vertex " + std::to_string(mesh.points.size()) + "\n";
   text += "property double x\nproperty double y\nproperty double z\n";
   if (!mesh.colors.empty())
-    text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
+    for (std::size_t i = 0; i < (mesh.color_type.has_alpha ? 4U : 3U); ++i)
+      text += std::string("property ") + ply_type_name(mesh.color_type) + ' ' + channels[i] + '\n';
   if (!mesh.texture_coordinates.empty())
     text += "property double s\nproperty double t\n";
   text += "element face " + std::to_string(mesh.triangles.size()) + "\n";
@@ -39,8 +60,7 @@ inline std::string encode_ply(const IndexedMesh& mesh) {
     for (const double coordinate : {p.x(), p.y(), p.z()})
       append_little_endian(bytes, coordinate);
     if (!mesh.colors.empty())
-      for (const unsigned char channel : mesh.colors[i].to_rgba())
-        append_little_endian(bytes, channel);
+      append_ply_color(bytes, mesh.colors[i], mesh.color_type);
     if (!mesh.texture_coordinates.empty())
       for (const double coordinate : mesh.texture_coordinates[i])
         append_little_endian(bytes, coordinate);

@@ -20,12 +20,11 @@ inline constexpr std::uint64_t most_points = std::numeric_limits<std::uint32_t>:
 
 struct PolygonSoup {
   static constexpr std::uint32_t no_texture = std::numeric_limits<std::uint32_t>::max();
-  static constexpr double opaque = std::numeric_limits<double>::infinity(); ///< an alpha
 
   std::vector<Point> points;
-  /// Red, green, blue and alpha, empty or one per point. Full intensity is `color_unit`.
-  std::vector<std::array<double, 4>> colors;
-  double color_unit = 255;
+  std::vector<Color> colors; ///< empty or one per point; the alpha may be `opaque`
+  ColorType color_type;
+  bool is_color_unit_certain = true; ///< else `color_type.full` is to be guessed
   /// One per point for the formats that keep them there.
   std::vector<std::array<double, 2>> texture_coordinates;
 
@@ -38,6 +37,7 @@ struct PolygonSoup {
   std::vector<std::uint32_t> corner_textures;
 
   std::vector<std::string> remarks;
+  Losses losses;
 
   /// Ends the polygon of the corners that have been appended since the last one.
   void end_polygon() { polygon_ends.push_back(corners.size()); }

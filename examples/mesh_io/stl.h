@@ -60,39 +60,118 @@ inline PolygonSoup read_binary_stl(const Source& source) {
       soup.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
     }
     soup.end_polygon();
+    if (little_endian_at<std::uint16_t>(bytes, stl_header_size + (i + 1) * stl_facet_size - 2) != 0)
+      soup.losses.add("attributes of facets, as their colours");
   }
   if (bytes.size() != stl_header_size + facets * stl_facet_size)
     soup.remarks.push_back("the bytes after the last facet are left out");
   return soup;
 }
 
-/// Goes by the first words of the lines, in any case of letters.
+/// Goes by the words, in any case of letters and however they are spread over lines. `endloop`,
+/// `endfacet` and `endsolid` may be two words. What follows a keyword in its line and is none
+/// itself is passed over.
 class StlTextReader {
 public:
-  explicit StlTextReader(const Source& source) : lines_(source) { require_text(source); }
+  explicit StlTextReader(const Source& source) : lines_(source, Comments::none) {
+    require_text(source);
+  }
 
   PolygonSoup read() {
     while (lines_.next_line())
-      read_line(lines_.next_word());
+      read_line();
     if (is_in_solid_)
       lines_.fail("the file ends before 'endsolid'");
+    if (solids_ > 1)
+      soup_.losses.add("solids");
     return std::move(soup_);
   }
 
 private:
-  void read_line(std::string_view word) {
+  void read_line() {
+    if (lines_.peek_word().starts_with('#'))
+      return;
+    const std::string_view first = next_keyword();
+    if (!read_keyword(first))
+      lines_.fail("unknown keyword " + in_quotes(first));
+    while (!lines_.at_line_end())
+      read_keyword(next_keyword());
+  }
+
+  /// A word, or `end` with the word behind it.
+  std::string_view next_keyword() {
+    const std::string_view word = lines_.next_word();
+    ended_ = equal_ignoring_case(word, "end")                ? lines_.next_word()
+             : equal_ignoring_case(word.substr(0, 3), "end") ? word.substr(3)
+                                                             : std::string_view();
+    return word;
+  }
+
+  /// False if the word is no keyword.
+  bool read_keyword(std::string_view word) {
+    if (!ended_.empty())
+      return read_end();
     if (equal_ignoring_case(word, "vertex"))
       read_vertex();
     else if (equal_ignoring_case(word, "facet"))
-      enter(is_in_facet_, is_in_solid_, word);
-    else if (equal_ignoring_case(word, "endfacet"))
-      end_facet(word);
+      enter_facet(word);
     else if (equal_ignoring_case(word, "solid"))
-      enter(is_in_solid_, !is_in_solid_, word);
-    else if (equal_ignoring_case(word, "endsolid"))
-      leave(is_in_solid_, !is_in_facet_, word);
-    else if (!equal_ignoring_case(word, "outer") && !equal_ignoring_case(word, "endloop"))
-      lines_.fail("unknown keyword " + in_quotes(word));
+      enter_solid(word);
+    else
+      return equal_ignoring_case(word, "outer") || equal_ignoring_case(word, "loop");
+    return true;
+  }
+
+  bool read_end() {
+    if (equal_ignoring_case(ended_, "solid")) {
+      leave(is_in_solid_, !is_in_facet_, "'endsolid'");
+      skip_name();
+    } else if (equal_ignoring_case(ended_, "facet"))
+      end_facet();
+    else
+      return equal_ignoring_case(ended_, "loop");
+    return true;
+  }
+
+  void enter_solid(std::string_view word) {
+    enter(is_in_solid_, !is_in_solid_, word);
+    ++solids_;
+    skip_name();
+  }
+
+  /// The words of a name, to the end of the line or to what can be none: the next solid or facet.
+  void skip_name() {
+    while (!lines_.at_line_end()) {
+      LineReader ahead = lines_;
+      const std::string_view word = ahead.next_word();
+      const bool begins_facet =
+          equal_ignoring_case(word, "facet") && equal_ignoring_case(ahead.peek_word(), "normal");
+      const bool ends_solid =
+          equal_ignoring_case(word, "endsolid") ||
+          (equal_ignoring_case(word, "end") && equal_ignoring_case(ahead.peek_word(), "solid"));
+      if (begins_facet || (is_in_solid_ && ends_solid) ||
+          (!is_in_solid_ && equal_ignoring_case(word, "solid") && has_facet(ahead)))
+        return;
+      lines_.next_word();
+    }
+  }
+
+  /// Does a facet begin in the rest of the line?
+  static bool has_facet(LineReader line) {
+    while (!line.at_line_end())
+      if (equal_ignoring_case(line.next_word(), "facet") &&
+          equal_ignoring_case(line.peek_word(), "normal"))
+        return true;
+    return false;
+  }
+
+  /// The normal follows from the vertices; where there is none, some programs write words.
+  void enter_facet(std::string_view word) {
+    enter(is_in_facet_, is_in_solid_, word);
+    if (!equal_ignoring_case(lines_.peek_word(), "normal"))
+      return;
+    for (int i = 0; i < 4; ++i)
+      lines_.next_word();
   }
 
   void enter(bool& state, bool is_allowed, std::string_view word) {
@@ -101,14 +180,14 @@ private:
     state = true;
   }
 
-  void leave(bool& state, bool is_allowed, std::string_view word) {
+  void leave(bool& state, bool is_allowed, const std::string& word) {
     if (!state || !is_allowed)
-      lines_.fail(in_quotes(word) + " is out of place");
+      lines_.fail(word + " is out of place");
     state = false;
   }
 
-  void end_facet(std::string_view word) {
-    leave(is_in_facet_, true, word);
+  void end_facet() {
+    leave(is_in_facet_, true, "'endfacet'");
     if (corners_of_facet_ < 3)
       lines_.fail("a facet of " + std::to_string(corners_of_facet_) + " vertices");
     corners_of_facet_ = 0;
@@ -126,8 +205,10 @@ private:
   }
 
   LineReader lines_;
+  std::string_view ended_; // what the last word says the end of, if so
   bool is_in_solid_ = false;
   bool is_in_facet_ = false;
+  std::size_t solids_ = 0;
   std::size_t corners_of_facet_ = 0;
   PolygonSoup soup_;
 };

@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -39,30 +41,52 @@ struct Source {
 }
 
 /// `word` between quotes, fit for a message of one line: short and printable.
-inline std::string in_quotes(std::string_view word) {
-  constexpr std::size_t longest = 24;
+inline std::string in_quotes(std::string_view word, std::size_t longest = 24) {
   std::string shown(word.substr(0, longest));
   const auto unprintable = [](char c) { return c < ' ' || c > '~'; };
   std::replace_if(shown.begin(), shown.end(), unprintable, '?');
   return "'" + shown + (word.size() > longest ? "..." : "") + "'";
 }
 
-/// Reads the regular file at `path`, which must not be empty: no format has an empty file.
-inline Source read_source(const std::filesystem::path& path) {
+inline bool is_standard_input(const std::filesystem::path& path) {
+  return path == "-" || path == "/dev/stdin" || path == "/dev/fd/0" || path == "/proc/self/fd/0";
+}
+
+/// All that is left in a stream.
+inline std::string content_of(std::istream& stream, const std::filesystem::path& path) {
+  constexpr std::size_t step = std::size_t{1} << 20;
+  std::string content;
+  while (stream) {
+    const std::size_t size = content.size();
+    content.resize(size + step);
+    stream.read(content.data() + size, static_cast<std::streamsize>(step));
+    content.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad())
+    fail(path, "cannot be read");
+  return content;
+}
+
+/// Standard input, a pipe or a regular file. A device may never end.
+inline std::string read_content(const std::filesystem::path& path) {
+  if (is_standard_input(path))
+    return content_of(std::cin, path);
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     fail(path, "no such file");
-  if (!std::filesystem::is_regular_file(status))
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
     fail(path, "not a regular file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     fail(path, "cannot be opened");
+  return content_of(stream, path);
+}
 
-  Source source{path, std::string(std::filesystem::file_size(path), '\0')};
-  stream.read(source.content.data(), static_cast<std::streamsize>(source.content.size()));
-  if (!stream)
-    fail(path, "cannot be read");
+/// Reads the file at `path`, "-" for standard input, which must not be empty: no format has an
+/// empty file.
+inline Source read_source(const std::filesystem::path& path) {
+  Source source{path, read_content(path)};
   if (source.content.empty())
     fail(path, "the file is empty");
   return source;
@@ -121,11 +145,15 @@ inline std::optional<std::int64_t> parse_integer(std::string_view word) {
   return value;
 }
 
-/// Goes through the lines of a text that hold a word, without their `#` comments. Lines end in
-/// LF, CR LF or CR.
+/// Does a `#` begin a comment, up to the end of the line?
+enum class Comments { none, hash };
+
+/// Goes through the lines of a text that hold a word, without their comments. Lines end in LF,
+/// CR LF or CR.
 class LineReader {
 public:
-  explicit LineReader(const Source& source) : source_(&source) {
+  explicit LineReader(const Source& source, Comments comments = Comments::hash)
+      : source_(&source), comments_(comments) {
     if (text().starts_with("\xEF\xBB\xBF")) // the byte order mark of some editors
       next_ = 3;
   }
@@ -151,6 +179,14 @@ public:
     return word;
   }
 
+  /// Makes `tail`, an end of the word read last, the next word.
+  void go_back_to(std::string_view tail) {
+    position_ = static_cast<std::size_t>(tail.data() - text().data());
+  }
+
+  /// The rest of the line.
+  std::string_view rest_of_line() const { return text().substr(position_, line_end_ - position_); }
+
   double next_number(const char* what) {
     const std::string_view word = next_word();
     const std::optional<double> value = parse_number(word);
@@ -163,6 +199,17 @@ public:
     const std::string_view word = next_word();
     const std::optional<std::int64_t> value = parse_integer(word);
     if (!value)
+      fail_at_word(word, what, "an integer");
+    return *value;
+  }
+
+  /// An integer, or as some programs write it, 255.0.
+  double next_whole_number(const char* what) {
+    const std::string_view word = next_word();
+    if (const std::optional<std::int64_t> value = parse_integer(word))
+      return static_cast<double>(*value);
+    const std::optional<double> value = parse_number(word);
+    if (!value || *value != std::trunc(*value) || !std::isfinite(*value))
       fail_at_word(word, what, "an integer");
     return *value;
   }
@@ -196,7 +243,8 @@ private:
     position_ = next_;
     const auto begin = source_->content.begin() + static_cast<std::ptrdiff_t>(position_);
     const auto end = std::find_if(begin, source_->content.end(), is_newline);
-    line_end_ = position_ + static_cast<std::size_t>(std::find(begin, end, '#') - begin);
+    const auto text_end = comments_ == Comments::hash ? std::find(begin, end, '#') : end;
+    line_end_ = position_ + static_cast<std::size_t>(text_end - begin);
     next_ = position_ + static_cast<std::size_t>(end - begin);
     next_ += text().substr(next_, 2) == "\r\n" ? 2 : 1;
     next_ = std::min(next_, text().size());
@@ -216,6 +264,7 @@ private:
   }
 
   const Source* source_;
+  Comments comments_;
   std::size_t position_ = 0; // of the next word in the line
   std::size_t line_end_ = 0;
   std::size_t next_ = 0; // start of the next line

@@ -4,15 +4,19 @@
 #include "indexed_mesh.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace quadrille_examples {
 
 /// When vertices at exactly the same place become one.
 enum class Weld {
-  loose_faces, ///< only where no two faces share a vertex, so that there is no surface yet
+  loose_faces, ///< only where no two faces share a vertex, so that there is no surface yet, and
+               ///< only if they have the same colour and texture coordinate
   always
 };
 
@@ -38,23 +42,51 @@ inline void keep_points(IndexedMesh& mesh, const std::vector<bool>& kept) {
       corner = new_index[corner];
 }
 
-/// Of the points at one place, the first stays, with its colour and texture coordinate. Returns how
-/// many went. CGAL's `merge_duplicate_points_in_polygon_soup` knows of no attributes.
-inline std::size_t weld_points(IndexedMesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.points.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return mesh.points[a] < mesh.points[b];
-  });
+/// The order of vertices by what they have beside their place.
+class AttributeOrder {
+public:
+  explicit AttributeOrder(const IndexedMesh& mesh) : mesh_(mesh) {}
 
-  std::vector<std::uint32_t> first(mesh.points.size()); // of the points at the same place
-  std::vector<bool> kept(mesh.points.size());
-  std::size_t welded = 0;
+  bool operator()(std::uint32_t a, std::uint32_t b) const { return of(a) < of(b); }
+
+private:
+  std::pair<Color, std::array<double, 2>> of(std::uint32_t v) const {
+    return {mesh_.colors.empty() ? Color{} : mesh_.colors[v], mesh_.texture_coordinates.empty()
+                                                                  ? std::array<double, 2>{}
+                                                                  : mesh_.texture_coordinates[v]};
+  }
+
+  const IndexedMesh& mesh_;
+};
+
+struct Welded {
+  std::size_t vertices = 0; ///< that went
+  std::size_t unlike = 0;   ///< of those, with another colour or texture coordinate than the first
+};
+
+/// Of the points at one place, the first stays, with its colour and texture coordinate; unless all
+/// are to be welded, of those that are alike. CGAL's `merge_duplicate_points_in_polygon_soup` knows
+/// of no attributes.
+inline Welded weld_points(IndexedMesh& mesh, Weld weld) {
+  const std::vector<Point>& points = mesh.points;
+  const AttributeOrder attributes_before(mesh);
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) {
+    return weld == Weld::always || points[a] != points[b] ? points[a] < points[b]
+                                                          : attributes_before(a, b);
+  };
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::stable_sort(order.begin(), order.end(), is_before);
+
+  std::vector<std::uint32_t> first(points.size()); // of the points that become one
+  std::vector<bool> kept(points.size());
+  Welded welded;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_first = i == 0 || mesh.points[order[i]] != mesh.points[order[i - 1]];
-    first[order[i]] = is_first ? order[i] : first[order[i - 1]];
-    kept[order[i]] = is_first;
-    welded += !is_first;
+    const std::uint32_t v = order[i];
+    kept[v] = i == 0 || is_before(order[i - 1], v);
+    first[v] = kept[v] ? v : first[order[i - 1]];
+    welded.vertices += !kept[v];
+    welded.unlike += attributes_before(first[v], v) || attributes_before(v, first[v]);
   }
   for (auto& triangle : mesh.triangles)
     for (std::uint32_t& corner : triangle)
@@ -62,6 +94,92 @@ inline std::size_t weld_points(IndexedMesh& mesh) {
   keep_points(mesh, kept);
   return welded;
 }
+
+/// Finds seams along which a surface is cut, though its points lie at the same places.
+class OpenSeams {
+public:
+  /// How many boundary edges lie at the place of another boundary edge of other vertices.
+  static std::size_t count(const IndexedMesh& mesh) {
+    OpenSeams seams(mesh);
+    seams.find_places();
+    return seams.places_.empty() ? 0 : seams.count_edges();
+  }
+
+private:
+  using Edge = std::array<std::uint32_t, 2>;
+
+  explicit OpenSeams(const IndexedMesh& mesh) : mesh_(mesh) {}
+
+  /// The vertices that may lie on a boundary. Around others the edges that faces enter and leave by
+  /// are the same, and so are the sums of their scrambled ends.
+  std::vector<std::uint32_t> candidates() const {
+    const auto scrambled = [](std::uint64_t v) {
+      v = (v + 1) * 0x9E3779B97F4A7C15U;
+      return v ^ (v >> 29);
+    };
+    std::vector<std::uint64_t> sums(mesh_.points.size());
+    for (const auto& [a, b, c] : mesh_.triangles) {
+      sums[a] += scrambled(b) - scrambled(c);
+      sums[b] += scrambled(c) - scrambled(a);
+      sums[c] += scrambled(a) - scrambled(b);
+    }
+    std::vector<std::uint32_t> found;
+    for (std::size_t v = 0; v < sums.size(); ++v)
+      if (sums[v] != 0)
+        found.push_back(static_cast<std::uint32_t>(v));
+    return found;
+  }
+
+  /// Gives the candidates that lie where another does the number of their place.
+  void find_places() {
+    std::vector<std::uint32_t> order = candidates();
+    const auto& points = mesh_.points;
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (points[order[i - 1]] != points[order[i]])
+        continue;
+      places_.resize(points.size(), nowhere);
+      if (places_[order[i - 1]] == nowhere)
+        places_[order[i - 1]] = order[i - 1];
+      places_[order[i]] = places_[order[i - 1]];
+    }
+  }
+
+  std::size_t count_edges() const {
+    const std::vector<Edge> edges = boundary_edges();
+    std::vector<Edge> places;
+    for (const auto& [a, b] : edges)
+      places.push_back({std::min(places_[a], places_[b]), std::max(places_[a], places_[b])});
+    std::sort(places.begin(), places.end());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      count += (i > 0 && places[i] == places[i - 1]) ||
+               (i + 1 < places.size() && places[i] == places[i + 1]);
+    return count;
+  }
+
+  /// Those of one face, of which both ends have a number.
+  std::vector<Edge> boundary_edges() const {
+    std::vector<Edge> edges, single;
+    for (const auto& t : mesh_.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const auto a = t[i], b = t[(i + 1) % 3];
+            places_[a] != nowhere && places_[b] != nowhere && places_[a] != places_[b])
+          edges.push_back({std::min(a, b), std::max(a, b)});
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if ((i == 0 || edges[i] != edges[i - 1]) &&
+          (i + 1 == edges.size() || edges[i] != edges[i + 1]))
+        single.push_back(edges[i]);
+    return single;
+  }
+
+  static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+
+  const IndexedMesh& mesh_;
+  std::vector<std::uint32_t> places_; // of each vertex, or empty if no two share a place
+};
 
 } // namespace quadrille_examples
 

@@ -1,8 +1,11 @@
 // Bytes are a file, the first of them its format: it is refused with an exception, or read, and
-// then simplified, written and read again.
+// then simplified with its colours and texture coordinates, written and read again.
+#include "../../examples/mesh_attributes.h"
 #include "../../examples/mesh_io.h"
 
 #include <quadrille/simplify.h>
+
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +16,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -32,9 +36,16 @@ bool is_finite(const Point& p) {
 void require_valid(const IndexedMesh& mesh) {
   require(std::all_of(mesh.points.begin(), mesh.points.end(), is_finite), "not finite");
   require(mesh.colors.empty() || mesh.colors.size() == mesh.points.size(), "colours");
-  require(mesh.texture_coordinates.empty() ||
-              mesh.texture_coordinates.size() == mesh.points.size(),
+  require(mesh.texture_coordinates.empty() || mesh.texture_coordinates.size() == mesh.points.size(),
           "texture coordinates");
+  for (const Color& color : mesh.colors)
+    for (const double channel : color)
+      require(std::isfinite(channel) &&
+                  (!mesh.color_type.is_whole || (channel == std::round(channel) && channel >= 0 &&
+                                                 channel <= mesh.color_type.full)),
+              "a colour that is none");
+  for (const auto& [u, v] : mesh.texture_coordinates)
+    require(std::isfinite(u) && std::isfinite(v), "a texture coordinate that is none");
   for (const auto& [a, b, c] : mesh.triangles) {
     require(std::max({a, b, c}) < mesh.points.size(), "an index of no point");
     require(a != b && b != c && c != a, "a face with two equal corners");
@@ -48,6 +59,18 @@ IndexedMesh read(const MeshFormat& format, const std::filesystem::path& path, st
   return mesh;
 }
 
+/// As the program does.
+void simplify(IndexedMesh& mesh) {
+  const MeshAttributes attributes(mesh, {0.02, 0.2});
+  std::vector<CarriedAttributes<6>> carried = attributes.carried<6>();
+  quadrille::AttributeQuadric<6> cost;
+  cost.weights.emplace().coordinates.fill(1);
+  quadrille::simplify(
+      mesh.points, mesh.triangles, cost,
+      quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)));
+  attributes.restore(mesh, carried);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -59,9 +82,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const MeshFormat& format = mesh_format(path);
   try {
     IndexedMesh mesh = read(format, path, std::string(data + 1, data + size), weld);
-    mesh.colors.clear(); // what is dropped here keeps its numbers there
-    mesh.texture_coordinates.clear();
-    quadrille::simplify(mesh.points, mesh.triangles);
+    const std::string losses = mesh.losses.text();
+    require(losses.find('\n') == std::string::npos, "losses in more than one line");
+    require(OpenSeams::count(mesh) <= 3 * mesh.triangles.size(), "more seams than edges");
+    simplify(mesh);
     require_valid(mesh);
     const std::string written = format.encode(mesh);
     const bool is_single = path.extension() == ".stl";
@@ -70,6 +94,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const IndexedMesh again = read(format, path, written, Weld::loose_faces);
     require(again.triangles.size() == mesh.triangles.size() || !again.remarks.empty(),
             "other triangles were written");
+    require(again.colors.empty() != format.holds_attributes || mesh.colors.empty(),
+            "colours were lost");
   } catch (const std::runtime_error& error) { // refused, in one line
     require(std::string(error.what()).find('\n') == std::string::npos, "more than one line");
   }

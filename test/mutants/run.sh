@@ -1,9 +1,9 @@
 #!/bin/sh
-# Puts the bugs of mutants.tsv, one at a time, into a copy of the library, and looks whether the
+# Puts the bugs of mutants.tsv, one at a time, into a copy of the sources, and looks whether the
 # tests named beside each notice. Prints one line for each; fails if one survives.
 #   sh test/mutants/run.sh [FIRST [LAST]]   lines of mutants.tsv, all of them by default
 #
-# A line of mutants.tsv: header, code, what replaces its first occurrence, tests; between tabs, \n
+# A line of mutants.tsv: header, by its path from include/quadrille, code, what replaces its first occurrence, tests; between tabs, \n
 # for the end of a line. The tests must pass without a bug, on the models of a configured build:
 # CGAL_DATA_DIR, or that of `cmake --preset test`.
 set -u
@@ -31,11 +31,12 @@ mkdir -p "$folder"
 passes() {
   options= libraries=
   case $1 in
-    any_order) options="-O1 -Itest/any_order" ;;
+    any_order) options="-O1 -I$folder/test/any_order" ;;
     parallel) options=-DQUADRILLE_WITH_TBB libraries=-ltbb ;;
+    mesh_io) libraries="-lmpfr -lgmp" ;; # of CGAL's triangulation
     error_limit | float_precision | targets | thin_features) options=-O1 ;; # take minutes without
   esac
-  $compile -include "$folder/prelude.h" $options -Itest -I"$folder/include" "test/test_$1.cpp" \
+  $compile -include "$folder/prelude.h" $options -I"$folder/include" "$folder/test/test_$1.cpp" \
     "$folder/main.o" $libraries -o "$folder/test_$1" 2>"$folder/log" || {
     verdict="DOES NOT COMPILE"
     return 1
@@ -49,8 +50,12 @@ passes() {
 # selected: the chosen lines of mutants.tsv
 selected() { sed -n "$first,${last}p" test/mutants/mutants.tsv; }
 
-rm -rf "$folder/include"
-cp -r include "$folder/include"
+copy_sources() {
+  rm -rf "$folder/include" "$folder/examples" "$folder/test"
+  cp -r include examples test "$folder"
+}
+
+copy_sources
 for test in $(selected | cut -f 4 | tr ' ' '\n' | sort -u); do
   passes "$test" || {
     printf '%s\n' "test_$test without a bug: $verdict"
@@ -62,8 +67,7 @@ survivors=0
 line=$((first - 1))
 while IFS="$(printf '\t')" read -r header code replacement tests; do
   line=$((line + 1))
-  rm -rf "$folder/include"
-  cp -r include "$folder/include"
+  copy_sources
   CODE=$code REPLACEMENT=$replacement perl -0777 -pi -e '
     my ($code, $replacement) = map { s/\\n/\n/gr } @ENV{"CODE", "REPLACEMENT"};
     my $at = index($_, $code);
