@@ -93,15 +93,16 @@ private:
 /// The factorisation A = LDLᵀ of a symmetric positive definite matrix, with which systems are
 /// solved.
 ///
-/// A matrix is called singular where a pivot is not above 10⁻¹² of the trace. The trace of a sum of
-/// quadrics is the sum of their weights, so the test is relative: neither scale nor rotation nor
-/// the number of planes moves it. A pivot is at least the smallest eigenvalue, and one of 10⁻¹² of
-/// the trace still leaves four digits of the solution.
+/// A matrix is called singular where a pivot is not above a part of the trace, 10⁻¹² by default.
+/// The trace of a sum of quadrics is the sum of their weights, so the test is relative: neither
+/// scale nor rotation nor the number of planes moves it. A pivot is at least the smallest
+/// eigenvalue, and one of 10⁻¹² of the trace still leaves four digits of the solution.
 template <std::size_t N>
 class Factorization {
 public:
-  explicit constexpr Factorization(const SymmetricMatrix<N>& a) {
-    const double least_pivot = least_relative_pivot * a.trace();
+  explicit constexpr Factorization(const SymmetricMatrix<N>& a,
+                                   double least_relative = least_relative_pivot) {
+    const double least_pivot = least_relative * a.trace();
     for (std::size_t j = 0; j < N; ++j) {
       double pivot = a(j, j);
       for (std::size_t k = 0; k < j; ++k)
@@ -147,8 +148,9 @@ private:
 template <>
 class Factorization<3> {
 public:
-  explicit constexpr Factorization(const SymmetricMatrix<3>& a) {
-    const double least_pivot = least_relative_pivot * a.trace();
+  explicit constexpr Factorization(const SymmetricMatrix<3>& a,
+                                   double least_relative = least_relative_pivot) {
+    const double least_pivot = least_relative * a.trace();
     const double d0 = a(0, 0);
     if (!(d0 > least_pivot))
       return; // singular, or not a number
