@@ -28,9 +28,15 @@ void print(const std::vector<Point>& points) {
 template <class Cost, class... Policies>
 void run(Soup soup, const Policies&... policies) {
   std::vector<Point> colors = soup.points;
-  const Report report = simplify<Cost, OptimalPlacement>(
-      soup.points, soup.triangles, FaceRatio{0.2}, policies...,
-      CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+  const auto simplified = [&](const auto&... named) {
+    return simplify<Cost, OptimalPlacement>(soup.points, soup.triangles, FaceRatio{0.2},
+                                            policies..., named...);
+  };
+  Report report;
+  if constexpr (Cost::dimension > 3)
+    report = simplified(CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)));
+  else
+    report = simplified();
   colors.resize(soup.points.size());
   print(soup.points);
   print(colors);

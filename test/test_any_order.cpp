@@ -56,9 +56,9 @@ TEST_CASE("The same where faces are glued at random") {
     std::vector<test::Point> forward = test::points_of(input), backward = forward;
     auto forward_triangles = input.triangles, backward_triangles = input.triangles;
     internal::runs_backwards = false;
-    simplify(forward, forward_triangles, FaceRatio{0.1}, order);
+    simplify(forward, forward_triangles, FaceRatio{0.1}, order, Topology::free);
     internal::runs_backwards = true;
-    simplify(backward, backward_triangles, FaceRatio{0.1}, order);
+    simplify(backward, backward_triangles, FaceRatio{0.1}, order, Topology::free);
     CAPTURE(seed, refresh);
     CHECK(forward == backward);
     CHECK(forward_triangles == backward_triangles);

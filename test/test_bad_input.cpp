@@ -68,13 +68,13 @@ PointSoup<Triangles> make(const Soup& soup) {
 }
 
 // One name for meshes and soups.
-template <class Cost = Quadric, class M, class... Arguments>
+template <class Cost = internal::NotGiven, class M, class... Arguments>
 Report run(M& mesh, const Arguments&... arguments) {
-  return simplify<Cost, OptimalPlacement>(mesh, arguments...);
+  return simplify<Cost>(mesh, arguments...);
 }
-template <class Cost = Quadric, class T, class... Arguments>
+template <class Cost = internal::NotGiven, class T, class... Arguments>
 Report run(PointSoup<T>& soup, const Arguments&... arguments) {
-  return simplify<Cost, OptimalPlacement>(soup.points, soup.triangles, arguments...);
+  return simplify<Cost>(soup.points, soup.triangles, arguments...);
 }
 
 template <class Surface, class... Arguments>

@@ -33,8 +33,8 @@ TEST_CASE("The last face of a fixed vertex stays where topology is free") {
   for (std::size_t v = 0; v < 3; ++v) {
     PointSoup soup(test::triangle());
     const Point fixed = soup.points[v];
-    const Report report =
-        simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles, FaceCount{0}, only(v));
+    const Report report = simplify<Quadric, OptimalPlacement>(
+        soup.points, soup.triangles, FaceCount{0}, only(v), Topology::free);
     CHECK(report.faces_after == 1);
     CHECK(report.rejected(Rejection::constraint) > 0);
     CHECK(has(soup, fixed));
@@ -46,7 +46,7 @@ TEST_CASE("A fixed vertex is the last that is left of a surface where topology i
     PointSoup soup(test::with_noise(test::grid(4, 3), 1, 0.05));
     const Point fixed = soup.points[v];
     simplify<EdgeLength, MidpointPlacement>(soup.points, soup.triangles, FaceCount{0},
-                                            NormalFlip{180}, only(v));
+                                            NormalFlip{180}, Topology::free, only(v));
     CHECK(soup.triangles.size() == 1);
     CHECK(has(soup, fixed));
   }

@@ -110,7 +110,8 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
 template <class Cost, class... Arguments>
 void check_costs(const Cost& cost, double power, const Soup& soup, std::uint64_t seed,
                  const Arguments&... arguments) {
-  const auto policies = internal::pick_policies<Cost, OptimalPlacement>(cost, arguments...);
+  const auto policies =
+      internal::pick_policies<internal::NotGiven, internal::NotGiven>(cost, arguments...);
   const auto input = test::input_of(test::large(soup));
   internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
                                                                              policies);

@@ -40,7 +40,7 @@ struct Strict : MemorylessQuadric {
 
 template <class Cost, class... Arguments>
 test::Soup simplified(test::Mesh mesh, const Arguments&... arguments) {
-  simplify<Cost, OptimalPlacement>(mesh, arguments...);
+  simplify<Cost>(mesh, arguments...);
   return test::to_soup(mesh);
 }
 

@@ -103,13 +103,13 @@ PointSoup make(const Soup& soup) {
   return PointSoup(soup);
 }
 
-template <class Cost = Quadric, class M, class... Arguments>
+template <class Cost = internal::NotGiven, class M, class... Arguments>
 void run(M& mesh, const Arguments&... arguments) {
-  simplify<Cost, OptimalPlacement>(mesh, arguments...);
+  simplify<Cost>(mesh, arguments...);
 }
-template <class Cost = Quadric, class... Arguments>
+template <class Cost = internal::NotGiven, class... Arguments>
 void run(PointSoup& soup, const Arguments&... arguments) {
-  simplify<Cost, OptimalPlacement>(soup.points, soup.triangles, arguments...);
+  simplify<Cost>(soup.points, soup.triangles, arguments...);
 }
 
 // CGAL's Kd_tree, which ThresholdPairs asks, leaks if memory runs out while it is built.

@@ -246,8 +246,8 @@ TEST_CASE("Passes meet targets where a contraction takes many faces, or vertices
   const auto compare = [](const Soup& soup, const auto& stop, auto figure) {
     const auto figure_after = [&](const auto& order) {
       test::PointSoup result(soup);
-      const Report report = simplify<EdgeLength, MidpointPlacement>(result.points, result.triangles,
-                                                                    stop, order, NormalFlip{180});
+      const Report report = simplify<EdgeLength, MidpointPlacement>(
+          result.points, result.triangles, stop, order, Topology::free, NormalFlip{180});
       INFO(report);
       REQUIRE(report.stop == StopReason::target_met);
       REQUIRE(report.vertices_after == result.points.size());
@@ -298,8 +298,8 @@ TEST_CASE("Passes know how many vertices are left where faces are few and far be
       const auto stop = [&](const Status& status) {
         return (counts_vertices ? status.vertices : 2 * status.faces) <= target;
       };
-      const Report report = simplify<Quadric, OptimalPlacement>(result.points, result.triangles,
-                                                                stop, RelaxedOrder{.share = 1});
+      const Report report = simplify<Quadric, OptimalPlacement>(
+          result.points, result.triangles, stop, Topology::free, RelaxedOrder{.share = 1});
       INFO(report);
       REQUIRE(report.vertices_after == result.points.size());
       REQUIRE(report.vertices_after ==

@@ -28,7 +28,7 @@ using test::Soup;
 
 template <class... Arguments>
 Report simplify_soup(PointSoup& soup, const Arguments&... arguments) {
-  return simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles, arguments...);
+  return simplify(soup.points, soup.triangles, arguments...);
 }
 
 struct Refuse {
@@ -184,7 +184,7 @@ TEST_CASE("A ratio is met to the nearest face, or one below") {
   }
 }
 
-TEST_CASE("A soup gets to every number of faces, or to the next below and says so") {
+TEST_CASE("A soup of free topology gets to every number of faces, or to the next below and says so") {
   const Soup input = open_surface();
   for (std::size_t target = 0; target <= input.triangles.size(); ++target) {
     CAPTURE(target);

@@ -44,6 +44,7 @@ enum class Attribute {
 template <std::size_t N, Attribute A = Attribute::any>
 struct AttributeQuadric {
   static constexpr std::size_t dimension = 3 + N;
+  using ScaleFree = AttributeQuadric;
   static constexpr Attribute attribute = A;
   using Position = Vector<dimension>;
   using Memory = QuadricForm<dimension>;

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_CONCEPTS_H
 #define QUADRILLE_CONCEPTS_H
 
-#include <quadrille/internal/contraction_view.h>
+#include <quadrille/internal/mesh_units.h>
 #include <quadrille/internal/policies.h>
 #include <quadrille/pairs.h>
 #include <quadrille/report.h>
@@ -12,9 +12,16 @@
 
 /// \file
 /// The policies of `simplify` and what each of them has to answer. A policy is a plain value: it is
-/// copied, and called as const. The engine works in a unit of length of its own, a power of two
-/// times the mesh's, and hands positions to costs, placements and filters in it; pairs and stops
-/// speak in the mesh's unit.
+/// copied, and called as const.
+///
+/// All of them speak the units of the mesh and of its attributes, whatever these are. The engine
+/// itself works on a surface of a fixed size, a power of two times the mesh's. Where a cost, a
+/// placement or a filter does as well in any unit of length, since it only compares, it may say so:
+/// `using ScaleFree = MyCost;` in the class MyCost. It is then handed positions as the engine has
+/// them (attributes times their weights), which saves the conversion. That holds for this class
+/// alone: one that is derived from it says it anew, or speaks the mesh's units. A cost that does
+/// not say it keeps the engine to the mesh's unit, in which products of lengths may under- or
+/// overflow.
 ///
 /// An argument of `simplify` is taken for a cost if it has a member `Memory` or `dimension`, else
 /// for what it models first of a filter, a stop, a placement and pairs.
@@ -67,8 +74,11 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 
 /// **Placement**: where does the contracted vertex go?
 ///
-/// Checked: `placement(cost, pair)` gives a position; `pair` is as in CostPolicy. Not checked: the
-/// position is finite (one that is not is refused and counted as Rejection::position).
+/// Checked: `placement(cost, pair)` gives a position. `pair.first` and `pair.second` are the ends,
+/// `pair.squared_reach` is how far their farthest neighbour is, squared; `cost(pair, x)` tells what
+/// a position costs and, where the cost has one, `cost.minimizer(pair)` an optional position of
+/// least cost; `pair.memory` is there if the cost is not ScaleFree, or the placement itself is. Not
+/// checked: the position is finite (one that is not is refused and counted as Rejection::position).
 ///
 /// The least model:
 /// ```cpp
@@ -80,7 +90,8 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// Models: OptimalPlacement, EndpointPlacement, MidpointPlacement.
 template <class P, class Cost>
 concept PlacementPolicy = std::copy_constructible<P> &&
-    requires(const P placement, const Cost cost, const internal::PairOf<Cost> pair) {
+    requires(const P placement, const typename internal::SeenByPlacement<P, Cost>::Costs cost,
+             const typename internal::SeenByPlacement<P, Cost>::Pair pair) {
   { placement(cost, pair) } -> std::convertible_to<Vector<Cost::dimension>>;
 };
 
@@ -132,7 +143,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 /// Models: NormalFlip, TriangleShape, HighestDegree.
 template <class F, class Cost>
 concept FilterPolicy = std::copy_constructible<F> &&
-    requires(const F filter, const internal::ContractionView<Cost::dimension> contraction) {
+    requires(const F filter,
+             const typename internal::SeenByFilter<F, Cost>::Contraction contraction) {
   { filter.allows(contraction) } -> std::convertible_to<bool>;
 };
 

@@ -12,6 +12,7 @@ namespace quadrille {
 /// least cost: it goes with MidpointPlacement or EndpointPlacement.
 struct EdgeLength {
   static constexpr std::size_t dimension = 3;
+  using ScaleFree = EdgeLength;
 
   struct Memory {
     Memory& operator+=(const Memory&) { return *this; }

@@ -30,6 +30,7 @@ enum class Folds { refused, allowed };
 /// and may turn to any; 180 degrees allows everything.
 class NormalFlip {
 public:
+  using ScaleFree = NormalFlip;
   static constexpr Rejection cause = Rejection::normal_flip;
 
   /// degrees lies in (0, 180]; throws std::invalid_argument otherwise.
@@ -101,6 +102,7 @@ private:
 /// an equilateral one, 0 for one without area.
 class TriangleShape {
 public:
+  using ScaleFree = TriangleShape;
   static constexpr Rejection cause = Rejection::shape;
 
   /// quality lies in [0, 1]; throws std::invalid_argument otherwise.
@@ -134,6 +136,7 @@ private:
 /// the two ends has as many already.
 class HighestDegree {
 public:
+  using ScaleFree = HighestDegree;
   static constexpr Rejection cause = Rejection::degree;
 
   /// degree is at least 3; throws std::invalid_argument otherwise.

@@ -29,6 +29,7 @@ namespace quadrille {
 /// costs, volume preservation); Hoppe, New Quadric Metric, 1999, section 5 (the same for quadrics).
 struct MemorylessQuadric {
   static constexpr std::size_t dimension = 3;
+  using ScaleFree = MemorylessQuadric;
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
 

@@ -47,11 +47,12 @@ struct RelaxedOrder {
   bool refresh = false;
 
   /// From 1 to 1024. More than one needs oneTBB: link quadrille::parallel, or define
-  /// QUADRILLE_WITH_TBB. Policies are then called from several threads at a time.
+  /// QUADRILLE_WITH_TBB, in each translation unit that asks for it; `simplify` throws
+  /// std::invalid_argument in others. Policies are then called from several threads at a time.
   unsigned threads = 1;
 
-  /// Throws std::invalid_argument for a share outside of (0, 1] and for threads that there can't
-  /// be.
+  /// Throws std::invalid_argument for a share outside of (0, 1] and for a number of threads that
+  /// is none from 1 to 1024.
   void validate() const {
     if (!(share > 0 && share <= 1))
       throw std::invalid_argument("quadrille::RelaxedOrder: the share " + internal::text_of(share) +
@@ -59,11 +60,6 @@ struct RelaxedOrder {
     if (threads == 0 || threads > 1024)
       throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(threads) +
                                   " threads are not from 1 to 1024");
-#ifndef QUADRILLE_WITH_TBB
-    if (threads > 1)
-      throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(threads) +
-                                  " threads need oneTBB: link quadrille::parallel");
-#endif
   }
 };
 

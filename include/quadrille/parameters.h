@@ -3,6 +3,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
+
 /// Named parameters that CGAL has no name for. CGAL's own chain behind them:
 /// `quadrille::parameters::edge_is_crease_map(creases).vertex_point_map(points)`.
 namespace quadrille::parameters {
@@ -10,6 +12,8 @@ namespace quadrille::parameters {
 enum edge_is_crease_t { edge_is_crease };
 enum vertex_attribute_t { vertex_attribute };
 enum vertex_quadric_t { vertex_quadric };
+enum vertex_image_t { vertex_image };
+enum duplicate_output_t { duplicate_output };
 
 /// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
 template <class Map>
@@ -44,6 +48,40 @@ auto vertex_quadric_map(const Map& map) {
 template <class Map, class Before>
 auto vertex_quadric_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_quadric_t, Before>(map, before);
+}
+
+/// In the place of an index: see vertex_image_map.
+inline constexpr std::size_t vanished = ~std::size_t{0};
+
+/// A property map that `simplify` writes for each vertex of the input: which vertex it has become
+/// part of. From vertices of a mesh to vertices: null_vertex() of its graph traits where the vertex
+/// has vanished with all of its faces, or had none. Of a soup from the old to the new indices of
+/// points, both std::size_t: `vanished` in that case.
+///
+/// Keys are the vertices of the input, of which most are removed afterwards: for a mesh whose
+/// vertices are handles use a map that does not look at them, as
+/// boost::make_assoc_property_map(std_map). Of a vertex that a non-manifold result is written with
+/// several times, it is the first one: see duplicate_output_iterator.
+template <class Map>
+auto vertex_image_map(const Map& map) {
+  return CGAL::Named_function_parameters<Map, vertex_image_t>(map);
+}
+template <class Map, class Before>
+auto vertex_image_map(const Map& map, const Before& before) {
+  return CGAL::Named_function_parameters<Map, vertex_image_t, Before>(map, before);
+}
+
+/// An output iterator that takes the vertices that a mesh gets so that it can hold a non-manifold
+/// result, each as a std::pair of the new vertex and the one that it is a duplicate of. Duplicates
+/// have the position of that, its attributes and, in a Surface_mesh or a mesh of OpenMesh, all of
+/// its properties; other maps are for the caller to fill.
+template <class Iterator>
+auto duplicate_output_iterator(const Iterator& iterator) {
+  return CGAL::Named_function_parameters<Iterator, duplicate_output_t>(iterator);
+}
+template <class Iterator, class Before>
+auto duplicate_output_iterator(const Iterator& iterator, const Before& before) {
+  return CGAL::Named_function_parameters<Iterator, duplicate_output_t, Before>(iterator, before);
 }
 
 } // namespace quadrille::parameters

@@ -85,6 +85,7 @@ enum class Weighting {
 /// 4 to 6; area weights and the squared edge length: Garland's thesis, 1999.
 struct Quadric {
   static constexpr std::size_t dimension = 3;
+  using ScaleFree = Quadric;
   using Memory = QuadricForm<3>;
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede

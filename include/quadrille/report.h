@@ -25,6 +25,9 @@ struct Status {
   /// Report::distance_bound.
   double next_distance = std::numeric_limits<double>::infinity();
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
+  /// What a visitor sees: about which part of the contractions has been done, as far as the stop
+  /// policy tells beforehand; 0 while the surface is prepared, 1 at the last call only.
+  double progress = 0;
 };
 
 enum class StopReason {

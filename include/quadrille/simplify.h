@@ -7,6 +7,7 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/arguments.h>
 #include <quadrille/internal/meshes.h>
+#include <quadrille/internal/threads.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
@@ -21,14 +22,17 @@
 
 namespace quadrille {
 
+inline namespace QUADRILLE_THREADING {
+
 /// Simplifies a triangle mesh in place, contracting the cheapest pair of vertices again and again.
 ///
 /// `mesh` models CGAL's MutableFaceGraph and FaceListGraph: Surface_mesh, Polyhedron_3,
 /// Linear_cell_complex_for_combinatorial_map, OpenMesh. The arguments are policies, in any order
 /// and at most one of a kind, filters, a Topology, and CGAL named parameters:
 ///
-/// - a CostPolicy: what a contraction costs; Cost{} by default
-/// - a PlacementPolicy: where the vertex goes; Placement{} by default
+/// - a CostPolicy: what a contraction costs; or as the template argument Cost; Quadric by default
+/// - a PlacementPolicy: where the vertex goes; or as the template argument Placement;
+///   OptimalPlacement by default
 /// - a PairPolicy: which pairs there are; EdgePairs{} by default
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
 /// - GreedyOrder or RelaxedOrder: in which order; GreedyOrder{} by default
@@ -37,13 +41,19 @@ namespace quadrille {
 ///
 /// Named parameters:
 ///
-/// - vertex_point_map, vertex_index_map, visitor: as in CGAL
+/// - vertex_point_map, vertex_index_map: as in CGAL
+/// - visitor: see Visitor
 /// - edge_is_constrained_map: such an edge stays, with its ends
 /// - vertex_is_constrained_map: such a vertex stays where it is
 /// - edge_is_crease_map: creases, see Quadric
 /// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: see
 ///   AttributeQuadric
 /// - vertex_quadric_map: written, the quadrics of the vertices that are left
+/// - vertex_image_map: written, what became of each vertex
+/// - duplicate_output_iterator: gets the vertices that a non-manifold result is written with
+///
+/// A name that nothing in the call reads does not compile, but for geom_traits and CGAL's other
+/// maps to indices.
 ///
 /// Vertices and edges without a face go, constrained or not. What is left keeps its descriptors, so
 /// property maps stay right. As in CGAL, meshes that only mark what is removed (Surface_mesh,
@@ -54,12 +64,13 @@ namespace quadrille {
 /// ThinFeatureQuadric, more with attributes (see AttributeQuadric).
 ///
 /// Throws std::invalid_argument for a face that is not a triangle, a vertex that is not finite,
-/// attributes that no weight makes comparable with positions, or a policy that makes no sense,
-/// std::length_error above 2³⁰ faces, and what the user's own maps, policies and visitors throw. If
-/// it throws, the mesh is as it was; what it has put into maps is put back, as far as they let it
-/// (but for vertex_quadric_map, which nobody else fills), and vertices that it had added are
-/// removed again, which a mesh that marks what is removed may count as garbage.
-template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Mesh,
+/// attributes that are too few or that no weight makes comparable with positions, or a policy that
+/// makes no sense, std::length_error above 2³⁰ faces, and what the user's own maps, policies and
+/// visitors throw. If it throws, the mesh is as it was; what it has put into maps is put back, as
+/// far as they let it (but for vertex_quadric_map and vertex_image_map, which nobody else fills),
+/// and vertices that it had added are removed again, which a mesh that marks what is removed may
+/// count as garbage.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::Fitting<Cost, Placement, Arguments...> && internal::FaceGraph<Mesh>
     Report simplify(Mesh& mesh, const Arguments&... arguments) {
@@ -83,8 +94,8 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
 /// degenerate and doubled triangles are dropped. Property maps of the named parameters are over the
 /// index of a point, CGAL::make_property_map(vector) say, and hold the results at the new indices;
 /// the vector behind one keeps its length, with old values at the end. There are no maps over
-/// edges. Topology is free by default. Otherwise as above.
-template <CostPolicy Cost = Quadric, class Placement = OptimalPlacement, class Points,
+/// edges, and no duplicates. Otherwise as above.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::Fitting<Cost, Placement, Arguments...> && internal::PointContainer<Points> &&
     internal::TriangleContainer<Triangles>
@@ -93,6 +104,8 @@ requires internal::Fitting<Cost, Placement, Arguments...> && internal::PointCont
   const auto named = internal::pick_named(arguments...);
   return internal::simplify_soup(points, triangles, policies, named);
 }
+
+} // namespace QUADRILLE_THREADING
 
 } // namespace quadrille
 

@@ -26,6 +26,8 @@ namespace quadrille {
 /// As with MemorylessQuadric the error in Status and Report is that of single contractions; a loss
 /// counts in it as in the cost. Boundaries are what MemorylessQuadric makes of them.
 struct ThinFeatureQuadric : MemorylessQuadric {
+  using ScaleFree = ThinFeatureQuadric;
+
   double loss_weight = 3;       ///< at least 0
   double loss_tolerance = 0.15; ///< at least 0; more: only larger losses count
 

@@ -3,15 +3,36 @@
 
 #include <quadrille/report.h>
 
+#include <concepts>
+
 namespace quadrille {
 
 /// Watches a simplification, and may cancel it: a base for a user's own visitor, given as the CGAL
 /// named parameter `visitor`.
+///
+/// A visitor is copied, as all that is given by name; `visitor(std::ref(v))` refers to v itself, so
+/// that what it has gathered is there after the call. It need not be constant.
 struct Visitor {
-  /// Called every few hundred pairs that are looked at, contracted or not, and after each pass of
-  /// RelaxedOrder. Returning false ends the simplification with a valid
-  /// mesh and StopReason::cancelled.
+  /// Called by the thread that has called `simplify`:
+  ///
+  /// - when the surface has been read: no contractions, Status::progress 0
+  /// - while it is prepared, several times, and where pairs are costed for the queue once for
+  ///   65,536 vertices: the same
+  /// - every few hundred pairs that are looked at, contracted or not, and after each pass of
+  ///   RelaxedOrder
+  /// - at the end, unless it has cancelled, just before the surface is rewritten: Status::progress
+  ///   1. What it returns then has no effect.
+  ///
+  /// Returning false ends the simplification with StopReason::cancelled: before the first
+  /// contraction with the surface as it was, later with what has been done until then. So that
+  /// Status::progress can be told, the stop policy is asked beforehand about counts to come.
   bool proceed(const Status& /*status*/) const { return true; }
+};
+
+/// **Visitor**: `visitor.proceed(status)` gives a bool; it need not be const.
+template <class V>
+concept VisitorPolicy = requires(V& visitor, const Status status) {
+  { visitor.proceed(status) } -> std::convertible_to<bool>;
 };
 
 } // namespace quadrille

@@ -12,7 +12,7 @@ struct Between {
 int main() {
   using namespace quadrille;
 #ifdef REMEDY
-  simplify<Quadric, Between>(mesh, Between(0.25));
+  simplify(mesh, Between(0.25));
 #else
   simplify<Quadric, Between>(mesh); // mistake
 #endif

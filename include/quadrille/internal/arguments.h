@@ -1,18 +1,19 @@
 #ifndef QUADRILLE_INTERNAL_ARGUMENTS_H
 #define QUADRILLE_INTERNAL_ARGUMENTS_H
 
-#include <quadrille/attribute_quadric.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
-#include <quadrille/internal/attributes.h>
+#include <quadrille/internal/named_parameters.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/threads.h>
+#include <quadrille/internal/visiting.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
+#include <quadrille/quadric.h>
 #include <quadrille/stop.h>
 #include <quadrille/topology.h>
-#include <quadrille/visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -39,11 +40,6 @@ enum class Kind {
   named_parameters,
   unknown
 };
-
-template <class T>
-struct IsNamedParameters : std::false_type {};
-template <class T, class Tag, class Base>
-struct IsNamedParameters<CGAL::Named_function_parameters<T, Tag, Base>> : std::true_type {};
 
 /// Is a type meant to be a cost? Nothing else has these members.
 template <class T>
@@ -81,9 +77,14 @@ constexpr Kind kind_of() {
     return Kind::unknown;
 }
 
+/// In place of a cost or a placement that is no template argument.
+struct NotGiven {};
+template <class Policy, class Default>
+using Given = std::conditional_t<std::same_as<Policy, NotGiven>, Default, Policy>;
+
 /// The cost that a call uses: that among the arguments, or the template argument.
 template <class Cost, class... Arguments>
-struct FirstCost : std::type_identity<Cost> {};
+struct FirstCost : std::type_identity<Given<Cost, Quadric>> {};
 template <class Cost, class First, class... Rest>
 struct FirstCost<Cost, First, Rest...>
     : std::conditional_t<LooksLikeCost<First>, std::type_identity<First>,
@@ -98,7 +99,8 @@ inline constexpr std::size_t count_of = (std::size_t{kind_of<Arguments, Cost>() 
 template <Kind kind, class Cost, class Default>
 Default pick() {
   static_assert(std::default_initializable<Default>,
-                "This policy has no default constructor: pass a value of it to simplify.");
+                "This policy has no default constructor: pass a value of it to simplify instead of "
+                "a template argument.");
   return Default{};
 }
 template <Kind kind, class Cost, class Default, class First, class... Rest>
@@ -107,18 +109,6 @@ auto pick(const First& first, const Rest&... rest) {
     return first;
   else
     return pick<kind, Cost, Default>(rest...);
-}
-
-/// The named parameters of a call.
-inline auto pick_named() {
-  return CGAL::parameters::default_values();
-}
-template <class First, class... Rest>
-auto pick_named(const First& first, const Rest&... rest) {
-  if constexpr (IsNamedParameters<First>::value)
-    return first;
-  else
-    return pick_named(rest...);
 }
 
 /// The filters among the arguments, as a tuple; with NormalFlip before them unless it is one of
@@ -153,8 +143,8 @@ using Unknown = typename FirstUnknown<CostOf<Cost, Arguments...>, Arguments...>:
 /// that fits every cost.
 template <class Cost, class Placement, class... Arguments>
 struct PlacementFor {
-  using Picked =
-      decltype(pick<Kind::placement, Cost, Placement>(std::declval<const Arguments&>()...));
+  using Picked = decltype(pick<Kind::placement, Cost, Given<Placement, OptimalPlacement>>(
+      std::declval<const Arguments&>()...));
   using type =
       std::conditional_t<std::is_same_v<Picked, OptimalPlacement>, MidpointPlacement, Picked>;
 };
@@ -173,19 +163,30 @@ concept Fitting =
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
 template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
-          class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Order, Visitor, std::optional<Topology>,
+          class Threads, class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, std::optional<Topology>,
          std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Filters...>;
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Filters...>;
 
-/// All policies of a call, checked for fitting together.
-template <class DefaultCost, class DefaultPlacement, class... Arguments>
+inline namespace QUADRILLE_THREADING {
+
+/// All policies of a call, checked for fitting together. Cost and placement may be template
+/// arguments, or NotGiven.
+template <class CostArgument, class PlacementArgument, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
-  using Cost = CostOf<DefaultCost, Arguments...>;
+  using CGAL::parameters::get_parameter;
+  using Cost = CostOf<CostArgument, Arguments...>;
   static_assert(count_of<Kind::cost, Cost, Arguments...> <= 1,
                 "simplify takes one cost: pass only one.");
+  static_assert(count_of<Kind::cost, Cost, Arguments...> == 0 ||
+                    std::same_as<CostArgument, NotGiven>,
+                "simplify takes one cost: pass it as a template argument or as a value, not both.");
   static_assert(count_of<Kind::placement, Cost, Arguments...> <= 1,
                 "simplify takes one placement: pass only one.");
+  static_assert(count_of<Kind::placement, Cost, Arguments...> == 0 ||
+                    std::same_as<PlacementArgument, NotGiven>,
+                "simplify takes one placement: pass it as a template argument or as a value, not "
+                "both.");
   static_assert(count_of<Kind::pairs, Cost, Arguments...> <= 1,
                 "simplify takes one pair policy: pass only one.");
   static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
@@ -197,69 +198,35 @@ auto pick_policies(const Arguments&... arguments) {
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
                 "simplify takes one chain of named parameters: join them with a dot.");
 
-  const auto placement = pick<Kind::placement, Cost, DefaultPlacement>(arguments...);
+  const auto placement =
+      pick<Kind::placement, Cost, Given<PlacementArgument, OptimalPlacement>>(arguments...);
   static_assert(PlacementPolicy<decltype(placement), Cost>,
                 "OptimalPlacement needs a cost with a minimizer, and this one has none: use "
                 "MidpointPlacement or EndpointPlacement, as in "
                 "simplify<EdgeLength, MidpointPlacement>(mesh).");
-  const auto named = pick_named(arguments...);
-  const Visitor no_visitor;
-  const auto visitor = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter_reference(named, CGAL::internal_np::visitor), no_visitor);
   std::optional<Topology> topology;
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
     topology = pick<Kind::topology, Cost, Topology>(arguments...);
-  Policies policies{pick<Kind::cost, Cost, DefaultCost>(arguments...),
-                    placement,
-                    pick<Kind::pairs, Cost, EdgePairs>(arguments...),
-                    pick<Kind::stop, Cost, FaceRatio>(arguments...),
-                    pick<Kind::order, Cost, GreedyOrder>(arguments...),
-                    visitor,
-                    topology,
-                    pick_filters<Cost>(arguments...)};
+  const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  Policies policies{
+      pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...),
+      placement,
+      pick<Kind::pairs, Cost, EdgePairs>(arguments...),
+      pick<Kind::stop, Cost, FaceRatio>(arguments...),
+      order,
+      hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
+      ThreadsHere(threads_of(order)),
+      topology,
+      pick_filters<Cost>(arguments...)};
   validate(policies.cost);
   validate(policies.pairs);
   validate(policies.stop);
   validate(policies.order);
+  policies.threads.validate();
   return policies;
 }
 
-/// Which property the attributes of a cost are.
-template <class Cost>
-constexpr Attribute attribute_of() {
-  if constexpr (requires { Cost::attribute; })
-    return Cost::attribute;
-  else
-    return Attribute::any;
-}
-
-/// The attributes that a cost looks at, in the property map that is their named parameter.
-template <class Cost, class NamedParameters>
-auto pick_attributes(const NamedParameters& named) {
-  using CGAL::parameters::get_parameter;
-  if constexpr (Cost::dimension == 3) {
-    return NoAttributes{};
-  } else {
-    constexpr Attribute attribute = attribute_of<Cost>();
-    const auto map = [&] {
-      if constexpr (attribute == Attribute::color)
-        return get_parameter(named, CGAL::internal_np::vertex_color_map);
-      else if constexpr (attribute == Attribute::texture)
-        return get_parameter(named, CGAL::internal_np::vertex_texture_map);
-      else if constexpr (attribute == Attribute::normal)
-        return get_parameter(named, CGAL::internal_np::vertex_normal_map);
-      else
-        return get_parameter(named, parameters::vertex_attribute);
-    }();
-    using Map = std::remove_cvref_t<decltype(map)>;
-    static_assert(
-        !std::same_as<Map, CGAL::internal_np::Param_not_found>,
-        "This cost needs attributes: pass their property map as a named parameter, "
-        "vertex_color_map, vertex_texture_map or vertex_normal_map of CGAL::parameters, or "
-        "vertex_attribute_map of quadrille::parameters.");
-    return AttributeMap<Map, Cost::dimension - 3, attribute>(map);
-  }
-}
+} // namespace QUADRILLE_THREADING
 
 } // namespace quadrille::internal
 

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ATTRIBUTES_H
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/internal/attribute_values.h>
 #include <quadrille/internal/points.h>
 #include <quadrille/vector.h>
 
@@ -13,6 +14,8 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -52,6 +55,12 @@ public:
       "CGAL::make_property_map(vector)");
   static constexpr std::size_t size = N;
   using Value = typename boost::property_traits<Map>::value_type;
+  static_assert(is_number<ComponentOf<Value>>,
+                "quadrille: the values of an attribute map are numbers, or have numbers by []; "
+                "these are something else.");
+  static_assert(component_count<Value>() >= N,
+                "quadrille: the values of this attribute map have fewer components than the cost "
+                "reads: choose an AttributeQuadric<N> that fits them.");
 
   explicit AttributeMap(Map map) : map_(map) {}
 
@@ -59,6 +68,7 @@ public:
   Vector<N> read(const Key& key) const {
     Vector<N> attributes;
     const Value value = get(map_, key);
+    require_components(value);
     for (std::size_t i = 0; i < N; ++i)
       attributes[i] = to_double(component(value, i));
     return attributes;
@@ -98,14 +108,14 @@ public:
   void put_raw(const auto& key, const Value& value) { put(map_, key, value); }
 
 private:
-  template <class V>
-  static decltype(auto) component(V& value, std::size_t i) {
-    if constexpr (requires { typename std::remove_cvref_t<V>::R; })
-      return value[static_cast<int>(i)]; // a point or vector of a CGAL kernel
-    else if constexpr (requires { value[i]; })
-      return value[i];
-    else
-      return value;
+  // Of a value whose type does not tell how many it has.
+  static void require_components([[maybe_unused]] const Value& value) {
+    if constexpr (component_count<Value>() == std::numeric_limits<std::size_t>::max() &&
+                  requires { static_cast<std::size_t>(value.size()); })
+      if (static_cast<std::size_t>(value.size()) < N)
+        throw std::invalid_argument("quadrille::simplify: the attributes of a vertex have " +
+                                    std::to_string(value.size()) + " components of " +
+                                    std::to_string(N) + " that the cost reads");
   }
 
   template <class T>

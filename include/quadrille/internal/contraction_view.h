@@ -16,7 +16,31 @@ struct ChangedFace {
   Vector<3> before, after, second, third;
 };
 
-/// What a filter sees of a contraction that is about to be done.
+/// The faces that a contraction changes, of a view of it.
+template <class View>
+class ChangedFaces {
+public:
+  explicit ChangedFaces(const View& view) : view_(view) {}
+  class Iterator {
+  public:
+    Iterator(const View& view, std::size_t i) : view_(view), i_(i) {}
+    ChangedFace operator*() const { return view_.face(i_); }
+    Iterator& operator++() { return ++i_, *this; }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.i_ == b.i_; }
+
+  private:
+    const View& view_;
+    std::size_t i_;
+  };
+  Iterator begin() const { return {view_, 0}; }
+  Iterator end() const { return {view_, size()}; }
+  std::size_t size() const { return view_.face_count(); }
+
+private:
+  const View& view_;
+};
+
+/// What a filter sees of a contraction that is about to be done, in the engine's units.
 template <std::size_t N>
 class ContractionView {
 public:
@@ -26,30 +50,14 @@ public:
       : star_(star), complex_(complex), positions_(positions), first_(first), second_(second),
         target_(target) {}
 
-  class Faces {
-  public:
-    explicit Faces(const ContractionView& view) : view_(view) {}
-    class Iterator {
-    public:
-      Iterator(const ContractionView& view, std::size_t i) : view_(view), i_(i) {}
-      ChangedFace operator*() const { return view_.face(i_); }
-      Iterator& operator++() { return ++i_, *this; }
-      friend bool operator==(const Iterator& a, const Iterator& b) { return a.i_ == b.i_; }
-
-    private:
-      const ContractionView& view_;
-      std::size_t i_;
-    };
-    Iterator begin() const { return {view_, 0}; }
-    Iterator end() const { return {view_, size()}; }
-    std::size_t size() const { return view_.star_.first.size() + view_.star_.second.size(); }
-
-  private:
-    const ContractionView& view_;
-  };
-
-  /// The faces that stay, as ChangedFace, in the engine's unit of length.
-  Faces faces() const { return Faces(*this); }
+  /// The faces that stay.
+  ChangedFaces<ContractionView> faces() const { return ChangedFaces(*this); }
+  std::size_t face_count() const { return star_.first.size() + star_.second.size(); }
+  ChangedFace face(std::size_t i) const {
+    const StarFace& f = star_face(i);
+    return {space(i < star_.first.size() ? first_ : second_), space(target_),
+            space(positions_[f.second]), space(positions_[f.third])};
+  }
   const Vector<N>& target() const { return target_; }
 
   /// How many faces the end with more of them has before.
@@ -134,12 +142,6 @@ private:
   const StarFace& star_face(std::size_t i) const {
     const std::size_t n = star_.first.size();
     return i < n ? star_.first[i] : star_.second[i - n];
-  }
-
-  ChangedFace face(std::size_t i) const {
-    const StarFace& f = star_face(i);
-    return {space(i < star_.first.size() ? first_ : second_), space(target_),
-            space(positions_[f.second]), space(positions_[f.third])};
   }
 
   const PairStar& star_;

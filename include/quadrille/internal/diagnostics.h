@@ -3,8 +3,6 @@
 
 #include <quadrille/concepts.h>
 #include <quadrille/internal/arguments.h>
-#include <quadrille/placement.h>
-#include <quadrille/quadric.h>
 
 /// Overloads of `simplify` that are never chosen. Where an argument is none that `simplify` knows,
 /// the compiler tells for each of them which concept the argument does not model, and what it
@@ -12,22 +10,22 @@
 
 namespace quadrille {
 
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
           class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
 requires PlacementPolicy<Argument, internal::CostOf<Cost, Arguments...>>
 void simplify(Surface&, const Arguments&...) = delete;
 
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
           class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
 requires PairPolicy<Argument>
 void simplify(Surface&, const Arguments&...) = delete;
 
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
           class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
 requires StopPolicy<Argument>
 void simplify(Surface&, const Arguments&...) = delete;
 
-template <class Cost = Quadric, class Placement = OptimalPlacement, class Surface,
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
           class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
 requires FilterPolicy<Argument, internal::CostOf<Cost, Arguments...>>
 void simplify(Surface&, const Arguments&...) = delete;

@@ -85,8 +85,8 @@ public:
   /// lie.
   ///
   /// Everything that can throw (memory, the user's maps) comes before the first change of the
-  /// connectivity, and is taken back if it does. Calls tell(vertex, v, result) for each vertex v
-  /// that is left. Returns how many vertices it had to duplicate.
+  /// connectivity, and is taken back if it does. Calls tell as Teller says. Returns how many
+  /// vertices it had to duplicate.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     vertices_.read(mesh_);

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/array.h>
 #include <quadrille/internal/attributes.h>
+#include <quadrille/internal/duplicates.h>
 #include <quadrille/internal/face_linker.h>
 #include <quadrille/internal/named_edges.h>
 #include <quadrille/internal/packing.h>
@@ -162,31 +163,45 @@ private:
 
   // Points, attributes and duplicates of vertices: all that calls the user's code or takes memory.
   template <class Result, class Tell>
-  void write_points(const Result& result, Tell tell) {
+  void write_points(const Result& result, Tell& tell) {
     std::vector<Vertex> added;
     added.reserve(umbrellas_.duplicates().size()); // so that none is lost
+    std::vector<Vertex> originals;
+    for (Index number : umbrellas_.duplicates())
+      originals.push_back(vertices_[left_[number]]);
     Undo undo(workspace_);
     try {
       for (Index number = 0; number < left_.size(); ++number) {
         const Vertex v = vertices_[left_[number]];
         if (result.is_moved(number))
           write_position(v, result.position(number), undo);
-        tell(v, number, result);
+        tell.vertex(v, number, result);
       }
-      for (Index number : umbrellas_.duplicates()) {
-        const Index original = left_[number];
-        added.push_back(add_vertex(mesh_));
-        left_.push_back(vertices_.add(added.back()));
-        put(points_, added.back(), Point(get(points_, vertices_[original])));
+      if constexpr (Tell::asks_for_images)
+        tell_images(result, tell);
+      add_duplicates(mesh_, originals, added);
+      for (std::size_t i = 0; i < added.size(); ++i) {
+        left_.push_back(vertices_.add(added[i]));
+        put(points_, added[i], Point(get(points_, originals[i])));
         if constexpr (Attributes::size > 0)
-          attributes_.put_raw(added.back(), attributes_.raw(vertices_[original]));
-        tell(added.back(), number, result);
+          attributes_.put_raw(added[i], attributes_.raw(originals[i]));
+        tell.vertex(added[i], umbrellas_.duplicates()[i], result);
       }
+      for (std::size_t i = 0; i < added.size(); ++i)
+        tell.duplicate(added[i], originals[i]);
     } catch (...) {
       for (Vertex v : added)
         remove_vertex(v, mesh_);
       undo.run(*this);
       throw;
+    }
+  }
+
+  template <class Result, class Tell>
+  void tell_images(const Result& result, Tell& tell) const {
+    for (Index v = 0; v < number_.size(); ++v) {
+      const Index number = number_of(v, result);
+      tell.image(vertices_[v], number == none ? Traits::null_vertex() : vertices_[left_[number]]);
     }
   }
 

@@ -45,8 +45,13 @@ public:
                    surface.complex().workspace()) {
     for (Index v = 0; v < stamp_.size(); ++v)
       note_unevenness(v);
-    surface_.pairs().for_each_above(scratch_, 0, static_cast<Index>(stamp_.size()), 1,
-                                    [&](Index v, Index w, float cost) { push(v, w, cost); });
+    const auto end = static_cast<Index>(stamp_.size());
+    const Index step = surface_.has_visitor() ? vertices_between_visits : end;
+    for (Index v = 0; v < end && !is_cancelled_; v += std::min(step, end - v)) {
+      is_cancelled_ = !surface_.proceed();
+      surface_.pairs().for_each_above(scratch_, v, v + std::min(step, end - v), 1,
+                                      [&](Index a, Index b, float cost) { push(a, b, cost); });
+    }
   }
 
   /// For how many the queue makes room, of a surface with so many pairs and vertices.
@@ -66,11 +71,14 @@ private:
   using Candidate = typename PairContraction<Policies>::Candidate;
 
   static constexpr std::uint32_t dead = ~std::uint32_t{0};
+  static constexpr Index vertices_between_visits = 1 << 16;
   static constexpr std::size_t few_faces = 64; // at a vertex
   static constexpr std::size_t all = ~std::size_t{0};
   static constexpr double dearest_exact_pair = 4; // by what the next pair in the order costs
 
   StopReason contract_pairs() {
+    if (is_cancelled_)
+      return StopReason::cancelled;
     while (const std::optional<QueuedPair> next = next_pair()) {
       if (is_cancelled())
         return StopReason::cancelled;
@@ -354,9 +362,7 @@ private:
     return faces <= few_faces ? all : std::max<std::size_t>(1, few_faces * few_faces / faces);
   }
 
-  bool is_cancelled() {
-    return ++pairs_seen_ % 256 == 0 && !surface_.policies().visitor.proceed(surface_.status());
-  }
+  bool is_cancelled() { return ++pairs_seen_ % 256 == 0 && !surface_.proceed(); }
 
   PairContraction<Policies>& surface_;
   Scratch& scratch_;
@@ -376,6 +382,7 @@ private:
   std::size_t pairs_seen_ = 0;
   std::optional<bool> is_target_reachable_; // if it has been asked
   bool has_met_distance_ = false, has_met_destruction_ = false;
+  bool is_cancelled_ = false; // before it has begun
 };
 
 } // namespace quadrille::internal

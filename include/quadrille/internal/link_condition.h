@@ -158,14 +158,15 @@ public:
   LinkCondition() = default;
 
   /// Classifies every vertex, in linear time, with a thread for each scratch.
-  LinkCondition(TriangleComplex& complex, std::vector<Scratch>& scratches)
+  template <class Threads = OneThread>
+  LinkCondition(TriangleComplex& complex, std::vector<Scratch>& scratches,
+                Threads threads = Threads())
       : kind_(complex.vertex_capacity(), complex.workspace()) {
-    for_each_range(static_cast<unsigned>(scratches.size()), kind_.size(),
-                   [&](const auto& range, std::size_t worker) {
-                     VertexClassifier classify;
-                     for (Index v = range.begin; v < range.end; ++v)
-                       kind_[v] = classify(complex, v, scratches[worker].marks);
-                   });
+    for_each_range(threads, kind_.size(), [&](const auto& range, std::size_t worker) {
+      VertexClassifier classify;
+      for (Index v = range.begin; v < range.end; ++v)
+        kind_[v] = classify(complex, v, scratches[worker].marks);
+    });
     is_closed_ =
         std::all_of(kind_.begin(), kind_.end(), [](Kind kind) { return kind <= Kind::unoriented; });
   }

@@ -27,11 +27,11 @@ public:
   using VertexPair = std::array<Index, 2>;
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
-  template <class IsInterior>
+  template <class IsInterior, class Threads>
   static void compute(UninitializedArray<Memory>& result, const Cost& cost,
                       const Array<Position>& positions, TriangleComplex& complex, Marks& marks,
                       const std::vector<VertexPair>& creases, IsInterior is_interior,
-                      unsigned threads) {
+                      Threads threads) {
     result.resize(positions.size());
     InitialMemories memories(cost, positions, complex, result);
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {

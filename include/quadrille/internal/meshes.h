@@ -3,8 +3,11 @@
 
 #include <quadrille/internal/arguments.h>
 #include <quadrille/internal/face_graph_adapter.h>
+#include <quadrille/internal/named_parameters.h>
 #include <quadrille/internal/run.h>
 #include <quadrille/internal/soup_adapter.h>
+#include <quadrille/internal/teller.h>
+#include <quadrille/parameters.h>
 #include <quadrille/report.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -50,40 +53,16 @@ concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& t
   requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
 };
 
-template <class Parameter>
-inline constexpr bool is_given =
-    !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
-
-/// What run() calls for each vertex that is left.
-struct TellNothing {
-  static constexpr bool asks_for_memories = false;
-  void operator()(const auto&...) const {}
-};
-
-template <class QuadricMap>
-struct TellQuadric {
-  static constexpr bool asks_for_memories = true;
-  QuadricMap quadrics;
-
-  void operator()(const auto& key, Index v, const auto& result) const {
-    put(quadrics, key, result.mean_quadric(v));
-  }
-};
-
-template <class NamedParameters>
-auto teller(const NamedParameters& named) {
-  const auto quadrics = CGAL::parameters::get_parameter(named, parameters::vertex_quadric);
-  if constexpr (is_given<decltype(quadrics)>)
-    return TellQuadric<std::remove_const_t<decltype(quadrics)>>{quadrics};
-  else
-    return TellNothing();
-}
-
 template <class Mesh, class Policies, class NamedParameters>
 Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedParameters& named) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
+  namespace np = CGAL::internal_np;
+  check_named<Cost, NamedParameters>(
+      Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
+            np::face_index_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+            parameters::vertex_image_t, parameters::duplicate_output_t>());
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
@@ -124,6 +103,10 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)>,
                 "quadrille::simplify: a soup has no edges for a map: pass "
                 "vertex_is_constrained_map, or simplify a mesh");
+  namespace np = CGAL::internal_np;
+  check_named<Cost, NamedParameters>(
+      Names<np::point_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+            parameters::vertex_image_t>());
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
   auto attributes = pick_attributes<Cost>(named);

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 #define QUADRILLE_INTERNAL_PAIR_CONTRACTION_H
 
+#include <quadrille/internal/allowance.h>
 #include <quadrille/internal/array.h>
 #include <quadrille/internal/attributes.h>
 #include <quadrille/internal/contraction_view.h>
@@ -8,6 +9,7 @@
 #include <quadrille/internal/least_surface.h>
 #include <quadrille/internal/leftovers.h>
 #include <quadrille/internal/link_condition.h>
+#include <quadrille/internal/mesh_units.h>
 #include <quadrille/internal/numbering.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/pair_costs.h>
@@ -34,6 +36,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -60,29 +63,36 @@ public:
   PairContraction(SurfaceInput<dimension> input, const Box<dimension>& box,
                   const Policies& policies)
       : policies_(policies), scale_(scale_of(box, policies.cost)),
-        complex_(input.positions.size(), take_triangles(input), merges_at_once,
-                 threads_of(policies.order)),
-        scratches_(scratches_for(threads_of(policies.order), complex_)),
+        complex_(input.positions.size(), take_triangles(input), merges_at_once, policies.threads),
+        scratches_(scratches_for(policies.threads, complex_)),
         pairs_(complex_, link_condition_, costs_,
                select_pairs(policies.pairs, input, complex_, scratch().marks)),
-        is_topology_kept_(keeps_topology(input)),
+        is_topology_kept_(keeps_topology()),
         is_moved_(input.positions.size(), 0, complex_.workspace()),
         creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.vertex_origins)},
                    {complex_.face_capacity(), std::move(input.face_origins)}, !merges_at_once),
-        costs_(policies, complex_, scaled(std::move(input.positions)), std::move(input.is_fixed)) {
+        costs_(policies, scale_, complex_, scaled(std::move(input.positions)),
+               std::move(input.is_fixed)) {
     if (!is_topology_kept_ || input.has_doubled_faces)
       drop_doubled_faces();
+    progress_.start(complex_.live_faces(), complex_.live_vertices(), scale_.diagonal());
+    if (!proceed())
+      return;
     if (is_topology_kept_)
-      link_condition_ = LinkCondition(complex_, scratches_);
+      link_condition_ = LinkCondition(complex_, scratches_, policies.threads);
     else
       initial_components_ = count_components(complex_);
-    progress_.start(complex_.live_faces(), complex_.live_vertices(), scale_.diagonal());
     if constexpr (asks_for_distance) {
       distances_ = DistanceBounds(complex_.face_capacity());
       announce_distance(0);
     }
+    if (!proceed())
+      return;
     remember();
+    if constexpr (has_visitor())
+      expected_contractions_ =
+          Allowance(is_topology_kept_).contractions(policies_.stop, progress_.status);
   }
   PairContraction(const PairContraction&) = delete; // members refer to each other
   PairContraction& operator=(const PairContraction&) = delete;
@@ -123,7 +133,7 @@ public:
     Candidate candidate{costs_.view(a, b), {}, 0, 0, 0};
     candidate.target = costs_.target(a, b, candidate.pair);
     candidate.cost = costs_(candidate.pair, candidate.target);
-    candidate.key = candidate.cost + tie_break(policies_.cost, candidate.pair, candidate.target);
+    candidate.key = costs_.key(candidate.pair, candidate.target, candidate.cost);
     const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
     candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
     return candidate;
@@ -228,6 +238,13 @@ public:
   }
   void announce_distance(double distance) { progress_.status.next_distance = distance; }
 
+  /// Asks the visitor, which may cancel the simplification, and does until now.
+  bool proceed() { return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(part_done())); }
+  /// Tells it that nothing more is to come.
+  void tell_end() const { ask_visitor(1); }
+  bool is_cancelled() const { return is_cancelled_; }
+  static constexpr bool has_visitor() { return Policies::Visitor::is_given; }
+
   /// Does the stop policy say so?
   bool is_enough() const { return policies_.stop(progress_.status); }
   /// And have contractions gone beyond its target?
@@ -310,7 +327,7 @@ public:
 
 private:
   static Scale<dimension> scale_of(const Box<dimension>& box, const Cost& cost) {
-    Scale<dimension> scale(box);
+    Scale<dimension> scale(box, is_scale_free<Cost>);
     if constexpr (requires {
                     cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
                   })
@@ -339,15 +356,33 @@ private:
       return input.triangles;
   }
 
-  // Unless the user says, an adapter's default, or free if there are pairs that are not edges.
-  bool keeps_topology(const SurfaceInput<dimension>& input) const {
-    const Topology by_default = pairs_.has_others() ? Topology::free : input.default_topology;
+  // Unless the user says, free if there are pairs that are not edges.
+  bool keeps_topology() const {
+    const Topology by_default = pairs_.has_others() ? Topology::free : Topology::kept;
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
-  unsigned threads() const { return static_cast<unsigned>(scratches_.size()); }
+  typename Policies::Threads threads() const { return policies_.threads; }
 
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
+
+  bool ask_visitor([[maybe_unused]] double progress) const {
+    if constexpr (has_visitor()) {
+      Status now = progress_.status;
+      now.progress = progress;
+      return policies_.visitor.proceed(now);
+    } else {
+      return true;
+    }
+  }
+
+  // Less than all: something may always come.
+  double part_done() const {
+    const auto done = static_cast<double>(progress_.status.contractions);
+    const auto all = static_cast<double>(std::max<std::size_t>(expected_contractions_, 1));
+    return std::min(done / all, most_part_done);
+  }
+  static constexpr double most_part_done = 0.999;
 
   Array<Position> scaled(Array<Position> positions) const {
     scale_.apply(positions);
@@ -397,8 +432,15 @@ private:
                                    const Position& target) const {
     const ContractionView<dimension> contraction(
         star, complex_, costs_.positions(), candidate.pair.first, candidate.pair.second, target);
+    const ContractionInMeshUnits<dimension> in_mesh_units(contraction, scale_);
     std::optional<Rejection> cause;
-    std::apply([&](const auto&... filter) { (refuses(filter, contraction, cause) || ...); },
+    const auto looks_and_refuses = [&](const auto& filter) {
+      if constexpr (is_scale_free<std::remove_cvref_t<decltype(filter)>>)
+        return refuses(filter, contraction, cause);
+      else
+        return refuses(filter, in_mesh_units, cause);
+    };
+    std::apply([&](const auto&... filter) { (looks_and_refuses(filter) || ...); },
                policies_.filters);
     return cause;
   }
@@ -411,8 +453,8 @@ private:
       candidate.target = x;
       return true;
     };
-    const auto& placement = policies_.placement;
-    if constexpr (requires {
+    const auto& placement = policies_.placement; // a derived one may want none of these places
+    if constexpr (is_scale_free<typename Policies::Placement> && requires {
                     placement.any_equal(policies_.cost, candidate.pair, Position{}, takes);
                   })
       return placement.any_equal(policies_.cost, candidate.pair, Position(candidate.target), takes);
@@ -514,6 +556,8 @@ private:
   PairCosts<Policies> costs_;
   Progress progress_;
   std::size_t initial_components_ = 0;
+  std::size_t expected_contractions_ = 0; // if there is a visitor
+  bool is_cancelled_ = false;             // by it
 };
 
 } // namespace quadrille::internal

@@ -5,12 +5,15 @@
 #include <quadrille/internal/current_memories.h>
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/memories.h>
+#include <quadrille/internal/mesh_units.h>
 #include <quadrille/internal/packing.h>
 #include <quadrille/internal/policies.h>
+#include <quadrille/internal/power_of_two.h>
 #include <quadrille/internal/prefetch.h>
 #include <quadrille/internal/ranges.h>
 #include <quadrille/internal/scratch.h>
 #include <quadrille/internal/star.h>
+#include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/internal/two_quadrics.h>
 #include <quadrille/memoryless_quadric.h>
@@ -24,6 +27,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -42,12 +46,12 @@ public:
   static constexpr std::size_t bytes_a_vertex =
       sizeof(Position) + sizeof(Memory) + CurrentMemoriesOf<Cost>::bytes_a_vertex + sizeof(float);
 
-  PairCosts(const Policies& policies, const TriangleComplex& complex, Array<Position> positions,
-            std::vector<bool> is_fixed)
-      : policies_(policies), complex_(complex), positions_(std::move(positions)),
+  PairCosts(const Policies& policies, const Scale<Cost::dimension>& scale,
+            const TriangleComplex& complex, Array<Position> positions, std::vector<bool> is_fixed)
+      : policies_(policies), scale_(scale), complex_(complex), positions_(std::move(positions)),
         is_fixed_(std::move(is_fixed)), memories_(complex.workspace()),
         squared_reach_(positions_.size(), 0, complex.workspace()) {
-    for_each_range(threads_of(policies.order), positions_.size(),
+    for_each_range(policies.threads, positions_.size(),
                    [this](const auto& range, std::size_t) { this->measure_reach(range); });
   }
 
@@ -60,7 +64,7 @@ public:
   template <class IsInterior>
   void remember(TriangleComplex& complex, Marks& marks,
                 const std::vector<std::array<Index, 2>>& creases, IsInterior is_interior,
-                unsigned threads) {
+                typename Policies::Threads threads) {
     InitialMemories<Cost>::compute(memories_, policies_.cost, positions_, complex, marks, creases,
                                    is_interior, threads);
     see(complex, marks, is_interior);
@@ -121,11 +125,26 @@ public:
   Position target(Index a, Index b, const Pair& pair) const {
     if (is_fixed(a) || is_fixed(b))
       return is_fixed(a) ? pair.first : pair.second;
-    return policies_.placement(policies_.cost, pair);
+    if constexpr (is_scale_free<typename Policies::Placement>)
+      return policies_.placement(policies_.cost, pair);
+    else
+      return target_in_mesh_units(pair);
   }
 
   double operator()(const Pair& pair, const Position& target) const {
     return policies_.cost(pair, target);
+  }
+
+  /// What a cost at a position is compared by, as a float. One in the mesh's units, of which nobody
+  /// knows whether it is a length, its square or its fourth power, is taken to where floats hold it
+  /// in each of these cases.
+  double key(const Pair& pair, const Position& target, double cost) const {
+    const double key = cost + tie_break(policies_.cost, pair, target);
+    if constexpr (is_scale_free<Cost>)
+      return key;
+    else
+      return std::min(PowerOfTwo(2 * scale_.exponent())(key),
+                      double{std::numeric_limits<float>::max()});
   }
 
   /// What the pairs in the scratch cost, in its `costs`; 0 for what is below, or no number.
@@ -176,11 +195,17 @@ private:
 
   static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
 
+  [[gnu::noinline]] Position target_in_mesh_units(const Pair& pair) const {
+    const CostInMeshUnits<Cost> cost(policies_.cost, scale_);
+    const PairInMeshUnits<Cost> seen(pair, scale_);
+    return seen.position_from_mesh(policies_.placement(cost, seen), scale_);
+  }
+
   float cost_of(const VertexPair& p) const {
     const auto [a, b] = std::minmax(p.first, p.second);
     const Pair pair = view(a, b);
     const Position x = target(a, b, pair);
-    return as_key(policies_.cost(pair, x) + tie_break(policies_.cost, pair, x));
+    return as_key(key(pair, x, policies_.cost(pair, x)));
   }
 
   using Two = std::array<VertexPair, 2>;
@@ -291,6 +316,7 @@ private:
   }
 
   const Policies& policies_;
+  const Scale<Cost::dimension>& scale_;
   const TriangleComplex& complex_;
   Array<Position> positions_;
   std::vector<bool> is_fixed_; // empty if none is

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 namespace quadrille::internal {
 
@@ -41,6 +42,13 @@ template <class Cost>
 requires tells_unevenness<Cost>
 inline constexpr float tolerated_fall<Cost> = static_cast<float>(Cost::tolerated_fall);
 
+/// Does a policy say that it does as well in any unit of length? A class says so for itself only:
+/// one that is derived from it may not.
+template <class Policy>
+inline constexpr bool is_scale_free = requires {
+  requires std::same_as<typename Policy::ScaleFree, std::remove_const_t<Policy>>;
+};
+
 struct NoCurrent {};
 
 template <class Cost>
@@ -65,7 +73,7 @@ struct PairOf {
 
 /// Everything that `simplify` was asked for, each with its default where it was not named.
 template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
-          class... Filters>
+          class Threads_, class... Filters>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
@@ -73,6 +81,7 @@ struct Policies {
   using Stop = Stop_;
   using Order = Order_;
   using Visitor = Visitor_;
+  using Threads = Threads_;
 
   Cost cost;
   Placement placement;
@@ -80,6 +89,7 @@ struct Policies {
   Stop stop;
   Order order;
   Visitor visitor;
+  Threads threads;                  // as many as the order asks for
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;
 };

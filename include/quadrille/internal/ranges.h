@@ -25,13 +25,14 @@ struct WholeRange {
 /// So a sum over the faces of each vertex is computed by all threads without a lock, and to the
 /// last bit as by one: each looks at all faces, in their order, and adds to the vertices of its
 /// range only.
-template <class Task>
-void for_each_range(unsigned threads, std::size_t size, const Task& task) {
-  const auto bound = [=](std::size_t i) { return static_cast<Index>(size * i / threads); };
-  if (threads == 1)
+template <class Threads, class Task>
+void for_each_range(Threads threads, std::size_t size, const Task& task) {
+  const unsigned count = threads;
+  const auto bound = [=](std::size_t i) { return static_cast<Index>(size * i / count); };
+  if (count == 1)
     task(WholeRange{0, bound(1)}, 0);
   else
-    parallel_for(threads, threads, [&](std::size_t i, std::size_t worker) {
+    parallel_for(threads, count, [&](std::size_t i, std::size_t worker) {
       task(Range{bound(i), bound(i + 1)}, worker);
     });
 }

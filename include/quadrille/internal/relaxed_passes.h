@@ -44,7 +44,7 @@ public:
       if (quota < least)
         return true;
       pass(quota);
-      if (!surface_.policies().visitor.proceed(surface_.status()))
+      if (!surface_.proceed())
         return false;
       if (surface_.status().contractions - before.contractions < least)
         return true;
@@ -115,7 +115,10 @@ private:
     surface_.end_pass(order_.refresh);
   }
 
-  unsigned threads() const { return surface_.pairs().has_others() ? 1 : order_.threads; }
+  using Threads = typename Policies::Threads;
+  Threads threads() const {
+    return surface_.pairs().has_others() ? Threads() : surface_.policies().threads;
+  }
 
   // One more of the last bits of their numbers where half of the vertices are gone.
   void divide() {

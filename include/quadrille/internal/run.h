@@ -51,6 +51,10 @@ MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
 /// The loop, in the order that was asked for.
 template <class Policies>
 void contract(PairContraction<Policies>& surface, Report& report, StopWatch& watch) {
+  if (surface.is_cancelled()) {
+    report.stop = StopReason::cancelled;
+    return;
+  }
   if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
     report.seconds.prepare = watch.lap();
     const bool is_cancelled = !RelaxedPasses<Policies>(surface, surface.policies().order).run();
@@ -67,8 +71,25 @@ void contract(PairContraction<Policies>& surface, Report& report, StopWatch& wat
   report.stop = loop.run();
 }
 
-/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter;
-/// `tell(key, v, result)` is called for each vertex that is left, with its key in the user's maps.
+/// Asks the visitor for the first time.
+template <class Policies>
+bool proceeds_at_beginning(const Policies& policies, const Report& report) {
+  Status status;
+  status.faces = status.initial_faces = report.faces_before;
+  status.vertices = status.initial_vertices = report.vertices_before;
+  return policies.visitor.proceed(status);
+}
+
+/// Of a surface that is left as it was, since the visitor has cancelled.
+inline Report untouched(Report report) {
+  report.faces_after = report.faces_before;
+  report.vertices_after = report.vertices_before;
+  report.stop = StopReason::cancelled;
+  return report;
+}
+
+/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter; it
+/// calls tell as Teller says.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   StopWatch watch;
@@ -77,13 +98,19 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
   report.faces_before = input.triangles.size();
   report.vertices_before = input.positions.size();
   report.seconds.read = watch.lap();
+  if (!proceeds_at_beginning(policies, report))
+    return untouched(report);
 
   const auto box = input.box();
   if constexpr (ignores_indices<typename Policies::Pairs>)
-    SpatialOrder::apply(input, box, threads_of(policies.order));
+    SpatialOrder::apply(input, box, policies.threads);
   PairContraction<Policies> surface(std::move(input), box, policies);
   contract(surface, report, watch);
+  if (surface.is_cancelled() && surface.status().contractions == 0)
+    return untouched(report);
   surface.complete(report);
+  if (!surface.is_cancelled())
+    surface.tell_end();
   Numbering numbering = surface.release(Tell::asks_for_memories);
   report.seconds.contract = watch.lap();
 
@@ -96,8 +123,7 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
 /// The same, with the threads that the order asks for.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
-  return with_threads(threads_of(policies.order),
-                      [&] { return run_here(adapter, policies, read, tell); });
+  return with_threads(policies.threads, [&] { return run_here(adapter, policies, read, tell); });
 }
 
 } // namespace quadrille::internal

@@ -7,6 +7,7 @@
 #include <quadrille/internal/points.h>
 #include <quadrille/internal/surface.h>
 #include <quadrille/internal/triangle_complex.h>
+#include <quadrille/parameters.h>
 #include <quadrille/vector.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -38,7 +39,6 @@ public:
   SurfaceInput<dimension> read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
     SurfaceInput<dimension> surface(workspace_);
-    surface.default_topology = Topology::free;
     surface.has_doubled_faces = true;
     surface.reserve(std::ranges::size(points_), std::ranges::size(triangles_));
     for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
@@ -62,7 +62,7 @@ public:
 
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
   /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
-  /// soup stays as it was. Calls tell(new index, v, result) for each point v that is left.
+  /// soup stays as it was. Calls tell as Teller says.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     Points points = empty_like(points_);
@@ -70,9 +70,11 @@ public:
     const Array<Index> vertices = in_order(origins, result.first_vertex_count());
     const Array<Index> new_index = places(vertices, vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      tell(i, vertices[i], result);
+      tell.vertex(i, vertices[i], result);
       points.push_back(points_[origins[vertices[i]]]);
     }
+    if constexpr (Tell::asks_for_images)
+      tell_images(result, places(origins, result.first_vertex_count()), new_index, tell);
     Triangles triangles = empty_like(triangles_);
     const Array<Index> face_origins = result.face_origins();
     for (Index face : in_order(face_origins, result.first_face_count()))
@@ -111,6 +113,17 @@ private:
     Array<Index> order = places(origins, count);
     std::erase(order, none);
     return order;
+  }
+
+  // `numbers` are those of the result, by origins.
+  template <class Result, class Tell>
+  static void tell_images(const Result& result, const Array<Index>& numbers,
+                          const Array<Index>& new_index, Tell& tell) {
+    for (Index origin = 0; origin < numbers.size(); ++origin) {
+      const Index number = numbers[result.image(origin)];
+      tell.image(std::size_t{origin},
+                 number == none ? parameters::vanished : std::size_t{new_index[number]});
+    }
   }
 
   // With the same allocator, else they can't be swapped.

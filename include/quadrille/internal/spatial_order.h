@@ -26,8 +26,8 @@ namespace quadrille::internal {
 class SpatialOrder {
 public:
   /// Renumbers the surface if that is worth it.
-  template <std::size_t N>
-  static void apply(SurfaceInput<N>& surface, const Box<N>& box, unsigned threads) {
+  template <std::size_t N, class Threads>
+  static void apply(SurfaceInput<N>& surface, const Box<N>& box, Threads threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
     const Array<Index>& order = surface.vertex_origins =
@@ -36,7 +36,8 @@ public:
     sort_faces(surface, threads);
     permute(surface.positions, order, threads);
     if (!surface.is_fixed.empty())
-      permute(surface.is_fixed, order, 1); // of bits, which threads can't write side by side
+      permute(surface.is_fixed, order,
+              OneThread()); // of bits, which threads can't write side by side
   }
 
 private:
@@ -60,9 +61,9 @@ private:
     return 4 * far < seen;
   }
 
-  template <std::size_t N>
+  template <std::size_t N, class Threads>
   static Array<KeyedVertex> keyed_vertices(const Array<Vector<N>>& positions, const Box<N>& box,
-                                           unsigned threads) {
+                                           Threads threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
@@ -103,7 +104,8 @@ private:
     return order;
   }
 
-  static void renumber(Array<Triangle>& triangles, const Array<Index>& rank, unsigned threads) {
+  template <class Threads>
+  static void renumber(Array<Triangle>& triangles, const Array<Index>& rank, Threads threads) {
     for_each_range(threads, triangles.size(), [&](const auto& range, std::size_t) {
       for (Index face = range.begin; face < range.end; ++face)
         for (Index& v : triangles[face])
@@ -120,8 +122,8 @@ private:
   };
 
   // By their lowest vertices: first into parts, which fit into a cache, then inside of each.
-  template <std::size_t N>
-  static void sort_faces(SurfaceInput<N>& surface, unsigned threads) {
+  template <std::size_t N, class Threads>
+  static void sort_faces(SurfaceInput<N>& surface, Threads threads) {
     constexpr unsigned part_bits = 12;
     const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
     Array<Triangle>& triangles = surface.triangles;
@@ -136,7 +138,7 @@ private:
       faces[end[lowest(triangles[face]) >> part_bits]++] = {triangles[face], face};
 
     surface.face_origins.resize(triangles.size());
-    std::vector<std::vector<PlacedFace>> sorted(threads);
+    std::vector<std::vector<PlacedFace>> sorted(unsigned{threads});
     parallel_for(threads, parts, [&](std::size_t part, std::size_t worker) {
       const std::size_t first = begin[part], count = begin[part + 1] - first;
       sorted[worker].resize(std::max(count, sorted[worker].size()));
@@ -150,8 +152,8 @@ private:
     });
   }
 
-  template <class Values>
-  static void permute(Values& values, const Array<Index>& order, unsigned threads) {
+  template <class Values, class Threads>
+  static void permute(Values& values, const Array<Index>& order, Threads threads) {
     Values permuted(values.size(), values.get_allocator());
     for_each_range(threads, values.size(), [&](const auto& range, std::size_t) {
       for (Index i = range.begin; i < range.end; ++i)

@@ -7,7 +7,6 @@
 #include <quadrille/internal/triangle_complex.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
-#include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -70,8 +69,7 @@ struct SurfaceInput {
   Array<Index> vertex_origins, face_origins; ///< see Origins
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
-  Topology default_topology = Topology::kept;
-  bool has_doubled_faces = false; ///< may it have them? They are dropped then.
+  bool has_doubled_faces = false;            ///< may it have them? They are dropped then.
 
   /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a
   /// vertex fit into what these leave in a workspace, side by side.
@@ -107,18 +105,20 @@ void require_finite(const Vector<N>& position, std::size_t vertex) {
 
 /// Between the mesh's units and the engine's. Lengths change by a power of two, which is exact both
 /// ways: the engine works on a surface of a fixed size, so that no product of lengths over- or
-/// underflows, whatever the mesh's unit. Attributes also change by their weights.
+/// underflows, whatever the mesh's unit. Attributes also change by their weights. A cost that is
+/// not scale-free keeps the engine to the mesh's unit.
 template <std::size_t N>
 class Scale {
 public:
-  explicit Scale(const Box<N>& box) : diagonal_(box.diagonal()) {
+  Scale(const Box<N>& box, bool is_scale_free) : diagonal_(box.diagonal()) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
       extent = std::max(extent, box.half_extent(i));
-    if (extent > 0) {
-      const int exponent = size_exponent - std::ilogb(extent);
-      to_engine_ = PowerOfTwo(exponent);
-      to_mesh_ = PowerOfTwo(-exponent);
+    if (extent > 0)
+      exponent_ = size_exponent - std::ilogb(extent);
+    if (is_scale_free) {
+      to_engine_ = PowerOfTwo(exponent_);
+      to_mesh_ = PowerOfTwo(-exponent_);
     }
     weights_.coordinates.fill(1);
   }
@@ -141,12 +141,15 @@ public:
   }
 
   void apply(Array<Vector<N>>& positions) const {
-    for (Vector<N>& p : positions) {
-      for (std::size_t i = 0; i < 3; ++i)
-        p[i] = to_engine_(p[i]);
-      for (std::size_t i = 3; i < N; ++i)
-        p[i] = to_engine_(p[i] * weights_[i - 3]);
-    }
+    for (Vector<N>& p : positions)
+      p = position_from_mesh(p);
+  }
+  Vector<N> position_from_mesh(Vector<N> p) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = to_engine_(p[i]);
+    for (std::size_t i = 3; i < N; ++i)
+      p[i] = to_engine_(p[i] * weights_[i - 3]);
+    return p;
   }
 
   double length_of_mesh(double length) const { return to_mesh_(length); }
@@ -178,12 +181,16 @@ public:
 
   double diagonal() const { return diagonal_; } ///< of the bounding box, in the mesh's unit
 
+  /// By which lengths would be multiplied if the cost were scale-free.
+  int exponent() const { return exponent_; }
+
 private:
   // With an extent of about 2^20 a cost, an area times a squared distance, is at most about 2^80,
   // and a float holds costs down to 2^-226 of that.
   static constexpr int size_exponent = 20;
   static constexpr double greatest_range = 0x1p40; // its square times an area, too
 
+  int exponent_ = 0;
   PowerOfTwo to_engine_{0}, to_mesh_{0};
   double diagonal_;
   Vector<N - 3> weights_;

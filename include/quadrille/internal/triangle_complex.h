@@ -35,8 +35,11 @@ public:
 
   /// Builds the lists in linear time; if `will_merge`, with room for as many more corners as there
   /// are faces. A triangle with two equal vertices is dead from the beginning.
-  TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge = false,
-                  unsigned threads = 1);
+  TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge = false)
+      : TriangleComplex(vertex_count, std::move(triangles), will_merge, OneThread()) {}
+  template <class Threads>
+  TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge,
+                  Threads threads);
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
@@ -143,7 +146,8 @@ public:
   }
 
   /// Builds all lists anew, in linear time, each in the order of its faces.
-  void build_lists(unsigned threads = 1);
+  template <class Threads = OneThread>
+  void build_lists(Threads threads = Threads());
 
   /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
   /// is told.
@@ -156,7 +160,8 @@ public:
   /// No walk is possible before fill_lists() is called.
   void pack(const Array<Index>& vertices);
   /// Fills the lists, of which the sizes are known, each in the order of its faces.
-  void fill_lists(unsigned threads = 1);
+  template <class Threads = OneThread>
+  void fill_lists(Threads threads = Threads());
 
   /// Gives memory back: of the lists, and of what has been left out. After that no walk is
   /// possible; has_faces() still is.
@@ -208,8 +213,9 @@ private:
   Array<List> lists_; // of each vertex
 };
 
-inline TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
-                                        bool will_merge, unsigned threads)
+template <class Threads>
+TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
+                                 bool will_merge, Threads threads)
     : faces_(std::move(triangles)), pool_(faces_.get_allocator()),
       lists_(vertex_count, faces_.get_allocator()) {
   check_size(vertex_count, faces_.size());
@@ -222,7 +228,8 @@ inline TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle
   build_lists(threads);
 }
 
-inline void TriangleComplex::build_lists(unsigned threads) {
+template <class Threads>
+void TriangleComplex::build_lists(Threads threads) {
   for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
     for (Index v = range.begin; v < range.end; ++v)
       lists_[v].size = 0;
@@ -235,7 +242,8 @@ inline void TriangleComplex::build_lists(unsigned threads) {
   fill_lists(threads);
 }
 
-inline void TriangleComplex::fill_lists(unsigned threads) {
+template <class Threads>
+void TriangleComplex::fill_lists(Threads threads) {
   Index all = 0;
   for (List& list : lists_) {
     list.begin = all;

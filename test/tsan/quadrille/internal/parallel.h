@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_PARALLEL_H
 #define QUADRILLE_INTERNAL_PARALLEL_H
 
+#include <quadrille/internal/threads.h>
+
 #include <atomic>
 #include <cstddef>
 #include <thread>

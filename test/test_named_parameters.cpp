@@ -1,0 +1,193 @@
+// What a call tells by named parameters, and the attribute maps that it refuses.
+#include "meshes.h"
+
+#include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
+
+#include <catch2/catch.hpp>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace quadrille;
+using namespace test;
+
+// --- The topology of a soup ----------------------------------------------------------------------
+
+TEST_CASE("A closed manifold soup comes out as one by default") {
+  const Soup cow = to_soup(read_model("cow"));
+  const SoupTopology before = topology_of(cow);
+  const auto check = [&](const auto&... order) {
+    for (std::size_t faces : {2000u, 580u, 60u}) {
+      PointSoup soup(cow);
+      const Report report = simplify(soup.points, soup.triangles, FaceCount{faces}, order...);
+      CHECK(report.non_manifold_edges == 0);
+      CHECK(report.non_manifold_vertices == 0);
+      Soup after{{}, soup.triangles};
+      for (const Point& p : soup.points)
+        after.points.push_back(to_position(p));
+      CHECK(is_same_topology(topology_of(after), before));
+    }
+  };
+  check();
+  check(RelaxedOrder{});
+  PointSoup soup(cow);
+  CHECK(simplify(soup.points, soup.triangles, FaceCount{580}, Topology::free).non_manifold_edges >
+        0);
+}
+
+TEST_CASE("Pairs that are not edges still join the parts of a soup by default") {
+  const Soup two = joined(sphere(2), sphere(2), {{2.1, 0, 0}});
+  PointSoup soup(two);
+  const Report report = simplify(soup.points, soup.triangles, FaceCount{100}, ThresholdPairs{0.5});
+  CHECK(report.components_before == 2);
+  CHECK(report.components_after == 1);
+}
+
+// --- What became of each vertex ------------------------------------------------------------------
+
+namespace {
+
+// Has every vertex of the input an image, has each of the result itself or a part, and do faces of
+// the input go to faces, edges and vertices of the result?
+void check_images(const Soup& before, const std::vector<std::size_t>& images, const Soup& after) {
+  REQUIRE(images.size() == before.points.size());
+  std::set<std::size_t> reached;
+  for (std::size_t v = 0; v < images.size(); ++v) {
+    REQUIRE((images[v] < after.points.size() || images[v] == parameters::vanished));
+    reached.insert(images[v]);
+  }
+  reached.erase(parameters::vanished);
+  CHECK(reached.size() == after.points.size());
+  std::set<Triangle> faces;
+  const auto canonical_of = [](std::size_t a, std::size_t b, std::size_t c) {
+    return canonical({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                      static_cast<std::uint32_t>(c)});
+  };
+  for (const auto& [a, b, c] : before.triangles)
+    faces.insert(canonical_of(images[a], images[b], images[c]));
+  for (const auto& [a, b, c] : after.triangles)
+    CHECK(faces.count(canonical_of(a, b, c)) == 1);
+}
+
+template <class... Arguments>
+void check_images_of_soup(const Soup& input, const Arguments&... arguments) {
+  PointSoup soup(input);
+  std::vector<std::size_t> images(input.points.size(), 12345);
+  simplify(soup.points, soup.triangles, arguments...,
+           parameters::vertex_image_map(CGAL::make_property_map(images)));
+  Soup after{{}, soup.triangles};
+  for (const Point& p : soup.points)
+    after.points.push_back(to_position(p));
+  check_images(input, images, after);
+}
+
+template <class... Arguments>
+void check_images_of_mesh(const Soup& input, const Arguments&... arguments) {
+  using Vertex = Mesh::Vertex_index;
+  Mesh mesh = make_mesh(input);
+  std::map<Vertex, Vertex> images;
+  simplify(mesh, arguments...,
+           parameters::vertex_image_map(boost::make_assoc_property_map(images)));
+  std::map<Vertex, std::size_t> number{{Mesh::null_vertex(), parameters::vanished}};
+  for (Vertex v : vertices(mesh)) {
+    CHECK(images.at(v) == v);
+    number.emplace(v, number.size() - 1);
+  }
+  std::vector<std::size_t> by_number;
+  for (const auto& [v, image] : images)
+    by_number.push_back(number.at(image));
+  check_images(input, by_number, to_soup(mesh));
+}
+
+} // namespace
+
+TEST_CASE("vertex_image_map tells what became of each vertex") {
+  for (const Soup& soup : {sphere(2), with_noise(torus(160, 80), 1, 0.01),
+                           with_holes(with_noise(torus(60, 40), 1, 0.01), 1, 20)}) {
+    for (const double ratio : {1.0, 0.5, 0.1}) { // the larger ones are renumbered, and packed
+      check_images_of_soup(soup, FaceRatio{ratio});
+      check_images_of_soup(soup, FaceRatio{ratio}, RelaxedOrder{});
+      check_images_of_soup(soup, FaceRatio{ratio}, Topology::free);
+      check_images_of_mesh(soup, FaceRatio{ratio});
+      check_images_of_mesh(soup, FaceRatio{ratio}, RelaxedOrder{});
+    }
+  }
+}
+
+TEST_CASE("vertex_image_map tells of a surface in no order") {
+  Soup soup = with_noise(torus(160, 80), 1, 0.01); // the engine renumbers it
+  std::vector<std::uint32_t> place(soup.points.size());
+  for (std::uint32_t v = 0; v < place.size(); ++v)
+    place[v] = static_cast<std::uint32_t>(v * std::uint64_t{7919} % place.size());
+  Soup mixed{std::vector<Position>(place.size()), soup.triangles};
+  for (std::size_t v = 0; v < place.size(); ++v)
+    mixed.points[place[v]] = soup.points[v];
+  for (auto& triangle : mixed.triangles)
+    for (auto& v : triangle)
+      v = place[v];
+  check_images_of_soup(mixed, FaceRatio{0.1});
+  check_images_of_soup(mixed, FaceRatio{0.1}, RelaxedOrder{});
+  check_images_of_mesh(mixed, FaceRatio{0.1});
+}
+
+TEST_CASE("A vertex without a face has vanished") {
+  Soup soup = sphere(2);
+  soup.points.insert(soup.points.begin(), Position{{9, 9, 9}});
+  for (auto& triangle : soup.triangles)
+    for (auto& v : triangle)
+      ++v;
+  PointSoup points(soup);
+  std::vector<std::size_t> images(soup.points.size(), 12345);
+  simplify(points.points, points.triangles, FaceRatio{1},
+           parameters::vertex_image_map(CGAL::make_property_map(images)));
+  CHECK(images[0] == parameters::vanished);
+  for (std::size_t v = 1; v < images.size(); ++v)
+    CHECK(images[v] == v - 1);
+
+  Mesh mesh = make_mesh(soup);
+  const auto of_mesh = mesh.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("image").first;
+  simplify(mesh, FaceRatio{1}, parameters::vertex_image_map(of_mesh));
+  CHECK(of_mesh[Mesh::Vertex_index(0)] == Mesh::null_vertex());
+  CHECK(of_mesh[Mesh::Vertex_index(5)] == Mesh::Vertex_index(5));
+}
+
+// --- Attribute maps ------------------------------------------------------------------------------
+
+TEST_CASE("Attributes with too few components are refused before anything is changed") {
+  PointSoup soup(sphere(2));
+  const PointSoup before = soup;
+  std::vector<std::vector<double>> values(soup.points.size(), std::vector<double>(3));
+  values[7].pop_back();
+  const auto map = parameters::vertex_attribute_map(CGAL::make_property_map(values));
+  CHECK_THROWS_WITH(simplify(soup.points, soup.triangles, AttributeQuadric<3>{}, map),
+                    Catch::Contains("2 components of 3"));
+  CHECK(soup.points == before.points);
+  CHECK(soup.triangles == before.triangles);
+  CHECK(simplify(soup.points, soup.triangles, AttributeQuadric<2>{}, map).contractions > 0);
+}
+
+TEST_CASE("Attributes may have more components than the cost reads") {
+  PointSoup soup(sphere(2));
+  std::vector<std::array<float, 4>> values(soup.points.size(), {1, 2, 3, 4});
+  simplify(soup.points, soup.triangles, AttributeQuadric<3>{},
+           parameters::vertex_attribute_map(CGAL::make_property_map(values)));
+  CHECK(values.front()[3] == 4);
+}
+
+TEST_CASE("CGAL's names of the graph are allowed where nothing reads them") {
+  Mesh mesh = make_mesh(sphere(2));
+  const auto indices = get(boost::vertex_index, mesh);
+  simplify(mesh, CGAL::parameters::geom_traits(Kernel())
+                     .vertex_index_map(indices)
+                     .face_index_map(get(boost::face_index, mesh))
+                     .vertex_point_map(get(CGAL::vertex_point, mesh)));
+  simplify(mesh, CGAL::parameters::default_values());
+  CHECK(mesh.number_of_faces() < 128);
+}
