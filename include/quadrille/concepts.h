@@ -43,7 +43,9 @@ namespace quadrille {
 /// position of least cost, which OptimalPlacement needs; `cost.boundary(p, q, r)`, what the
 /// boundary edge pq of the face pqr leaves at p; `cost.crease(p, q, r)` with `cost.crease_degrees`,
 /// the same for a crease; `cost.squared_error(pair, value)`, a cost as the square of a distance,
-/// for Status and Report (without it that is the cost itself); `cost.validate()`, which throws if
+/// for Status and Report (without it that is the cost itself); `cost.tie_break(pair, x)`, what is
+/// added to a cost in the order of pairs only, to tell those of equal costs apart: far below any
+/// cost that matters; `cost.validate()`, which throws if
 /// the policy makes no sense; `C::face_is_alike_at_corners`, true if face(p, q, r) leaves the same
 /// at q and r; `C::Current` and what goes with it, for a look at the surface as it is now: see
 /// MemorylessQuadric.
@@ -79,6 +81,9 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// a position costs and, where the cost has one, `cost.minimizer(pair)` an optional position of
 /// least cost; `pair.memory` is there if the cost is not ScaleFree, or the placement itself is. Not
 /// checked: the position is finite (one that is not is refused and counted as Rejection::position).
+///
+/// Used where there: `placement.any_equal(cost, pair, x, predicate)`, which tries other positions
+/// that cost what x does, where filters refuse x: see OptimalPlacement.
 ///
 /// The least model:
 /// ```cpp
