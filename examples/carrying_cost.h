@@ -20,6 +20,7 @@ struct CarryingCost : Cost {
   static constexpr std::size_t dimension = 3 + N;
   using Position = quadrille::Vector<dimension>;
   using SpaceMemory = typename Cost::Memory;
+  using ScaleFree = CarryingCost; ///< for a cost that is
 
   explicit CarryingCost(const Cost& cost) : Cost(cost) {}
 

@@ -64,6 +64,7 @@ struct Target {
 
 struct Placement {
   enum { optimal, endpoint, midpoint } chosen;
+  using ScaleFree = Placement; // as each of them is
 
   // The return type is spelt out so that asking whether this is a policy of another kind is no
   // error.
