@@ -665,6 +665,31 @@ TEST_CASE("Only loose faces are welded, unless all shall be", "[mesh_io]") {
   CHECK(collapsed.triangles.empty());
 }
 
+TEST_CASE("Vertices that only normals tell apart are one, as normals are not kept", "[mesh_io]") {
+  // A roof of two slopes of two triangles each; the ridge has vertices of its own for each.
+  const std::string roof = "NOFF 8 4 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 1 0 0 1\n0 1 1 0 0 1\n"
+                           "0 1 1 0 1 0\n1 1 1 0 1 0\n1 2 0 0 1 0\n0 2 0 0 1 0\n"
+                           "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7";
+  const IndexedMesh mesh = read("a.off", roof);
+  CHECK(mesh.points.size() == 6);
+  CHECK(OpenSeams::count(mesh) == 0);
+  CHECK(mesh.remarks == std::vector<std::string>{"vertices that differed by their normals only, "
+                                                 "which are not kept, made one: 2"});
+  std::string without = roof; // without normals the file means what it says
+  for (const char* normal : {" 0 0 1\n", " 0 1 0\n"})
+    for (std::size_t i = 0; (i = without.find(normal, 20)) != std::string::npos;)
+      without.replace(i, 7, "\n");
+  CHECK(read("a.off", "OFF" + without.substr(4)).points.size() == 8);
+
+  // The two sides of a card stay two sheets.
+  const IndexedMesh card =
+      read("a.off", "NOFF 8 4 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n"
+                    "0 0 0 0 0 -1\n1 0 0 0 0 -1\n1 1 0 0 0 -1\n0 1 0 0 0 -1\n"
+                    "3 0 1 2\n3 0 2 3\n3 4 6 5\n3 4 7 6");
+  CHECK(card.points.size() == 8);
+  CHECK(card.triangles.size() == 4);
+}
+
 TEST_CASE("Welded vertices keep the colour of the first", "[mesh_io]") {
   const std::string content = "COFF 6 2 0\n0 0 0 1 0 0\n1 0 0 2 0 0\n0 1 0 3 0 0\n1 0 0 4 0 0\n"
                               "1 1 0 5 0 0\n0 1 0 3 0 0\n3 0 1 2\n3 3 4 5";

@@ -46,6 +46,9 @@ public:
         mesh_.losses.add("colours or texture coordinates of welded vertices that differ from the "
                          "first's: " +
                          std::to_string(welded.unlike));
+    } else if (soup_.has_normals) {
+      remark(weld_split_normals(mesh_),
+             "vertices that differed by their normals only, which are not kept, made one");
     }
     drop_degenerate_triangles();
     return std::move(mesh_);

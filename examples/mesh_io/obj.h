@@ -86,7 +86,7 @@ private:
 
   void read_normal() {
     ++normal_count_;
-    soup_.losses.add("normals");
+    soup_.tell_normals();
   }
 
   void pass_over(std::string_view keyword) {

@@ -75,7 +75,7 @@ private:
       if (is_read(i))
         continue;
       if (name == "nx" || name == "ny" || name == "nz")
-        soup_.losses.add("normals");
+        soup_.tell_normals();
       else
         soup_.losses.add(std::string(kind) + " property " + in_quotes(name));
     }

@@ -36,8 +36,15 @@ struct PolygonSoup {
   std::vector<std::array<double, 2>> texture_table;
   std::vector<std::uint32_t> corner_textures;
 
+  bool has_normals = false; ///< which are not kept
+
   std::vector<std::string> remarks;
   Losses losses;
+
+  void tell_normals() {
+    has_normals = true;
+    losses.add("normals");
+  }
 
   /// Ends the polygon of the corners that have been appended since the last one.
   void end_polygon() { polygon_ends.push_back(corners.size()); }

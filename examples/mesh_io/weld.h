@@ -95,6 +95,36 @@ inline Welded weld_points(IndexedMesh& mesh, Weld weld) {
   return welded;
 }
 
+/// How many edges of more than two faces there are, and faces with the vertices of another one.
+inline std::size_t count_overfull(const IndexedMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::array<std::uint32_t, 3>> faces = mesh.triangles;
+  for (auto& t : faces) {
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+    std::sort(t.begin(), t.end());
+  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(faces.begin(), faces.end());
+  std::size_t count = 0;
+  for (std::size_t i = 2; i < edges.size(); ++i)
+    count += edges[i] == edges[i - 2];
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    count += faces[i] == faces[i - 1];
+  return count;
+}
+
+/// Makes vertices one that are alike in all that is kept, as programs split them where normals
+/// differ; but not if sheets that only touch would grow together. Returns how many went.
+inline std::size_t weld_split_normals(IndexedMesh& mesh) {
+  IndexedMesh welded = mesh;
+  const std::size_t count = weld_points(welded, Weld::loose_faces).vertices;
+  if (count == 0 || count_overfull(welded) > count_overfull(mesh))
+    return 0;
+  mesh = std::move(welded);
+  return count;
+}
+
 /// Finds seams along which a surface is cut, though its points lie at the same places.
 class OpenSeams {
 public:
