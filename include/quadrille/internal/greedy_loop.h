@@ -179,14 +179,14 @@ private:
   }
 
   // Does the stop policy stop at the distance, and at nothing else?
-  bool is_too_far(const QueuedPair& pair, const Candidate& candidate) {
+  bool is_too_far(const QueuedPair& pair, Candidate& candidate) {
     if constexpr (asks_for_distance<typename Policies::Stop>) {
       surface_.announce_distance(0);
       if (surface_.is_enough())
         return false;
-      surface_.announce_distance(
-          surface_.bound_distance(scratch_, pair.first, pair.second, candidate));
-      return surface_.is_enough();
+      const bool result = surface_.is_too_far(scratch_, pair.first, pair.second, candidate);
+      surface_.announce(candidate); // may have another target
+      return result;
     } else {
       return false;
     }

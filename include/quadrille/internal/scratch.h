@@ -4,6 +4,7 @@
 #include <quadrille/internal/marks.h>
 #include <quadrille/internal/room.h>
 #include <quadrille/internal/star.h>
+#include <quadrille/internal/star_deviation.h>
 #include <quadrille/report.h>
 
 #include <array>
@@ -33,6 +34,7 @@ struct Scratch {
   Marks marks;
   PairStar star; // of the pair that was gathered last
   std::vector<StarFace> faces;
+  StarDeviation deviation;
   std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
   Room<VertexPair> pairs;
   Room<float> costs; // of these
