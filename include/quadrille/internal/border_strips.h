@@ -49,13 +49,6 @@ public:
   /// Edges of two faces in opposite directions are no border.
   void add_spoke(Index neighbour, std::size_t end, int turn, const Vector<3>& position,
                  double bound) {
-    for (Spoke& s : spokes_)
-      if (s.neighbour == neighbour && s.end == end) {
-        s.turn += turn;
-        ++s.faces;
-        s.bound = std::max(s.bound, bound);
-        return;
-      }
     spokes_.push_back({position, bound, neighbour, end, turn, 1});
   }
 
@@ -66,9 +59,25 @@ public:
     bound_ = std::max(bound_, bound);
   }
 
-  /// Leaves the edges of just one face.
-  void keep_open_ones() {
-    std::erase_if(spokes_, [](const Spoke& s) { return s.faces != 1; });
+  /// Makes one of the spokes along the same edge, once all have been added.
+  void sum_up() {
+    std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& s, const Spoke& t) {
+      return std::pair(s.neighbour, s.end) < std::pair(t.neighbour, t.end);
+    });
+    std::size_t count = 0;
+    for (const Spoke& s : spokes_)
+      if (count > 0 && s.neighbour == spokes_[count - 1].neighbour &&
+          s.end == spokes_[count - 1].end)
+        spokes_[count - 1].add(s);
+      else
+        spokes_[count++] = s;
+    spokes_.erase(spokes_.begin() + static_cast<std::ptrdiff_t>(count), spokes_.end());
+  }
+
+  /// Leaves the edges of just one face, at ends for which is_seen(end) holds.
+  template <class IsSeen>
+  void keep_open_ones(IsSeen is_seen) {
+    std::erase_if(spokes_, [&](const Spoke& s) { return s.faces != 1 || !is_seen(s.end); });
     if (faces_between_ != 1)
       turns_between_ = 0;
   }
@@ -111,6 +120,12 @@ private:
     std::size_t end;
     int turn;
     std::size_t faces;
+
+    void add(const Spoke& other) {
+      turn += other.turn;
+      faces += other.faces;
+      bound = std::max(bound, other.bound);
+    }
   };
   // Of the border to x.
   struct Nearest {

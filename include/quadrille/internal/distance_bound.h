@@ -41,18 +41,34 @@ public:
       return *beyond;
     if (const auto beyond = deviation.compare_sheets(is_beyond))
       return *beyond;
-    if (const auto beyond = deviation.compare_border(may_have_border, is_beyond))
-      return *beyond;
-
-    bounds.clear();
-    for (std::size_t i = 0; i < deviation.size(); ++i)
-      bounds.push_back(deviation.is_unchanged(i)
-                           ? static_cast<float>(deviation.bound(i))
-                           : rounded_up(deviation[i].from_input + deviation.rounding()));
+    if (may_have_border)
+      if (const auto beyond = deviation.compare_border(is_beyond))
+        return *beyond;
     FaceDeviation greatest = deviation.greatest();
-    greatest.from_input =
-        bounds.empty() ? 0 : double{*std::max_element(bounds.begin(), bounds.end())};
+    greatest.from_input = take_bounds(star, deviation, bounds);
     return greatest;
+  }
+
+  /// Is it certain that one of very many faces at an end will be too far? A look that ends at the
+  /// first, as the other one does, but before the star is gathered.
+  template <std::size_t N, class IsTooFar>
+  bool is_beyond_hub(const TriangleComplex& complex, Index a, Index b,
+                     const Array<Vector<N>>& positions, const Vector<3>& x,
+                     IsTooFar is_too_far) const {
+    const auto at = [&](Index v) { return space(positions[v]); };
+    const auto is_beyond = [&](Index end, Index other) {
+      if (complex.degree_bound(end) <= 2 * StarDeviation::most_faces || at(end) == x)
+        return false;
+      return complex.any_corner(end, [&](Index face, Index i) {
+        const StarFace f = PairStar::star_face(complex, face, i);
+        if (f.second == other || f.third == other)
+          return false;
+        const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
+        return squared > 0x1p-40 * squared_distance(x, at(f.second)) && // else it may be rounding
+               is_too_far(rounded_up(of_face_[face] + std::sqrt(squared)));
+      });
+    };
+    return is_beyond(a, b) || is_beyond(b, a);
   }
 
   /// The contraction has been done.
@@ -79,6 +95,26 @@ public:
   }
 
 private:
+  // Of the faces of a star, in its order. Returns the greatest of those that change.
+  double take_bounds(const PairStar& star, const StarDeviation& deviation,
+                     std::vector<float>& bounds) const {
+    bounds.clear();
+    std::size_t changed = 0;
+    float greatest = 0;
+    const auto take = [&](const Room<StarFace>& faces, std::size_t end) {
+      for (const StarFace& f : faces)
+        if (deviation.is_unchanged(end)) {
+          bounds.push_back(of_face_[f.face]);
+        } else {
+          bounds.push_back(rounded_up(deviation[changed++].from_input + deviation.rounding()));
+          greatest = std::max(greatest, bounds.back());
+        }
+    };
+    take(star.first, 0);
+    take(star.second, 1);
+    return greatest;
+  }
+
   static float rounded_up(double bound) {
     return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::infinity());
   }

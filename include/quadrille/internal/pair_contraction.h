@@ -232,7 +232,8 @@ public:
   /// it.
   ///
   /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
-  /// at all: else such distances add up along straight creases and at corners.
+  /// at all: else such distances add up along straight creases and at corners. One that is an end
+  /// by next to nothing, where filters refuse that end, is too far: it would make a needle.
   bool is_too_far(Scratch& scratch, Index a, Index b, Candidate& candidate, Status& status) const {
     const auto stops = [&](const FaceDeviation& deviation) {
       status.next_distance = distance_of_mesh(deviation.from_input);
@@ -241,14 +242,25 @@ public:
     const FaceDeviation deviation = measure(scratch, a, b, candidate, status);
     if (!is_next_to_nothing(deviation, scratch) || is_fixed(a) || is_fixed(b))
       return stops(deviation);
-    for (Candidate& end : ends(candidate))
-      if (!rejection(scratch, a, b, end))
-        if (const FaceDeviation of_end = measure(scratch, a, b, end, status);
-            is_nothing(of_end) && !stops(of_end)) {
-          candidate = end;
-          return false;
-        }
+    const double reach = next_to_nothing * scratch.deviation.extent();
+    for (Candidate& end : ends(candidate)) {
+      if (rejection(scratch, a, b, end)) {
+        if (squared_distance(space(end.target), space(candidate.target)) <= reach * reach)
+          return true;
+        continue;
+      }
+      if (const FaceDeviation of_end = measure(scratch, a, b, end, status);
+          is_nothing(of_end) && !stops(of_end)) {
+        candidate = end;
+        return false;
+      }
+    }
     return stops(measure(scratch, a, b, candidate, status));
+  }
+  /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
+  bool is_beyond_hub(Index a, Index b, const Candidate& candidate) const {
+    return distances_.is_beyond_hub(complex_, a, b, costs_.positions(), space(candidate.target),
+                                    stops_beyond(progress_.status));
   }
   /// The same, and tells the status.
   bool is_too_far(Scratch& scratch, Index a, Index b, Candidate& candidate) {
@@ -449,14 +461,19 @@ private:
 
   // In the engine's unit.
   FaceDeviation measure(Scratch& scratch, Index a, Index b, const Candidate& candidate,
-                        Status status) const {
+                        const Status& status) const {
     const bool may_have_border = !link_condition_.is_interior(a) || !link_condition_.is_interior(b);
     return distances_.after(scratch.star, a, b, costs_.positions(), space(candidate.target),
                             may_have_border, scratch.deviation, scratch.bounds,
-                            [&](double distance) {
-                              status.next_distance = distance_of_mesh(distance);
-                              return policies_.stop(status);
-                            });
+                            stops_beyond(status));
+  }
+
+  // Does the stop policy stop if nothing but the distance changes?
+  auto stops_beyond(const Status& status) const {
+    return [this, after = status](double distance) mutable {
+      after.next_distance = distance_of_mesh(distance);
+      return policies_.stop(after);
+    };
   }
 
   // What may be nothing but rounding is 0.
@@ -469,8 +486,10 @@ private:
     return deviation.from_star <= distances_.rounding() / 64;
   }
   bool is_next_to_nothing(const FaceDeviation& deviation, const Scratch& scratch) const {
-    return !is_nothing(deviation) && deviation.from_star <= 0x1p-20 * scratch.deviation.extent();
+    return !is_nothing(deviation) &&
+           deviation.from_star <= next_to_nothing * scratch.deviation.extent();
   }
+  static constexpr double next_to_nothing = 0x1p-20;
 
   // The greatest of a surface in a box, in the engine's unit.
   double greatest_coordinate(const Box<dimension>& box) const {

@@ -29,8 +29,12 @@ namespace quadrille::internal {
 /// meet, faces of like normals make up a sheet each, with a border where it meets others.
 class StarDeviation {
 public:
+  /// Where more faces change, pieces would take long: each face may meet each.
+  static constexpr std::size_t most_faces = 128;
+
   /// Takes the star of the pair ab, and the place x to which it is contracted. bound_of(face) is
-  /// how far an old face may be from the input.
+  /// how far an old face may be from the input. The faces of an end at x do not change and are left
+  /// out.
   template <std::size_t N, class BoundOf>
   void take(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
             const Vector<3>& x, BoundOf bound_of) {
@@ -39,28 +43,27 @@ public:
     ends_ = {at(a), at(b)};
     b_ = b;
     faces_.clear();
-    const auto add = [&](const StarFace& f, std::size_t end, Kind kind) {
+    const auto add = [&](const StarFace& f, std::size_t end, bool is_shared) {
       const std::array<Vector<3>, 3> corners{ends_[end], at(f.second), at(f.third)};
       const Vector<3> area = double_area_vector(corners[0], corners[1], corners[2]);
-      faces_.push_back({corners, area, f.second, f.third, bound_of(f.face), end, kind});
+      faces_.push_back({corners, area, f.second, f.third, bound_of(f.face), end, is_shared});
     };
-    for (const StarFace& f : star.first)
-      add(f, 0, ends_[0] == x ? Kind::unchanged : Kind::changed);
-    for (const StarFace& f : star.second)
-      add(f, 1, ends_[1] == x ? Kind::unchanged : Kind::changed);
-    kept_ = faces_.size();
+    if (!is_unchanged(0))
+      for (const StarFace& f : star.first)
+        add(f, 0, false);
+    if (!is_unchanged(1))
+      for (const StarFace& f : star.second)
+        add(f, 1, false);
+    changed_ = faces_.size();
     for (const StarFace& f : star.shared)
-      add(f, 0, Kind::shared);
-    changed_ = static_cast<std::size_t>(std::count_if(
-        faces_.begin(), faces_.end(), [](const Face& f) { return f.kind != Kind::unchanged; }));
+      add(f, 0, true);
     measure_extent();
   }
 
-  /// The faces that are kept: those of the first end come first.
-  std::size_t size() const { return kept_; }
-  /// Is a face not changed at all, since the new vertex is where its end was?
-  bool is_unchanged(std::size_t i) const { return faces_[i].kind == Kind::unchanged; }
-  double bound(std::size_t i) const { return faces_[i].bound; }
+  /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
+  bool is_unchanged(std::size_t end) const { return ends_[end] == x_.point; }
+
+  /// Of the faces that change: those of the first end come first.
   const FaceDeviation& operator[](std::size_t i) const { return deviations_[i]; }
 
   /// The greatest of each kind, of all faces.
@@ -83,38 +86,38 @@ public:
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_each(IsTooFar is_too_far) {
     deviations_.clear();
-    FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // no way to tell finds less
+    FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // pieces find no less at x
     for (const Face& f : faces_) {
-      const double distance = f.kind == Kind::unchanged ? 0 : this->distance(f);
+      const auto& [p, q, r] = f.corners;
+      const double distance = std::sqrt(squared_distance_to_triangle(x_.point, p, q, r));
       const FaceDeviation deviation{f.bound + distance, distance};
       if (deviation.from_input < least.from_input)
         least = deviation;
-      if (f.kind == Kind::shared)
+      if (f.is_shared)
         continue;
-      if (is_large() && f.kind == Kind::changed && is_too_far(deviation.from_input))
+      if (is_large() && is_too_far(deviation.from_input))
         return deviation;
       deviations_.push_back(deviation);
     }
-    if (changed_ > 0 && kept_ > 0 && is_too_far(least.from_input))
+    if (changed_ > 0 && is_too_far(least.from_input))
       return least;
     return std::nullopt;
   }
 
   /// Adds how far the border moves, to either side, to what is known of the faces at it. If that is
-  /// too far, returns how far it is. `may_have_border` is false if neither end has one.
+  /// too far, returns how far it is.
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_border(bool may_have_border, IsTooFar is_too_far) {
+  std::optional<FaceDeviation> compare_border(IsTooFar is_too_far) {
     border_.clear();
-    if (!may_have_border)
-      return std::nullopt;
     for (const Face& f : faces_)
       add_spokes(f);
-    border_.keep_open_ones();
+    border_.sum_up();
+    border_.keep_open_ones([this](std::size_t end) { return !is_unchanged(end); });
     const FaceDeviation moved = border_.deviation(ends_, x_.point);
     if (is_too_far(moved.from_input))
       return moved;
-    for (std::size_t i = 0; i < kept_; ++i)
-      if (!is_unchanged(i) && (border_.has(faces_[i].second) || border_.has(faces_[i].third))) {
+    for (std::size_t i = 0; i < changed_; ++i)
+      if (border_.has(faces_[i].second) || border_.has(faces_[i].third)) {
         deviations_[i].from_input = std::max(deviations_[i].from_input, moved.from_input);
         deviations_[i].from_star = std::max(deviations_[i].from_star, moved.from_star);
       }
@@ -126,8 +129,6 @@ public:
   std::optional<FaceDeviation> compare_sheets(IsTooFar is_too_far) {
     if (is_large())
       return std::nullopt;
-    for (Face& f : faces_)
-      f.is_open = f.kind != Kind::unchanged;
     for (int sheets = 0; sheets < most_sheets && find_sheet(sheets == 0); ++sheets)
       if (const auto beyond = measure_sheet(is_too_far))
         return beyond;
@@ -135,16 +136,14 @@ public:
   }
 
 private:
-  enum class Kind { unchanged, changed, shared };
-
   struct Face {
     std::array<Vector<3>, 3> corners; // an end of the pair comes first
     Vector<3> area;
     Index second, third;
     double bound;
     std::size_t end;
-    Kind kind;
-    bool is_open = false, is_in_sheet = false; // not yet in a sheet; in the one at hand
+    bool is_shared;
+    bool is_open = true, is_in_sheet = false; // not yet in a sheet; in the one at hand
     FlatTriangle flat = {};
   };
 
@@ -155,7 +154,7 @@ private:
   bool find_sheet(bool is_first) {
     const Face* seed = nullptr;
     for (const Face& f : faces_)
-      if (f.is_open && f.kind == Kind::changed &&
+      if (f.is_open && !f.is_shared &&
           (!seed || squared_length(f.area) > squared_length(seed->area)))
         seed = &f;
     if (!seed)
@@ -190,14 +189,7 @@ private:
       see(f.corners[1]), see(f.corners[2]);
   }
 
-  // Of the new vertex.
-  double distance(const Face& f) const {
-    const auto& [p, q, r] = f.corners;
-    return std::sqrt(squared_distance_to_triangle(x_.point, p, q, r));
-  }
-
-  // Would pieces take long? Each face may meet each.
-  bool is_large() const { return changed_ > 128; }
+  bool is_large() const { return changed_ > most_faces; }
 
   bool choose_plane(const Vector<3>& normal) {
     const double length = std::sqrt(squared_length(normal));
@@ -229,7 +221,7 @@ private:
         continue;
       for (std::size_t i = 0; i < 3; ++i)
         f.flat[i] = flatten(f.corners[i]);
-      if (f.kind == Kind::shared)
+      if (f.is_shared)
         continue;
       const double flat = flat_area(x_, f.flat[1], f.flat[2]);
       const Vector<3> area = double_area_vector(x_.point, f.corners[1], f.corners[2]);
@@ -246,9 +238,10 @@ private:
     for (const Face& f : faces_)
       if (f.is_in_sheet)
         add_spokes(f);
+    border_.sum_up();
     const auto& strips =
         border_.strips(ends_, x_, [this](const Vector<3>& p) { return flatten(p); });
-    for (std::size_t i = 0; i < kept_; ++i) {
+    for (std::size_t i = 0; i < changed_; ++i) {
       FaceDeviation& known = deviations_[i];
       if (!faces_[i].is_in_sheet)
         continue;
@@ -264,7 +257,7 @@ private:
 
   void add_spokes(const Face& f) {
     const auto& [end, second, third] = f.corners;
-    if (f.kind != Kind::shared) {
+    if (!f.is_shared) {
       border_.add_spoke(f.third, f.end, 1, third, f.bound);
       border_.add_spoke(f.second, f.end, -1, second, f.bound);
     } else if (f.second == b_) {
@@ -330,9 +323,9 @@ private:
   FlatPoint x_{};
   std::array<Vector<3>, 2> ends_;
   Index b_ = 0;
-  std::vector<Face> faces_; // those that are kept come first
+  std::vector<Face> faces_; // those that change come first, then those that go
   std::vector<FaceDeviation> deviations_;
-  std::size_t kept_ = 0, changed_ = 0;
+  std::size_t changed_ = 0;
   double extent_ = 0;
   Vector<3> u_, v_;
   BorderStrips border_;

@@ -99,6 +99,15 @@ public:
         visit(corner >> 2, corner & 3);
   }
 
+  /// Does is(face, i) hold for any of them? Asks no further then.
+  template <class Is>
+  bool any_corner(Index vertex, Is is) const {
+    const Index* const corners = pool_.data() + lists_[vertex].begin;
+    return std::any_of(corners, corners + lists_[vertex].size, [&](Index corner) {
+      return !is_dead(corner >> 2) && is(corner >> 2, corner & 3);
+    });
+  }
+
   /// Calls visit(vertices) for each live face that has a vertex in a range.
   template <class R, class Visit>
   void for_each_face_at(const R& range, Visit visit) const {
