@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/array.h>
 #include <quadrille/internal/packing.h>
+#include <quadrille/internal/recent_faces.h>
 #include <quadrille/internal/star.h>
 #include <quadrille/internal/star_deviation.h>
 #include <quadrille/internal/triangle_complex.h>
@@ -49,24 +50,31 @@ public:
     return greatest;
   }
 
-  /// Is it certain that one of very many faces at an end will be too far? A look that ends at the
-  /// first, as the other one does, but before the star is gathered.
+  /// Will one of very many faces at an end be too far? Looks at them before the star is gathered,
+  /// at those first that were too far the last times: at a hub they are few and mostly the same.
   template <std::size_t N, class IsTooFar>
   bool is_beyond_hub(const TriangleComplex& complex, Index a, Index b,
                      const Array<Vector<N>>& positions, const Vector<3>& x,
-                     IsTooFar is_too_far) const {
+                     RecentFaces& recent_faces, IsTooFar is_too_far) const {
     const auto at = [&](Index v) { return space(positions[v]); };
     const auto is_beyond = [&](Index end, Index other) {
       if (complex.degree_bound(end) <= 2 * StarDeviation::most_faces || at(end) == x)
         return false;
-      return complex.any_corner(end, [&](Index face, Index i) {
+      const auto is_face_beyond = [&](Index face, Index i) {
         const StarFace f = PairStar::star_face(complex, face, i);
         if (f.second == other || f.third == other)
           return false;
         const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
         return squared > 0x1p-40 * squared_distance(x, at(f.second)) && // else it may be rounding
                is_too_far(rounded_up(of_face_[face] + std::sqrt(squared)));
-      });
+      };
+      return recent_faces.any_at(complex, end, is_face_beyond) ||
+             complex.any_corner(end, [&](Index face, Index i) {
+               const bool result = is_face_beyond(face, i);
+               if (result)
+                 recent_faces.add(face);
+               return result;
+             });
     };
     return is_beyond(a, b) || is_beyond(b, a);
   }

@@ -198,7 +198,7 @@ private:
   bool is_beyond_hub(const QueuedPair& pair, const Candidate& candidate) {
     if constexpr (asks_for_distance<typename Policies::Stop>)
       return !is_enough_at_no_distance() &&
-             surface_.is_beyond_hub(pair.first, pair.second, candidate);
+             surface_.is_beyond_hub(scratch_, pair.first, pair.second, candidate);
     else
       return false;
   }

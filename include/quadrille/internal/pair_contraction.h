@@ -258,9 +258,9 @@ public:
     return stops(measure(scratch, a, b, candidate, status));
   }
   /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
-  bool is_beyond_hub(Index a, Index b, const Candidate& candidate) const {
+  bool is_beyond_hub(Scratch& scratch, Index a, Index b, const Candidate& candidate) const {
     return distances_.is_beyond_hub(complex_, a, b, costs_.positions(), space(candidate.target),
-                                    stops_beyond(progress_.status));
+                                    scratch.faces_too_far, stops_beyond(progress_.status));
   }
   /// The same, and tells the status.
   bool is_too_far(Scratch& scratch, Index a, Index b, Candidate& candidate) {
