@@ -232,8 +232,7 @@ public:
   /// it.
   ///
   /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
-  /// at all: else such distances add up along straight creases and at corners. One that is an end
-  /// by next to nothing, where filters refuse that end, is too far: it would make a needle.
+  /// at all: else such distances add up along straight creases and at corners.
   bool is_too_far(Scratch& scratch, Index a, Index b, Candidate& candidate, Status& status) const {
     const auto stops = [&](const FaceDeviation& deviation) {
       status.next_distance = distance_of_mesh(deviation.from_input);
@@ -242,13 +241,9 @@ public:
     const FaceDeviation deviation = measure(scratch, a, b, candidate, status);
     if (!is_next_to_nothing(deviation, scratch) || is_fixed(a) || is_fixed(b))
       return stops(deviation);
-    const double reach = next_to_nothing * scratch.deviation.extent();
     for (Candidate& end : ends(candidate)) {
-      if (rejection(scratch, a, b, end)) {
-        if (squared_distance(space(end.target), space(candidate.target)) <= reach * reach)
-          return true;
+      if (rejection(scratch, a, b, end))
         continue;
-      }
       if (const FaceDeviation of_end = measure(scratch, a, b, end, status);
           is_nothing(of_end) && !stops(of_end)) {
         candidate = end;
