@@ -2,14 +2,21 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <quadrille/distance.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +48,133 @@ std::vector<Model> models() {
 double distance_to(const Mesh& input, const Mesh& result, double limit) {
   return CGAL::Polygon_mesh_processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(
       result, input, limit / 10);
+}
+
+// The same from points of each triangle, to the last bits, for surfaces of any kind.
+double sampled_distance_to(const test::Soup& input, const test::Soup& result) {
+  using Triangles = std::vector<test::Kernel::Triangle_3>;
+  using Primitive = CGAL::AABB_triangle_primitive<test::Kernel, Triangles::const_iterator>;
+  Triangles triangles;
+  for (const auto& [a, b, c] : input.triangles)
+    triangles.emplace_back(test::to_point<test::Point>(input.points[a]),
+                           test::to_point<test::Point>(input.points[b]),
+                           test::to_point<test::Point>(input.points[c]));
+  const CGAL::AABB_tree<CGAL::AABB_traits<test::Kernel, Primitive>> tree(triangles.begin(),
+                                                                         triangles.end());
+  const int steps = result.triangles.size() > 500 ? 5 : 20;
+  double farthest = 0;
+  for (const auto& [a, b, c] : result.triangles)
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; i + j <= steps; ++j) {
+        const test::Position y =
+            1.0 / steps *
+            (i * result.points[a] + j * result.points[b] + (steps - i - j) * result.points[c]);
+        farthest = std::max(farthest, tree.squared_distance(test::to_point<test::Point>(y)));
+      }
+  return std::sqrt(farthest);
+}
+
+struct Outcome {
+  Report report;
+  test::Soup result;
+};
+
+// Simplifies a soup, and holds that the report says no less than is measured.
+template <class... Arguments>
+Outcome simplify_within(double limit, const test::Soup& input, const Arguments&... arguments) {
+  test::PointSoup soup(input);
+  Outcome outcome{simplify<Quadric, OptimalPlacement>(
+                      soup.points, soup.triangles, ErrorLimit{limit}, Topology::kept, arguments...),
+                  {}};
+  for (const test::Point& p : soup.points)
+    outcome.result.points.push_back(test::to_position(p));
+  outcome.result.triangles = soup.triangles;
+  double size = 0;
+  for (const test::Position& p : input.points)
+    for (double x : p.coordinates)
+      size = std::max(size, std::abs(x));
+  INFO("limit " << limit << ": " << outcome.report);
+  CHECK(outcome.report.distance_bound <= std::max(limit, 0x1p-40 * size));
+  const double measured = sampled_distance_to(input, outcome.result);
+  CHECK(measured <= outcome.report.distance_bound + 0x1p-50 * size); // the measure's own roundings
+  return outcome;
+}
+
+double area(const test::Soup& soup) {
+  double sum = 0;
+  for (const test::Triangle& t : soup.triangles)
+    sum += std::sqrt(squared_length(test::area_vector(soup, t)));
+  return sum;
+}
+
+// A square sheet bent along its middle, so that both halves make this angle; at 180 it is flat.
+test::Soup bent_sheet(double degrees) {
+  const double turn = (180 - degrees) * std::numbers::pi / 180;
+  return test::mapped(test::grid(12, 12), [&](const test::Position& p) {
+    const double beyond = std::max(0.0, p[0] - 0.5);
+    return test::Position{{p[0] - beyond + beyond * std::cos(turn), p[1], beyond * std::sin(turn)}};
+  });
+}
+
+// Sheets that have one edge line in common.
+test::Soup sheets_at_a_line(int count) {
+  test::Soup soup;
+  const std::uint32_t n = 8;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    soup.points.push_back({{0, 0, double(j) / n}});
+  for (int k = 0; k < count; ++k) {
+    const double angle = 0.3 + 2 * std::numbers::pi * k / count;
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+      return i == 0 ? j : first + (i - 1) * (n + 1) + j;
+    };
+    for (std::uint32_t i = 1; i <= n; ++i)
+      for (std::uint32_t j = 0; j <= n; ++j)
+        soup.points.push_back({{std::cos(angle) * i / n, std::sin(angle) * i / n, double(j) / n}});
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) {
+        soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+  }
+  return soup;
+}
+
+// Cells of a landscape of blocks, each unit square cut in two by two.
+test::Soup blocks(std::uint64_t seed) {
+  test::Random random(seed);
+  std::vector<int> heights(36);
+  for (int& height : heights)
+    height = 1 + static_cast<int>(random.below(3) / 2) + static_cast<int>(random.below(6) / 5);
+  return test::surface_of_cubes(12, 12, 6, [&](int x, int y, int z) {
+    return z / 2 < heights[static_cast<std::size_t>(x / 2 * 6 + y / 2)];
+  });
+}
+
+// A gently curved sheet with noise and a jagged rim.
+test::Soup panel() {
+  test::Soup soup = test::with_noise(test::grid(30, 30), 5, 0.008);
+  return test::with_noise(
+      test::mapped(soup,
+                   [](const test::Position& p) {
+                     return test::Position{{p[0], p[1], 0.1 * std::cos(2 * p[0] - 1)}};
+                   }),
+      6, 0.001);
+}
+
+const std::vector<double> ladder{0,    1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9,
+                                 1e-8, 1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1};
+
+// For surfaces of any size: the limits are parts of the diagonal.
+void require_fewer_faces_at_larger_limits(const test::Soup& input) {
+  const double diagonal = test::diagonal(input);
+  std::size_t least = input.triangles.size();
+  for (double fraction : ladder) {
+    const std::size_t faces = simplify_within(fraction * diagonal, input).report.faces_after;
+    INFO(fraction << " of the diagonal: " << faces << " faces, " << least << " at a smaller limit");
+    REQUIRE(100 * faces <= 101 * least + 200); // a hundredth and two are noise
+    least = std::min(least, faces);
+  }
 }
 
 } // namespace
@@ -120,6 +254,126 @@ TEST_CASE("A flat part costs no distance at all") {
   const Report report = simplify(mesh, ErrorLimit{1e-6});
   CHECK(report.distance_bound <= 1e-6);
   CHECK(report.faces_after < 100);
+}
+
+TEST_CASE("A flat sheet is left with two faces at any limit, 0 included") {
+  for (const test::Soup& sheet :
+       {test::grid(16, 16), test::tilted(test::grid(16, 16)),
+        test::mapped(test::tilted(test::grid(9, 14)), [](const test::Position& p) {
+          return p + test::Position{{40, -70, 9}};
+        })})
+    for (double limit : ladder) {
+      const auto [report, result] = simplify_within(limit, sheet);
+      INFO("limit " << limit << ": " << report);
+      CHECK(report.faces_after == 2);
+      CHECK(report.stop == StopReason::target_met);
+      CHECK(area(result) == Approx(area(sheet)).epsilon(1e-9)); // the border has not receded
+    }
+}
+
+TEST_CASE("What is exact is contracted at any limit: boxes, and creases of any angle") {
+  const test::Soup box = test::mapped(test::cube(8), [](const test::Position& p) {
+    return test::Position{{0.5 * p[0], 0.6 * p[1], 0.6 * p[2]}};
+  });
+  for (double limit : ladder)
+    for (const test::Soup& input : {box, test::tilted(box)}) {
+      if (limit > 1e-2)
+        continue; // there corners may go
+      CHECK(simplify_within(limit, input).report.faces_after == 12);
+    }
+  for (double degrees : {170.0, 120.0, 90.0, 40.0, 15.0})
+    for (double limit : {0.0, 1e-9, 1e-4}) {
+      INFO(degrees << " degrees, limit " << limit);
+      CHECK(simplify_within(limit, bent_sheet(degrees)).report.faces_after == 4);
+      CHECK(simplify_within(limit, test::tilted(bent_sheet(degrees))).report.faces_after == 4);
+    }
+}
+
+TEST_CASE("Bounds hold where more than two faces meet, and on jagged borders") {
+  for (int count : {3, 5})
+    for (double limit : {0.0, 1e-6, 0.01, 0.1}) {
+      INFO(count << " sheets, limit " << limit);
+      const test::Soup sheets = sheets_at_a_line(count);
+      CHECK(simplify_within(limit, sheets).report.faces_after < sheets.triangles.size() / 8);
+      simplify_within(limit, test::with_noise(sheets, 3, 0.01));
+    }
+  for (std::uint64_t seed = 0; seed < 12; ++seed)
+    for (double limit : {0.003, 0.03, 0.2}) {
+      INFO("seed " << seed << ", limit " << limit);
+      simplify_within(limit, test::random_with_borders(seed));
+      simplify_within(limit, test::random_with_borders(seed), RelaxedOrder{});
+    }
+}
+
+TEST_CASE("A border recedes no further than the limit") {
+  const test::Soup input = test::with_noise(test::grid(20, 20), 4, 0.01);
+  for (double limit : {0.005, 0.02, 0.05}) {
+    const auto [report, result] = simplify_within(limit, input);
+    INFO("limit " << limit << ": " << report);
+    CHECK(report.faces_after < 400);
+    test::Soup border; // its vertices, as faces of no area
+    for (std::uint32_t v = 0; v < 21; ++v)
+      border.triangles.push_back({v, v, v});
+    border.points = input.points;
+    CHECK(sampled_distance_to(result, border) <= report.distance_bound);
+  }
+}
+
+TEST_CASE("A larger limit leaves no more faces") {
+  SECTION("box") {
+    require_fewer_faces_at_larger_limits(test::cube(8));
+    require_fewer_faces_at_larger_limits(test::tilted(test::cube(8)));
+  }
+  SECTION("plane") {
+    require_fewer_faces_at_larger_limits(test::tilted(test::grid(16, 16)));
+  }
+  SECTION("blocks") {
+    require_fewer_faces_at_larger_limits(blocks(1));
+    require_fewer_faces_at_larger_limits(test::tilted(blocks(2)));
+  }
+  SECTION("panel") {
+    require_fewer_faces_at_larger_limits(panel());
+  }
+  SECTION("fandisk") {
+    require_fewer_faces_at_larger_limits(test::to_soup(read_model("fandisk")));
+  }
+}
+
+TEST_CASE("At a hub the first face that is too far ends the measuring") {
+  using namespace quadrille::internal;
+  constexpr Index count = 1000; // faces around vertex 0
+  Array<Vector<3>> positions{{{0, 0, 1}}};
+  Array<TriangleComplex::Triangle> triangles;
+  for (Index i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    positions.push_back({{std::cos(angle), std::sin(angle), 0}});
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % count});
+  }
+  TriangleComplex complex(positions.size(), triangles);
+  PairStar star;
+  star.gather(complex, 0, 1);
+  const DistanceBounds bounds(count, 1);
+  StarDeviation deviation;
+  RecentFaces recent_faces;
+  std::vector<float> after;
+  std::size_t asked = 0;
+  const auto is_too_far = [&](double distance) {
+    ++asked;
+    return distance > 0.01;
+  };
+  const Vector<3> x{{0, 0, 0.5}}; // far from each face
+  CHECK(bounds.after(star, 0, 1, positions, x, false, deviation, after, is_too_far).from_input >
+        0.01);
+  CHECK(asked == 1);
+  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, x, recent_faces, is_too_far));
+  CHECK(asked == 2);
+  // Far from a few faces only: the second time these are asked first.
+  const Vector<3> y{{0.02, 0, 0.995}};
+  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_too_far));
+  asked = 0;
+  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_too_far));
+  CHECK(asked < 4);
+  CHECK(!bounds.is_beyond_hub(complex, 0, 1, positions, {{0, 0, 0.999}}, recent_faces, is_too_far));
 }
 
 TEST_CASE("Bounds stay with their faces when these get new numbers") {

@@ -21,8 +21,9 @@ struct Status {
   double next_error = 0;
   /// No point of the surface will be further from the input than that after the contraction that
   /// comes next, in the mesh's units. Known to a stop policy with `static constexpr bool
-  /// asks_for_distance = true`; for others nothing is, and this is infinity. See
-  /// Report::distance_bound.
+  /// asks_for_distance = true`; for others nothing is, and this is infinity. It is 0 up to 2⁻⁴⁰ of
+  /// the greatest coordinate, where it may be nothing but rounding; and once a policy stops at some
+  /// distance, no greater one is looked for. See Report::distance_bound.
   double next_distance = std::numeric_limits<double>::infinity();
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
   /// What a visitor sees: about which part of the contractions has been done, as far as the stop
@@ -102,8 +103,9 @@ struct Report {
   /// No point of the result is further from the input than that, in the mesh's units: an upper
   /// bound, up to the rounding of the mesh's own coordinates, and often several times the distance
   /// that can be measured. Known where a stop policy asks for it, as ErrorLimit does, else
-  /// infinite. It says nothing of the other direction: of the input's points that the result has
-  /// lost.
+  /// infinite. Roundings are included, so it may be beyond a limit that is less than 2⁻⁴⁰ of the
+  /// greatest coordinate. It says nothing of the other direction, of the input's points that the
+  /// result has lost, but that where topology is kept no border has receded further.
   double distance_bound = std::numeric_limits<double>::infinity();
 
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.

@@ -58,12 +58,19 @@ struct VertexCount {
 /// Report::distance_bound says how far at most.
 ///
 /// The bound is conservative. It adds up what each contraction moves the surface, so a result is
-/// typically two to five times closer to the input than it says; and at borders, and where more
-/// than two faces meet, it takes a shift along the surface for a distance, so much more is kept
-/// there.
+/// often twice as close to the input as it says, or more. A border counts by how far it moves away
+/// from itself, to either side: to slide along a straight one costs nothing, and none recedes
+/// further than the limit.
+///
+/// Distances up to 2⁻⁴⁰ of the greatest coordinate, about 10⁻¹², may be nothing but the sum of
+/// roundings, and pass any limit: ErrorLimit{0} contracts what is exact but for these, as on flat
+/// parts and along straight creases. Report::distance_bound tells them nevertheless.
+///
 /// A stop policy that asks one of these has to say asks_for_distance as well, else nothing is known
-/// to be within the limit and not one contraction is done. Source: the projection along the mean
-/// normal is that of Bajaj and Schikore 1996.
+/// to be within the limit and not one contraction is done. A policy of one's own that looks at
+/// Status::next_distance may be asked several times for one contraction, with distances that it has
+/// at least; where it stops at one it has to stop at all greater ones. Source: the projection along
+/// the mean normal is that of Bajaj and Schikore 1996.
 class ErrorLimit {
 public:
   /// `distance` is in the mesh's units.

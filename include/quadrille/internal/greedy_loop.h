@@ -88,6 +88,10 @@ private:
         continue;
       }
       surface_.announce(candidate);
+      if (is_beyond_hub(*next, candidate)) {
+        park(*next, Rejection::distance);
+        continue;
+      }
       surface_.gather(scratch_, next->first, next->second);
       if (const auto cause = surface_.rejection(scratch_, next->first, next->second, candidate))
         park(*next, *cause);
@@ -179,17 +183,28 @@ private:
   }
 
   // Does the stop policy stop at the distance, and at nothing else?
-  bool is_too_far(const QueuedPair& pair, const Candidate& candidate) {
+  bool is_too_far(const QueuedPair& pair, Candidate& candidate) {
     if constexpr (asks_for_distance<typename Policies::Stop>) {
-      surface_.announce_distance(0);
-      if (surface_.is_enough())
+      if (is_enough_at_no_distance())
         return false;
-      surface_.announce_distance(
-          surface_.bound_distance(scratch_, pair.first, pair.second, candidate));
-      return surface_.is_enough();
+      const bool result = surface_.is_too_far(scratch_, pair.first, pair.second, candidate);
+      surface_.announce(candidate); // may have another target
+      return result;
     } else {
       return false;
     }
+  }
+  // The same, if it is seen at a glance.
+  bool is_beyond_hub(const QueuedPair& pair, const Candidate& candidate) {
+    if constexpr (asks_for_distance<typename Policies::Stop>)
+      return !is_enough_at_no_distance() &&
+             surface_.is_beyond_hub(scratch_, pair.first, pair.second, candidate);
+    else
+      return false;
+  }
+  bool is_enough_at_no_distance() {
+    surface_.announce_distance(0);
+    return surface_.is_enough();
   }
 
   StopReason reason_of_target() const {

@@ -84,7 +84,7 @@ public:
     else
       initial_components_ = count_components(complex_);
     if constexpr (asks_for_distance) {
-      distances_ = DistanceBounds(complex_.face_capacity());
+      distances_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(box));
       announce_distance(0);
     }
     if (!proceed())
@@ -132,10 +132,7 @@ public:
   Candidate evaluate(Index a, Index b) const {
     Candidate candidate{costs_.view(a, b), {}, 0, 0, 0};
     candidate.target = costs_.target(a, b, candidate.pair);
-    candidate.cost = costs_(candidate.pair, candidate.target);
-    candidate.key = costs_.key(candidate.pair, candidate.target, candidate.cost);
-    const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
-    candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+    set_cost(candidate);
     return candidate;
   }
 
@@ -230,11 +227,39 @@ public:
   /// Tells the status of the contraction that comes next.
   void announce(const Candidate& candidate) { progress_.status.next_error = candidate.error; }
 
-  /// Tells how far from the input the surface may be after the contraction, in the mesh's units.
-  /// The faces will be bound by that.
-  double bound_distance(Scratch& scratch, Index a, Index b, const Candidate& candidate) const {
-    return scale_.length_of_mesh(distances_.after(scratch.star, a, b, costs_.positions(),
-                                                  space(candidate.target), scratch.bounds));
+  /// Would the contraction take the surface so far from the input that the stop policy stops? At a
+  /// distance of 0 it does not. If not, the status tells how far, and the faces will be bound by
+  /// it.
+  ///
+  /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
+  /// at all: else such distances add up along straight creases and at corners.
+  bool is_too_far(Scratch& scratch, Index a, Index b, Candidate& candidate, Status& status) const {
+    const auto stops = [&](const FaceDeviation& deviation) {
+      status.next_distance = distance_of_mesh(deviation.from_input);
+      return policies_.stop(status);
+    };
+    const FaceDeviation deviation = measure(scratch, a, b, candidate, status);
+    if (!is_next_to_nothing(deviation, scratch) || is_fixed(a) || is_fixed(b))
+      return stops(deviation);
+    for (Candidate& end : ends(candidate)) {
+      if (rejection(scratch, a, b, end))
+        continue;
+      if (const FaceDeviation of_end = measure(scratch, a, b, end, status);
+          is_nothing(of_end) && !stops(of_end)) {
+        candidate = end;
+        return false;
+      }
+    }
+    return stops(measure(scratch, a, b, candidate, status));
+  }
+  /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
+  bool is_beyond_hub(Scratch& scratch, Index a, Index b, const Candidate& candidate) const {
+    return distances_.is_beyond_hub(complex_, a, b, costs_.positions(), space(candidate.target),
+                                    scratch.faces_too_far, stops_beyond(progress_.status));
+  }
+  /// The same, and tells the status.
+  bool is_too_far(Scratch& scratch, Index a, Index b, Candidate& candidate) {
+    return is_too_far(scratch, a, b, candidate, progress_.status);
   }
   void announce_distance(double distance) { progress_.status.next_distance = distance; }
 
@@ -408,6 +433,66 @@ private:
         for (Index v : {f.second, f.third})
           if (complex_.has_faces(v))
             renew(v);
+  }
+
+  [[gnu::always_inline]] void set_cost(Candidate& candidate) const {
+    candidate.cost = costs_(candidate.pair, candidate.target);
+    candidate.key = costs_.key(candidate.pair, candidate.target, candidate.cost);
+    const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
+    candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+  }
+
+  // Contractions of the same pair to its ends, the cheaper one first.
+  std::array<Candidate, 2> ends(const Candidate& candidate) const {
+    std::array<Candidate, 2> ends{candidate, candidate};
+    ends[0].target = candidate.pair.first;
+    ends[1].target = candidate.pair.second;
+    for (Candidate& end : ends)
+      set_cost(end);
+    if (ends[1].key < ends[0].key)
+      std::swap(ends[0], ends[1]);
+    return ends;
+  }
+
+  // In the engine's unit.
+  FaceDeviation measure(Scratch& scratch, Index a, Index b, const Candidate& candidate,
+                        const Status& status) const {
+    const bool may_have_border = !link_condition_.is_interior(a) || !link_condition_.is_interior(b);
+    return distances_.after(scratch.star, a, b, costs_.positions(), space(candidate.target),
+                            may_have_border, scratch.deviation, scratch.bounds,
+                            stops_beyond(status));
+  }
+
+  // Does the stop policy stop if nothing but the distance changes?
+  auto stops_beyond(const Status& status) const {
+    return [this, after = status](double distance) mutable {
+      after.next_distance = distance_of_mesh(distance);
+      return policies_.stop(after);
+    };
+  }
+
+  // What may be nothing but rounding is 0.
+  double distance_of_mesh(double distance) const {
+    return distance <= distances_.rounding() ? 0 : scale_.length_of_mesh(distance);
+  }
+
+  // Many of them do not add up to more than rounding.
+  bool is_nothing(const FaceDeviation& deviation) const {
+    return deviation.from_star <= distances_.rounding() / 64;
+  }
+  bool is_next_to_nothing(const FaceDeviation& deviation, const Scratch& scratch) const {
+    return !is_nothing(deviation) &&
+           deviation.from_star <= next_to_nothing * scratch.deviation.extent();
+  }
+  static constexpr double next_to_nothing = 0x1p-20;
+
+  // The greatest of a surface in a box, in the engine's unit.
+  double greatest_coordinate(const Box<dimension>& box) const {
+    double greatest = 0;
+    for (const Position& p : scaled({box.low, box.high}))
+      for (std::size_t i = 0; i < 3; ++i)
+        greatest = std::max(greatest, std::abs(p[i]));
+    return greatest;
   }
 
   auto interior() const {

@@ -302,13 +302,16 @@ private:
            any_cut_off(star, second, [this](Index v) { return stars_.is_touched(v); });
   }
 
-  bool is_stop(Scratch& scratch, const Proposal& proposal, const Candidate& candidate) const {
+  bool is_stop(Scratch& scratch, const Proposal& proposal, Candidate& candidate) const {
     Status status = surface_.status();
     status.next_error = candidate.error;
-    if constexpr (asks_for_distance<typename Policies::Stop>)
-      status.next_distance =
-          surface_.bound_distance(scratch, proposal.first, proposal.second, candidate);
-    return surface_.policies().stop(status);
+    if constexpr (asks_for_distance<typename Policies::Stop>) {
+      status.next_distance = 0;
+      return surface_.policies().stop(status) ||
+             surface_.is_too_far(scratch, proposal.first, proposal.second, candidate, status);
+    } else {
+      return surface_.policies().stop(status);
+    }
   }
 
   PairContraction<Policies>& surface_;

@@ -2,8 +2,10 @@
 #define QUADRILLE_INTERNAL_SCRATCH_H
 
 #include <quadrille/internal/marks.h>
+#include <quadrille/internal/recent_faces.h>
 #include <quadrille/internal/room.h>
 #include <quadrille/internal/star.h>
+#include <quadrille/internal/star_deviation.h>
 #include <quadrille/report.h>
 
 #include <array>
@@ -33,6 +35,8 @@ struct Scratch {
   Marks marks;
   PairStar star; // of the pair that was gathered last
   std::vector<StarFace> faces;
+  StarDeviation deviation;
+  RecentFaces faces_too_far;
   std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
   Room<VertexPair> pairs;
   Room<float> costs; // of these

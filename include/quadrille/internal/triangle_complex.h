@@ -99,6 +99,15 @@ public:
         visit(corner >> 2, corner & 3);
   }
 
+  /// Does is(face, i) hold for any of them? Asks no further then.
+  template <class Is>
+  bool any_corner(Index vertex, Is is) const {
+    const Index* const corners = pool_.data() + lists_[vertex].begin;
+    return std::any_of(corners, corners + lists_[vertex].size, [&](Index corner) {
+      return !is_dead(corner >> 2) && is(corner >> 2, corner & 3);
+    });
+  }
+
   /// Calls visit(vertices) for each live face that has a vertex in a range.
   template <class R, class Visit>
   void for_each_face_at(const R& range, Visit visit) const {
@@ -179,14 +188,17 @@ public:
   }
   [[gnu::always_inline]] void prefetch_faces(Index vertex) const {
     const List& list = lists_[vertex];
-    for (Index i = 0; i < list.size; ++i) // few lie in two lines: to ask for both takes longer
+    const Index size = std::min(list.size, most_prefetched);
+    for (Index i = 0; i < size; ++i) // few lie in two lines: to ask for both takes longer
       internal::prefetch(&faces_[pool_[list.begin + i] >> 2].front());
   }
-  /// Calls visit(w) for the next vertex of each face at a vertex.
+  /// Calls visit(w) for the next vertex of each face at a vertex, or of the first of very many:
+  /// for what is to be asked for of the neighbours.
   template <class Visit>
   [[gnu::always_inline]] void for_each_next(Index vertex, Visit visit) const {
     const List& list = lists_[vertex];
-    for (Index i = 0; i < list.size; ++i) {
+    const Index size = std::min(list.size, most_prefetched);
+    for (Index i = 0; i < size; ++i) {
       const Index corner = pool_[list.begin + i];
       const Index w = faces_[corner >> 2][(corner & 3) == 2 ? 0 : (corner & 3) + 1];
       if (w != none) // else the face is dead
@@ -198,6 +210,7 @@ private:
   struct List {
     Index begin, size; // in the pool
   };
+  static constexpr Index most_prefetched = 64; // of a vertex: more would push each other out
   static constexpr auto has_corners = [](const List& list) { return list.size != 0; };
 
   // At the end of the pool; if need be, for many a merge more, which repay the new lists.
