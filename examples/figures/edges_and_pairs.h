@@ -50,7 +50,8 @@ private:
     Result result{original, {}, {}};
     auto& [points, triangles] = result.soup;
     const NormalFlip as_in_the_paper(90, Folds::allowed);
-    result.report = simplify(points, triangles, cost, FaceCount{faces}, pairs, as_in_the_paper);
+    result.report =
+        simplify(points, triangles, cost, FaceCount{faces}, pairs, Topology::free, as_in_the_paper);
     result.error = surface_distance(original.points, original.triangles, points, triangles);
     return result;
   }
