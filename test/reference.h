@@ -221,7 +221,7 @@ private:
     const double reach = std::max(reach_[edge[0]], reach_[edge[1]]);
     if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach) {
       for (const Position& end : {p, q}) // not moved by rounding alone
-        if (squared_distance(*x, end) <= reach * 0x1p-80)
+        if (squared_distance(*x, end) <= reach * 0x1p-60)
           return end;
       return *x;
     }
@@ -332,7 +332,7 @@ private:
     });
   }
 
-  // Does a face become lower than 10⁻⁴ of about its length, and lower than it was?
+  // Does a face become lower than 10⁻⁴ of about its length that was not?
   bool makes_needle(Vertex a, Vertex b, const Position& target) const {
     for (const auto& face : faces_) {
       if (has(face, a) == has(face, b))
@@ -348,8 +348,7 @@ private:
       };
       const double after =
           height(f.after, [&](Vertex v) { return v == a || v == b ? target : position_[v]; });
-      if (after < 2e-4 && after < height(
-                                      f.before, [&](Vertex v) { return position_[v]; }))
+      if (after < 2e-4 && height(f.before, [&](Vertex v) { return position_[v]; }) >= 2e-4)
         return true;
     }
     return false;

@@ -310,7 +310,7 @@ TEST_CASE("A border recedes no further than the limit") {
   for (double limit : {0.005, 0.02, 0.05}) {
     const auto [report, result] = simplify_within(limit, input);
     INFO("limit " << limit << ": " << report);
-    CHECK(report.faces_after < 400);
+    CHECK(report.faces_after < 700);
     test::Soup border; // its vertices, as faces of no area
     for (std::uint32_t v = 0; v < 21; ++v)
       border.triangles.push_back({v, v, v});

@@ -359,7 +359,8 @@ TEST_CASE("Parts whose faces go in twos reach odd targets with pairs between the
       const Report report = simplify<Quadric, Placement>(result.points, result.triangles,
                                                          FaceCount{target}, pairs, NormalFlip{180});
       INFO(report);
-      REQUIRE(report.stop == StopReason::target_met);
+      REQUIRE(is_target_reached(report.stop));
+      REQUIRE(report.faces_after <= target);
       REQUIRE(report.faces_after == result.triangles.size());
       REQUIRE(report.vertices_after == result.points.size());
       REQUIRE(without_isolated_points({soup.points, result.triangles}).points.size() ==

@@ -23,7 +23,7 @@ enum class Folds { refused, allowed };
 /// seen where a face turns by more than 20 degrees.
 ///
 /// A *needle* is lower than a ten thousandth of its length: rounding soon decides its normal. A
-/// contraction that makes one of a better face is refused as well; flat and straight parts would
+/// contraction that makes one of another face is refused as well; flat and straight parts would
 /// end in faces of three points on a line otherwise.
 ///
 /// On by default, with 90 degrees. A face of three points on a line, up to rounding, has no normal
@@ -56,7 +56,7 @@ public:
           has_normal(face.before, face.second, face.third))
         return false;
       if (is_needle(squared_after, face.after, face.second, face.third) &&
-          is_better(face.before, face.after, face.second, face.third)) [[unlikely]]
+          !is_needle(squared_length(before), face.before, face.second, face.third)) [[unlikely]]
         return false;
       may_fold |= product * product < squared_cosine_of_20_degrees * squared_lengths;
     }
@@ -74,16 +74,6 @@ private:
                         const Vector<3>& r) {
     const double edges = squared_distance(p, q) + squared_distance(p, r);
     return squared_doubled_area < 4 * least_height * least_height * edges * edges;
-  }
-
-  // Is the face pqr higher, for its length, than p'qr?
-  static bool is_better(const Vector<3>& p, const Vector<3>& p2, const Vector<3>& q,
-                        const Vector<3>& r) {
-    const auto height = [&](const Vector<3>& x) {
-      const double edges = squared_distance(x, q) + squared_distance(x, r);
-      return edges > 0 ? std::sqrt(squared_length(double_area_vector(x, q, r))) / edges : 0;
-    };
-    return height(p) > height(p2);
   }
 
   bool turns_too_far(double product, double squared_lengths) const {

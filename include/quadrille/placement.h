@@ -73,7 +73,7 @@ private:
 
   // Is x that end, up to rounding?
   static bool is_rounded(const auto& pair, const auto& end, const auto& x) {
-    return squared_distance(end, x) <= 0x1p-80 * pair.squared_reach;
+    return squared_distance(end, x) <= 0x1p-60 * pair.squared_reach;
   }
 
   // False for a position that is not finite.

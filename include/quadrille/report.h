@@ -38,9 +38,9 @@ enum class StopReason {
   no_pair_left,  ///< every pair has been contracted
   all_pairs_rejected, ///< pairs are left, and each of them is refused by the topology or by a
                       ///< filter
-  target_unreachable, ///< the topology that is kept does not let the target be reached, and what is
-                      ///< left would only destroy parts on the way to it
-  cancelled           ///< the visitor said so
+  target_unreachable, ///< the topology of the parts that is kept does not let the target be
+                      ///< reached, and what is left would only destroy some on the way to it
+  cancelled ///< the visitor said so
 };
 
 /// Has the stop policy had its will, exactly or next to it?

@@ -485,7 +485,7 @@ private:
     status.faces = report_.faces_after;
     status.vertices = report_.vertices_after - report_.duplicated_vertices;
     status.contractions = report_.contractions;
-    const bool is_met = report_.stop == StopReason::target_met;
+    const bool is_met = is_target_reached(report_.stop);
     if (std::holds_alternative<ErrorLimit>(call_.stop.chosen)) {
       status.next_distance = report_.distance_bound;
       require(!call_.stop(status), "the result is beyond the limit");

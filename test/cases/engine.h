@@ -61,13 +61,15 @@ quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify s
                       : with_order(quadrille::GreedyOrder{.eager = call.eager});
 }
 
-// The attributes that a cost looks at, or the colours beside one that looks at none.
+// The attributes that a cost looks at, if any.
 template <class Cost, class Numbers, class Colors, class Parameters>
 auto with_attributes(const Numbers& numbers, const Colors& colors, const Parameters& parameters) {
   if constexpr (std::is_same_v<Cost, quadrille::AttributeQuadric<2>>)
     return quadrille::parameters::vertex_attribute_map(numbers, parameters);
-  else
+  else if constexpr (Cost::dimension == 6)
     return parameters.vertex_color_map(colors);
+  else
+    return parameters;
 }
 
 } // namespace detail

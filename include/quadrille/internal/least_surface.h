@@ -14,6 +14,7 @@ namespace quadrille::internal {
 
 struct SurfaceSize {
   std::size_t faces = 0, vertices = 0;
+  std::size_t parts = 1;
 };
 
 /// What bounds the size of a part of a surface whose topology and fixed vertices are kept.
@@ -51,9 +52,10 @@ SurfaceSize least_surface(const TriangleComplex& complex, const LinkCondition& l
   for (Index face = 0; face < complex.face_capacity(); ++face)
     if (!complex.is_dead(face))
       ++parts[root[complex.vertices(face)[0]]].faces;
-  SurfaceSize size;
+  SurfaceSize size{0, 0, 0};
   for (const PartTally& part : parts)
     if (part.vertices > 0) {
+      ++size.parts;
       const SurfaceSize least = part.least();
       size.faces += least.faces;
       size.vertices += least.vertices;

@@ -288,13 +288,16 @@ public:
       return false;
   }
 
-  /// Might contractions satisfy the stop policy? Not if the topology is kept and even the smallest
-  /// surface that has it is too large. Takes linear time.
+  /// Might contractions satisfy the stop policy? Not if the topology of several parts is kept and
+  /// even the smallest ones that have it are too large; one part alone may go as far as it can.
+  /// Takes linear time.
   bool is_target_reachable() const {
     if (!is_topology_kept_)
       return true;
-    const auto [faces, vertices] =
+    const auto [faces, vertices, parts] =
         least_surface(complex_, link_condition_, [this](Index v) { return is_fixed(v); });
+    if (parts == 1)
+      return true;
     Status least = progress_.status;
     std::size_t contractions = least.vertices - std::min(least.vertices, vertices);
     least.faces = std::min(least.faces, faces);
