@@ -98,7 +98,7 @@ public:
   /// Source: two steps of the proximal point algorithm (Rockafellar, Monotone operators and the
   /// proximal point algorithm, 1976): each minimises Q(x) + weight · |x − where the step began|².
   constexpr std::optional<Position> minimizer_near(const Position& m, double weight) const {
-    if (const Factorization<N> direct(a_, 1e-6); !direct.is_singular())
+    if (const Factorization<N> direct(a_, 1e-4); !direct.is_singular())
       return direct.solve(-1.0 * g_); // A leaves nothing free
     const Factorization<N> factorization(regular_matrix(weight));
     if (factorization.is_singular())
