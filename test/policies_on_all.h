@@ -30,7 +30,7 @@ Result check_result(const Soup& soup, const Cost& cost, const Placement& placeme
   const auto target = static_cast<std::size_t>(
       std::lround(stop.ratio * static_cast<double>(soup.triangles.size())));
   CHECK(result.soup.triangles.size() == result.report.faces_after);
-  CHECK((result.report.stop == StopReason::target_met) == (result.report.faces_after <= target));
+  CHECK(is_target_reached(result.report.stop) == (result.report.faces_after <= target));
   CHECK(is_clean(result.soup));
   if (is_by_edges) {
     CHECK(topology_of(result.soup).is_manifold);
