@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -136,7 +137,11 @@ TEMPLATE_TEST_CASE("Only its topology keeps a closed model from an irreducible t
     CAPTURE(model.name);
     const SoupTopology before = topology_of(model.mesh);
     Mesh mesh = model.mesh;
-    const Report report = simplify<TestType, OptimalPlacement>(mesh, FaceCount{0}, NormalFlip{180});
+    // As far as it goes, though some models have several parts: see StopReason::target_unreachable.
+    const auto never = [](const Status& status) {
+      return status.faces == 0 || status.next_error > std::numeric_limits<double>::max();
+    };
+    const Report report = simplify<TestType, OptimalPlacement>(mesh, never, NormalFlip{180});
     INFO(report);
     const SoupTopology after = topology_of(mesh);
     CHECK(report.stop == StopReason::all_pairs_rejected);

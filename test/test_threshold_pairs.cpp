@@ -356,8 +356,9 @@ TEST_CASE("Parts whose faces go in twos reach odd targets with pairs between the
     const ThresholdPairs pairs(0.3 + below_4(), 1e9);
     const auto check = [&]<class Placement>(Placement) {
       PointSoup result(soup);
-      const Report report = simplify<Quadric, Placement>(result.points, result.triangles,
-                                                         FaceCount{target}, pairs, NormalFlip{180});
+      const Report report =
+          simplify<Quadric, Placement>(result.points, result.triangles, FaceCount{target}, pairs,
+                                       Topology::free, NormalFlip{180});
       INFO(report);
       REQUIRE(is_target_reached(report.stop));
       REQUIRE(report.faces_after <= target);
