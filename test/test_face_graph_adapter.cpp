@@ -465,7 +465,7 @@ TEST_CASE("A mesh can be simplified again and again, and refined in between") {
     mesh.point(mesh.target(center)) = CGAL::centroid(p, q, r);
     REQUIRE(test::is_valid_triangle_mesh(mesh));
   }
-  CHECK(2 * mesh.number_of_faces() <= test::random_with_borders(seed).triangles.size());
+  CHECK(3 * mesh.number_of_faces() <= 2 * test::random_with_borders(seed).triangles.size());
 }
 
 // --- The user's own maps -------------------------------------------------------------------------

@@ -421,6 +421,8 @@ public:
     require_valid();
     if (!complaint_.empty())
       return complaint_;
+    if (report_.stop == StopReason::cancelled && report_.contractions == 0)
+      return require_untouched();
     topology_after_ = topology_of(after_);
     require_clean();
     require_report();
@@ -436,6 +438,12 @@ private:
   void require(bool holds, const std::string& what) {
     if (!holds && complaint_.empty())
       complaint_ = what;
+  }
+
+  // Cancelled before the first contraction it is as it was, with all that is odd about it.
+  std::string require_untouched() {
+    require(report_.faces_after == report_.faces_before, "faces went though nothing was done");
+    return complaint_;
   }
 
   void require_valid() {
@@ -487,7 +495,12 @@ private:
     status.contractions = report_.contractions;
     const bool is_met = is_target_reached(report_.stop);
     if (std::holds_alternative<ErrorLimit>(call_.stop.chosen)) {
-      status.next_distance = report_.distance_bound;
+      // What may be nothing but rounding passes any limit: see ErrorLimit.
+      double coordinate = 0;
+      for (const Position& p : before_.points)
+        for (double x : p.coordinates)
+          coordinate = std::max(coordinate, std::abs(x));
+      status.next_distance = std::max(0.0, report_.distance_bound - 0x1p-39 * coordinate);
       require(!call_.stop(status), "the result is beyond the limit");
     } else if (call_.stop.chosen.index() != 6) { // the next distance is not known here
       require(call_.stop(status) == is_met, "the target and the reason to stop do not agree");
