@@ -81,10 +81,12 @@ public:
 
   /// The contraction has been done.
   void set(const PairStar& star, const std::vector<float>& bounds) {
+    // A stop policy that takes back what it has said has ended the measuring too early.
+    const bool are_known = bounds.size() == star.first.size() + star.second.size();
     auto bound = bounds.begin();
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
-        of_face_[f.face] = *bound++;
+        of_face_[f.face] = are_known ? *bound++ : std::numeric_limits<float>::infinity();
   }
 
   /// Leaves out those of faces for which is_left(face) is false.
