@@ -35,16 +35,17 @@ public:
                       const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
                       std::vector<float>& bounds, IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
-    const auto is_beyond = [&](double distance) {
-      return is_too_far(rounded_up(distance + deviation.rounding()));
-    };
-    if (const auto beyond = deviation.compare_each(is_beyond))
+    const auto bound = [&](double distance) { return rounded_up(distance + deviation.rounding()); };
+    const auto is_beyond = [&](double distance) { return is_too_far(bound(distance)); };
+    std::optional<FaceDeviation> beyond = deviation.compare_each(is_beyond);
+    if (!beyond)
+      beyond = deviation.compare_sheets(is_beyond);
+    if (!beyond && may_have_border)
+      beyond = deviation.compare_border(is_beyond);
+    if (beyond) { // told as it was asked about, else it might seem not to be too far
+      beyond->from_input = bound(beyond->from_input);
       return *beyond;
-    if (const auto beyond = deviation.compare_sheets(is_beyond))
-      return *beyond;
-    if (may_have_border)
-      if (const auto beyond = deviation.compare_border(is_beyond))
-        return *beyond;
+    }
     FaceDeviation greatest = deviation.greatest();
     greatest.from_input = take_bounds(star, deviation, bounds);
     return greatest;
@@ -81,12 +82,10 @@ public:
 
   /// The contraction has been done.
   void set(const PairStar& star, const std::vector<float>& bounds) {
-    // A stop policy that takes back what it has said has ended the measuring too early.
-    const bool are_known = bounds.size() == star.first.size() + star.second.size();
     auto bound = bounds.begin();
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
-        of_face_[f.face] = are_known ? *bound++ : std::numeric_limits<float>::infinity();
+        of_face_[f.face] = *bound++;
   }
 
   /// Leaves out those of faces for which is_left(face) is false.
