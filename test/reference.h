@@ -185,12 +185,14 @@ private:
            (squared_distance(x, position_[edge[0]]) + squared_distance(x, position_[edge[1]]));
   }
 
-  // Of the sum of the costs and of a billionth of their weight times the squared distance to
-  // `origin`. By the normal equations and Cramer's rule, as a displacement from there.
-  static std::optional<Position> minimizer(const Memory& memory, const Position& origin) {
+  // Of the sum of the costs and of `pull` times their weight times the squared distance to
+  // `origin`. By the normal equations and Cramer's rule, as a displacement from there. Nothing
+  // where a pivot is not above `least` of the weight.
+  static std::optional<Position> minimizer(const Memory& memory, const Position& origin, Real pull,
+                                           Real least) {
     std::array<std::array<Real, 4>, 3> m{}; // the matrix and, in column 3, the right side
     for (std::size_t i = 0; i < 3; ++i)
-      m[i][i] = 1e-9L * weight(memory);
+      m[i][i] = pull * weight(memory);
     for (const Plane& plane : memory) {
       Real offset = 0;
       for (std::size_t i = 0; i < 3; ++i)
@@ -206,8 +208,9 @@ private:
              m[1][a] * (m[0][b] * m[2][c] - m[2][b] * m[0][c]) +
              m[2][a] * (m[0][b] * m[1][c] - m[1][b] * m[0][c]);
     };
-    const Real d = determinant(0, 1, 2);
-    if (!(d > 0))
+    const Real d = determinant(0, 1, 2), minor = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    const Real least_pivot = least * weight(memory);
+    if (!(m[0][0] > least_pivot && minor > least_pivot * m[0][0] && d > least_pivot * minor))
       return std::nullopt;
     return origin + Position{{double(determinant(3, 1, 2) / d), double(determinant(0, 3, 2) / d),
                               double(determinant(0, 1, 3) / d)}};
@@ -215,9 +218,12 @@ private:
 
   Position best_position(const Memory& memory, const Edge& edge) const {
     const Position &p = position_[edge[0]], &q = position_[edge[1]];
-    std::optional<Position> x = minimizer(memory, 0.5 * (p + q));
-    if (x)
-      x = minimizer(memory, *x); // takes back what it has given for being near
+    std::optional<Position> x = minimizer(memory, p, 0, 1e-4L);
+    if (!x) { // planes leave it free, or nearly so
+      x = minimizer(memory, 0.5 * (p + q), 1e-9L, 0);
+      if (x)
+        x = minimizer(memory, *x, 1e-9L, 0); // takes back what it has given for being near
+    }
     const double reach = std::max(reach_[edge[0]], reach_[edge[1]]);
     if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach) {
       for (const Position& end : {p, q}) // not moved by rounding alone

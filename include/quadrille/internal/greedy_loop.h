@@ -98,7 +98,7 @@ private:
       else if (is_too_far(*next, candidate))
         park(*next, Rejection::distance);
       else if (surface_.is_enough())
-        return reason_of_target();
+        return surface_.reason_of_target();
       else if (destroys(candidate))
         park(*next, Rejection::destruction);
       else if (!is_last_resort_ && misses_target(*next, candidate))
@@ -207,15 +207,11 @@ private:
     return surface_.is_enough();
   }
 
-  StopReason reason_of_target() const {
-    return surface_.is_passed() ? StopReason::target_passed : StopReason::target_met;
-  }
-
   StopReason final_reason() {
     if constexpr (asks_for_distance<typename Policies::Stop>)
       surface_.announce_distance(0);
     if (surface_.is_enough() || has_met_distance_)
-      return reason_of_target();
+      return surface_.reason_of_target();
     if (has_met_destruction_)
       return StopReason::target_unreachable;
     return parked_.size() == 0 ? StopReason::no_pair_left : StopReason::all_pairs_rejected;

@@ -55,10 +55,10 @@ SurfaceSize least_surface(const TriangleComplex& complex, const LinkCondition& l
   SurfaceSize size{0, 0, 0};
   for (const PartTally& part : parts)
     if (part.vertices > 0) {
-      ++size.parts;
       const SurfaceSize least = part.least();
       size.faces += least.faces;
       size.vertices += least.vertices;
+      size.parts += least.parts;
     }
   return size;
 }

@@ -272,15 +272,16 @@ public:
 
   /// Does the stop policy say so?
   bool is_enough() const { return policies_.stop(progress_.status); }
-  /// And have contractions gone beyond its target?
-  bool is_passed() const {
-    return status().contractions > 0 && internal::is_passed(policies_.stop, progress_.status);
+  /// In which way, if it does: have contractions gone beyond its target?
+  StopReason reason_of_target() const {
+    const bool is_passed =
+        status().contractions > 0 && internal::is_passed(policies_.stop, progress_.status);
+    return is_passed ? StopReason::target_passed : StopReason::target_met;
   }
 
   /// Would the contraction spoil the shape of what is around it: is its error more than a tenth of
   /// the distance to the farthest neighbour? An edge of a cube of twelve faces is, a corner of a
-  /// sheet of two. Only a cost
-  /// that tells its error as a distance to the surface can say so.
+  /// sheet of two. Only a cost that tells its error as a distance to the surface can say so.
   bool is_destructive(const Candidate& candidate) const {
     if constexpr (requires { policies_.cost.squared_error(candidate.pair, 0.0); })
       return candidate.error > 0.1 * scale_.length_of_mesh(std::sqrt(candidate.pair.squared_reach));

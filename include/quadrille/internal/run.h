@@ -59,9 +59,7 @@ void contract(PairContraction<Policies>& surface, Report& report, StopWatch& wat
     report.seconds.prepare = watch.lap();
     const bool is_cancelled = !RelaxedPasses<Policies>(surface, surface.policies().order).run();
     if (is_cancelled || surface.is_enough()) {
-      report.stop = is_cancelled          ? StopReason::cancelled
-                    : surface.is_passed() ? StopReason::target_passed
-                                          : StopReason::target_met;
+      report.stop = is_cancelled ? StopReason::cancelled : surface.reason_of_target();
       return;
     }
   }
