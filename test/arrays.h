@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_TEST_ARRAYS_H
 #define QUADRILLE_TEST_ARRAYS_H
 
-#include <quadrille/internal/array.h>
+#include <quadrille/internal/memory/array.h>
 
 #include <vector>
 

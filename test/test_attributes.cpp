@@ -69,8 +69,8 @@ TEMPLATE_TEST_CASE_SIG("A face leaves its area times the squared distance to its
 }
 
 TEST_CASE("By default a step across the range of the attributes is a part of the diagonal") {
-  const Vector<3> weights = ColorQuadric{.importance = 0.5}.attribute_weights(
-      {{0, 10, -1}}, {{100, 20, 1}}, 20.0);
+  const Vector<3> weights =
+      ColorQuadric{.importance = 0.5}.attribute_weights({{0, 10, -1}}, {{100, 20, 1}}, 20.0);
   CHECK(weights == Vector<3>{{0.1, 0.1, 0.1}});
   CHECK(TextureQuadric{}.attribute_weights({{3, 3}}, {{3, 3}}, 20.0) == Vector<2>{{1, 1}});
 }

@@ -101,9 +101,9 @@ TEST_CASE("One face that turns is enough for a refusal") {
 
 TEST_CASE("No sliver is made out of a better triangle") {
   const double limit = quality(0.2);
-  CHECK(TriangleShape(limit * 1.01).allows(heightened(0.1, 0.19)));        // bad, but better
-  CHECK_FALSE(TriangleShape(limit * 0.99).allows(heightened(0.2, 0.19)));  // below the limit
-  CHECK(TriangleShape(limit * 0.99).allows(heightened(0.8, 0.2)));         // worse, but good enough
+  CHECK(TriangleShape(limit * 1.01).allows(heightened(0.1, 0.19)));       // bad, but better
+  CHECK_FALSE(TriangleShape(limit * 0.99).allows(heightened(0.2, 0.19))); // below the limit
+  CHECK(TriangleShape(limit * 0.99).allows(heightened(0.8, 0.2)));        // worse, but good enough
   CHECK_FALSE(TriangleShape(limit * 1.01).allows(heightened(0.8, 0.2)));
   CHECK(TriangleShape(0).allows(heightened(1, 0)));
   CHECK(TriangleShape(1).allows(heightened(0.5, 0.6)));

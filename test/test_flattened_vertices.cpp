@@ -4,7 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/distance.h>
-#include <quadrille/internal/flattened_vertices.h>
+#include <quadrille/internal/order/flattened_vertices.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 

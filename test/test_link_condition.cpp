@@ -3,11 +3,11 @@
 #include "arrays.h"
 #include "soups.h"
 
-#include <quadrille/internal/link_condition.h>
-#include <quadrille/internal/marks.h>
-#include <quadrille/internal/scratch.h>
-#include <quadrille/internal/star.h>
-#include <quadrille/internal/triangle_complex.h>
+#include <quadrille/internal/complex/link_condition.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/contraction/scratch.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,8 +3,8 @@
 
 #include "soups.h"
 
-#include <quadrille/internal/pair_queue.h>
-#include <quadrille/internal/parked_pairs.h>
+#include <quadrille/internal/order/deferred_pairs.h>
+#include <quadrille/internal/order/pair_queue.h>
 
 #include <catch2/catch.hpp>
 

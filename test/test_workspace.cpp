@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include <quadrille/internal/array.h>
-#include <quadrille/internal/workspace.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/workspace.h>
 
 #include <algorithm>
 #include <cstddef>

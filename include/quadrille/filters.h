@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_FILTERS_H
 #define QUADRILLE_FILTERS_H
 
-#include <quadrille/internal/text.h>
+#include <quadrille/internal/base/text.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_ORDER_H
 #define QUADRILLE_ORDER_H
 
-#include <quadrille/internal/text.h>
+#include <quadrille/internal/base/text.h>
 
 #include <cstddef>
 #include <stdexcept>

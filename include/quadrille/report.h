@@ -40,7 +40,7 @@ enum class StopReason {
                       ///< filter
   target_unreachable, ///< the topology of the parts that is kept does not let the target be
                       ///< reached, and what is left would only destroy some on the way to it
-  cancelled ///< the visitor said so
+  cancelled           ///< the visitor said so
 };
 
 /// Has the stop policy had its will, exactly or next to it?

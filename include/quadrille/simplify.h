@@ -5,9 +5,9 @@
 #include <quadrille/concepts.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
-#include <quadrille/internal/arguments.h>
-#include <quadrille/internal/meshes.h>
-#include <quadrille/internal/threads.h>
+#include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/call/arguments.h>
+#include <quadrille/internal/call/meshes.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
@@ -109,6 +109,6 @@ requires internal::Fitting<Cost, Placement, Arguments...> && internal::PointCont
 
 } // namespace quadrille
 
-#include <quadrille/internal/diagnostics.h>
+#include <quadrille/internal/call/diagnostics.h>
 
 #endif // QUADRILLE_SIMPLIFY_H

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_STOP_H
 #define QUADRILLE_STOP_H
 
-#include <quadrille/internal/policies.h>
-#include <quadrille/internal/text.h>
+#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 
 #include <cmath>

@@ -4,9 +4,9 @@
 // This header includes CGAL's kd-tree, which is GPL: a program that includes it comes under the GPL
 // (or CGAL's commercial licence). <quadrille/simplify.h> does not include it.
 
-#include <quadrille/internal/close_points.h>
-#include <quadrille/internal/face_points.h>
-#include <quadrille/internal/text.h>
+#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/pairs/close_points.h>
+#include <quadrille/internal/pairs/face_points.h>
 #include <quadrille/pairs.h>
 
 #include <algorithm>

@@ -1,0 +1,177 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_ATTRIBUTES_H
+#define QUADRILLE_INTERNAL_ADAPTER_ATTRIBUTES_H
+
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/internal/base/attribute_values.h>
+#include <quadrille/internal/base/points.h>
+#include <quadrille/vector.h>
+
+#include <CGAL/number_utils.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// A position and its attributes as one point, and the attributes of such a point.
+template <std::size_t N>
+Vector<3 + N> join(const Vector<3>& position, const Vector<N>& attributes) {
+  Vector<3 + N> joined;
+  std::copy(position.coordinates.begin(), position.coordinates.end(), joined.coordinates.begin());
+  std::copy(attributes.coordinates.begin(), attributes.coordinates.end(),
+            joined.coordinates.begin() + 3);
+  return joined;
+}
+
+template <std::size_t D>
+Vector<D - 3> attributes_of(const Vector<D>& joined) {
+  Vector<D - 3> attributes;
+  std::copy(joined.coordinates.begin() + 3, joined.coordinates.end(),
+            attributes.coordinates.begin());
+  return attributes;
+}
+
+/// Attributes of the vertices, for a cost that looks at positions only.
+struct NoAttributes {
+  static constexpr std::size_t size = 0;
+};
+
+/// N attributes of the vertices, in a property map of the user's: its values are indexed with []
+/// (colours, arrays, points and vectors) or, for N = 1, numbers.
+template <class Map, std::size_t N, Attribute A>
+class AttributeMap {
+public:
+  static_assert(
+      requires { typename boost::property_traits<Map>::value_type; },
+      "quadrille: attributes are passed as a property map; of a vector that is "
+      "CGAL::make_property_map(vector)");
+  static constexpr std::size_t size = N;
+  using Value = typename boost::property_traits<Map>::value_type;
+  static_assert(is_number<ComponentOf<Value>>,
+                "quadrille: the values of an attribute map are numbers, or have numbers by []; "
+                "these are something else.");
+  static_assert(component_count<Value>() >= N,
+                "quadrille: the values of this attribute map have fewer components than the cost "
+                "reads: choose an AttributeQuadric<N> that fits them.");
+
+  explicit AttributeMap(Map map) : map_(map) {}
+
+  template <class Key>
+  Vector<N> read(const Key& key) const {
+    Vector<N> attributes;
+    const Value value = get(map_, key);
+    require_components(value);
+    for (std::size_t i = 0; i < N; ++i)
+      attributes[i] = to_double(component(value, i));
+    return attributes;
+  }
+
+  /// Colours will stay in the range of those that faces use, or in [0, 1] where these lie there.
+  template <class Surface>
+  void limit([[maybe_unused]] const Surface& surface) {
+    if constexpr (A == Attribute::color) {
+      const auto box = surface.box();
+      low_ = attributes_of(box.low);
+      high_ = attributes_of(box.high);
+      if (std::ranges::min(low_.coordinates) >= 0 && std::ranges::max(high_.coordinates) <= 1) {
+        low_.coordinates.fill(0);
+        high_.coordinates.fill(1);
+      }
+    }
+  }
+
+  /// Puts the attributes in the range of their type: a colour stays in its limits, a normal gets
+  /// length 1.
+  template <class Key>
+  void write(const Key& key, Vector<N> attributes) {
+    if constexpr (A == Attribute::color)
+      for (std::size_t i = 0; i < N; ++i)
+        attributes[i] = std::clamp(attributes[i], low_[i], high_[i]);
+    if constexpr (A == Attribute::normal) {
+      const double squared = squared_length(attributes);
+      if (!(squared > 0))
+        return; // opposite normals have met: the old one is left
+      attributes *= 1 / std::sqrt(squared);
+    }
+    put(map_, key, value(get(map_, key), attributes));
+  }
+
+  Value raw(const auto& key) const { return get(map_, key); }
+  void put_raw(const auto& key, const Value& value) { put(map_, key, value); }
+
+private:
+  // Of a value whose type does not tell how many it has.
+  static void require_components([[maybe_unused]] const Value& value) {
+    if constexpr (component_count<Value>() == std::numeric_limits<std::size_t>::max() &&
+                  requires { static_cast<std::size_t>(value.size()); })
+      if (static_cast<std::size_t>(value.size()) < N)
+        throw std::invalid_argument("quadrille::simplify: the attributes of a vertex have " +
+                                    std::to_string(value.size()) + " components of " +
+                                    std::to_string(N) + " that the cost reads");
+  }
+
+  template <class T>
+  static double to_double(const T& x) {
+    if constexpr (std::is_arithmetic_v<T>)
+      return static_cast<double>(x);
+    else
+      return CGAL::to_double(x);
+  }
+
+  template <class T>
+  static T in_range(double x) {
+    if constexpr (std::integral<T>) {
+      using Limits = std::numeric_limits<T>; // as a double max() of 64 bits is one too many
+      const double rounded = std::round(x);
+      if (!(rounded > static_cast<double>(Limits::min())))
+        return Limits::min();
+      if (rounded >= static_cast<double>(Limits::max()))
+        return Limits::max();
+      return static_cast<T>(rounded);
+    } else {
+      return to_number<T>(x);
+    }
+  }
+
+  static Value value(Value old, const Vector<N>& attributes) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+      return in_range<Value>(attributes[0]);
+    } else if constexpr (std::is_assignable_v<decltype(component(old, 0)), double>) {
+      using T = std::remove_cvref_t<decltype(component(old, 0))>;
+      for (std::size_t i = 0; i < N; ++i)
+        component(old, i) = in_range<T>(attributes[i]);
+      return old;
+    } else {
+      return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return Value(attributes[I]...);
+      }
+      (std::make_index_sequence<N>{});
+    }
+  }
+
+  Map map_;
+  Vector<N> low_, high_;
+};
+
+template <class Attributes>
+struct AttributeValueOf {
+  using type = typename Attributes::Value;
+};
+template <>
+struct AttributeValueOf<NoAttributes> {
+  using type = NoAttributes;
+};
+template <class Attributes>
+using AttributeValue = typename AttributeValueOf<Attributes>::type;
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_ATTRIBUTES_H

@@ -1,0 +1,146 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_FACE_GRAPH_ADAPTER_H
+#define QUADRILLE_INTERNAL_ADAPTER_FACE_GRAPH_ADAPTER_H
+
+#include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/adapter/face_graph_writer.h>
+#include <quadrille/internal/adapter/named_edges.h>
+#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/internal/surface/vertex_numbers.h>
+#include <quadrille/vector.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace quadrille::internal {
+
+/// Reads a FaceGraph into flat arrays and rewrites it from the result, each in linear time.
+///
+/// Vertices and faces that are left keep their descriptors. So do edges: of the edges that
+/// contractions made one, one is left, and each of its halfedges still points to what became of its
+/// target.
+template <class Mesh, class PointMap, class VertexIndexMap, class Attributes = NoAttributes>
+class FaceGraphAdapter {
+public:
+  static constexpr std::size_t dimension = 3 + Attributes::size;
+  using Traits = boost::graph_traits<Mesh>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Edge = typename Traits::edge_descriptor;
+  using Face = typename Traits::face_descriptor;
+
+  FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes,
+                   Workspace& workspace)
+      : workspace_(&workspace), mesh_(mesh), points_(points), vertices_(indices, &workspace),
+        attributes_(attributes) {}
+
+  /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
+  /// finite.
+  SurfaceInput<dimension> read() {
+    SurfaceInput<dimension> surface(workspace_);
+    vertices_.read(mesh_);
+    surface.reserve(vertices_.size(), num_faces(mesh_));
+    read_vertices(surface);
+    read_faces(surface);
+    if constexpr (Attributes::size > 0)
+      attributes_.limit(surface);
+    return surface;
+  }
+  /// Gives memory back that write() can fill anew.
+  void release() { vertices_.release(); }
+
+  /// Fixes the vertices of which get(map, vertex) is true.
+  template <class Map>
+  void fix_vertices(Map map, SurfaceInput<dimension>& surface) const {
+    for (Index v = 0; v < vertices_.size(); ++v)
+      if (get(map, vertices_[v]))
+        surface.fix(v);
+  }
+
+  /// Fixes the ends of the edges of which get(map, edge) is true, and has these edges left by
+  /// write().
+  template <class Map>
+  void fix_edges(Map map, SurfaceInput<dimension>& surface) {
+    for_each_edge_in(map, [&](Edge e, Index v, Index w) {
+      surface.fix(v);
+      surface.fix(w);
+      named_edges_.add(v, w, e, true);
+    });
+    named_edges_.sort();
+  }
+
+  /// Makes creases of the edges of which get(map, edge) is true.
+  template <class Map>
+  void name_creases(Map map, SurfaceInput<dimension>& surface) const {
+    for_each_edge_in(map, [&](Edge, Index v, Index w) { surface.creases.push_back({v, w}); });
+  }
+
+  /// Rewrites the mesh. `result` tells which faces are left, of which vertices, and where they
+  /// lie.
+  ///
+  /// Everything that can throw (memory, the user's maps) comes before the first change of the
+  /// connectivity, and is taken back if it does. Calls tell as Teller says. Returns how many
+  /// vertices it had to duplicate.
+  template <class Result, class Tell>
+  std::size_t write(const Result& result, Tell tell) {
+    vertices_.read(mesh_);
+    return FaceGraphWriter(mesh_, points_, vertices_, attributes_, named_edges_, workspace_)
+        .write(result, tell);
+  }
+
+private:
+  template <class Map, class Visit>
+  void for_each_edge_in(Map map, Visit visit) const {
+    for (Edge e : edges(mesh_))
+      if (get(map, e))
+        visit(e, vertices_.index(source(e, mesh_)), vertices_.index(target(e, mesh_)));
+  }
+
+  void read_vertices(SurfaceInput<dimension>& surface) {
+    surface.positions.resize(vertices_.size());
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      surface.positions[i] = read_position(vertices_[i]);
+      require_finite(surface.positions[i], i);
+    }
+  }
+
+  Vector<dimension> read_position(Vertex v) {
+    const Vector<3> position = position_of(get(points_, v));
+    if constexpr (Attributes::size > 0)
+      return join(position, attributes_.read(v));
+    else
+      return position;
+  }
+
+  void read_faces(SurfaceInput<dimension>& surface) {
+    for (Face f : faces(mesh_)) {
+      const Halfedge first = halfedge(f, mesh_), second = next(first, mesh_);
+      const std::array<Halfedge, 3> h{first, second, next(second, mesh_)};
+      if (next(h[2], mesh_) != h[0])
+        throw std::invalid_argument(
+            "quadrille::simplify: face " + std::to_string(surface.triangles.size()) +
+            " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_faces makes it so");
+      surface.triangles.push_back({vertices_.index(target(h[0], mesh_)),
+                                   vertices_.index(target(h[1], mesh_)),
+                                   vertices_.index(target(h[2], mesh_))});
+    }
+    TriangleComplex::check_size(0, surface.triangles.size());
+  }
+
+  Workspace* workspace_;
+  Mesh& mesh_;
+  PointMap points_;
+  VertexNumbers<Mesh, VertexIndexMap> vertices_;
+  [[no_unique_address]] Attributes attributes_;
+  NamedEdges<Edge> named_edges_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_FACE_GRAPH_ADAPTER_H

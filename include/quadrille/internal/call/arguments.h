@@ -1,0 +1,233 @@
+#ifndef QUADRILLE_INTERNAL_CALL_ARGUMENTS_H
+#define QUADRILLE_INTERNAL_CALL_ARGUMENTS_H
+
+#include <quadrille/concepts.h>
+#include <quadrille/filters.h>
+#include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/policy/visitor_holder.h>
+#include <quadrille/order.h>
+#include <quadrille/pairs.h>
+#include <quadrille/parameters.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric.h>
+#include <quadrille/stop.h>
+#include <quadrille/topology.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <ranges>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+/// Recognising the arguments of `simplify` by the concept that each models.
+
+namespace quadrille::internal {
+
+enum class Kind {
+  cost,
+  placement,
+  pairs,
+  stop,
+  order,
+  filter,
+  topology,
+  named_parameters,
+  unknown
+};
+
+/// Is a type meant to be a cost? Nothing else has these members.
+template <class T>
+concept LooksLikeCost = requires {
+  typename T::Memory;
+}
+|| requires {
+  T::dimension;
+};
+
+/// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
+/// kind before it: to ask what a call results in instantiates the body of a user's function. An
+/// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
+template <class T, class Cost>
+constexpr Kind kind_of() {
+  if constexpr (IsNamedParameters<T>::value)
+    return Kind::named_parameters;
+  else if constexpr (std::same_as<T, Topology>)
+    return Kind::topology;
+  else if constexpr (std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder>)
+    return Kind::order;
+  else if constexpr (LooksLikeCost<T>)
+    return CostPolicy<T> ? Kind::cost : Kind::unknown;
+  else if constexpr (FilterPolicy<T, Cost>)
+    return Kind::filter;
+  else if constexpr (StopPolicy<T>)
+    return Kind::stop;
+  else if constexpr (std::same_as<T, OptimalPlacement>)
+    return Kind::placement;
+  else if constexpr (PlacementPolicy<T, Cost>)
+    return Kind::placement;
+  else if constexpr (PairPolicy<T>)
+    return Kind::pairs;
+  else
+    return Kind::unknown;
+}
+
+/// In place of a cost or a placement that is no template argument.
+struct NotGiven {};
+template <class Policy, class Default>
+using Given = std::conditional_t<std::same_as<Policy, NotGiven>, Default, Policy>;
+
+/// The cost that a call uses: that among the arguments, or the template argument.
+template <class Cost, class... Arguments>
+struct FirstCost : std::type_identity<Given<Cost, Quadric>> {};
+template <class Cost, class First, class... Rest>
+struct FirstCost<Cost, First, Rest...>
+    : std::conditional_t<LooksLikeCost<First>, std::type_identity<First>,
+                         FirstCost<Cost, Rest...>> {};
+template <class Cost, class... Arguments>
+using CostOf = typename FirstCost<Cost, Arguments...>::type;
+
+template <Kind kind, class Cost, class... Arguments>
+inline constexpr std::size_t count_of = (std::size_t{kind_of<Arguments, Cost>() == kind} + ... + 0);
+
+/// The first argument of a kind, else the default.
+template <Kind kind, class Cost, class Default>
+Default pick() {
+  static_assert(std::default_initializable<Default>,
+                "This policy has no default constructor: pass a value of it to simplify instead of "
+                "a template argument.");
+  return Default{};
+}
+template <Kind kind, class Cost, class Default, class First, class... Rest>
+auto pick(const First& first, const Rest&... rest) {
+  if constexpr (kind_of<First, Cost>() == kind)
+    return first;
+  else
+    return pick<kind, Cost, Default>(rest...);
+}
+
+/// The filters among the arguments, as a tuple; with NormalFlip before them unless it is one of
+/// them.
+template <class Cost, class... Arguments>
+auto pick_filters(const Arguments&... arguments) {
+  const auto given = std::tuple_cat([](const auto& argument) {
+    if constexpr (kind_of<std::remove_cvref_t<decltype(argument)>, Cost>() == Kind::filter)
+      return std::tuple(argument);
+    else
+      return std::tuple();
+  }(arguments)...);
+  if constexpr ((std::same_as<Arguments, NormalFlip> || ...))
+    return given;
+  else
+    return std::tuple_cat(std::tuple(NormalFlip{}), given);
+}
+
+/// The first argument of no kind, or NoArgument. The triangles of a soup are a range, and no
+/// policy.
+struct NoArgument {};
+template <class Cost, class... Arguments>
+struct FirstUnknown : std::type_identity<NoArgument> {};
+template <class Cost, class First, class... Rest>
+struct FirstUnknown<Cost, First, Rest...>
+    : std::conditional_t<!std::ranges::range<First> && kind_of<First, Cost>() == Kind::unknown,
+                         std::type_identity<First>, FirstUnknown<Cost, Rest...>> {};
+template <class Cost, class... Arguments>
+using Unknown = typename FirstUnknown<CostOf<Cost, Arguments...>, Arguments...>::type;
+
+/// The placement that a call uses; for OptimalPlacement, of which pick_policies tells more, one
+/// that fits every cost.
+template <class Cost, class Placement, class... Arguments>
+struct PlacementFor {
+  using Picked = decltype(pick<Kind::placement, Cost, Given<Placement, OptimalPlacement>>(
+      std::declval<const Arguments&>()...));
+  using type =
+      std::conditional_t<std::is_same_v<Picked, OptimalPlacement>, MidpointPlacement, Picked>;
+};
+template <class Cost, class Placement, class... Arguments>
+using PlacementOf =
+    typename PlacementFor<CostOf<Cost, Arguments...>, Placement, Arguments...>::type;
+
+template <class Argument>
+concept ArgumentOfSimplify = std::is_same_v<Argument, NoArgument>;
+
+/// What `simplify` asks of its arguments: there is none that it does not know, and the placement
+/// fits the cost.
+template <class Cost, class Placement, class... Arguments>
+concept Fitting =
+    CostPolicy<CostOf<Cost, Arguments...>> && ArgumentOfSimplify<Unknown<Cost, Arguments...>> &&
+    PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
+
+template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
+          class Threads, class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, std::optional<Topology>,
+         std::tuple<Filters...>)
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Filters...>;
+
+inline namespace QUADRILLE_THREADING {
+
+/// All policies of a call, checked for fitting together. Cost and placement may be template
+/// arguments, or NotGiven.
+template <class CostArgument, class PlacementArgument, class... Arguments>
+auto pick_policies(const Arguments&... arguments) {
+  using CGAL::parameters::get_parameter;
+  using Cost = CostOf<CostArgument, Arguments...>;
+  static_assert(count_of<Kind::cost, Cost, Arguments...> <= 1,
+                "simplify takes one cost: pass only one.");
+  static_assert(count_of<Kind::cost, Cost, Arguments...> == 0 ||
+                    std::same_as<CostArgument, NotGiven>,
+                "simplify takes one cost: pass it as a template argument or as a value, not both.");
+  static_assert(count_of<Kind::placement, Cost, Arguments...> <= 1,
+                "simplify takes one placement: pass only one.");
+  static_assert(count_of<Kind::placement, Cost, Arguments...> == 0 ||
+                    std::same_as<PlacementArgument, NotGiven>,
+                "simplify takes one placement: pass it as a template argument or as a value, not "
+                "both.");
+  static_assert(count_of<Kind::pairs, Cost, Arguments...> <= 1,
+                "simplify takes one pair policy: pass only one.");
+  static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
+                "simplify takes one stop policy: combine several with AnyOf or AllOf.");
+  static_assert(count_of<Kind::order, Cost, Arguments...> <= 1,
+                "simplify takes one order: pass only one.");
+  static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
+                "simplify takes one Topology: pass only one.");
+  static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
+                "simplify takes one chain of named parameters: join them with a dot.");
+
+  const auto placement =
+      pick<Kind::placement, Cost, Given<PlacementArgument, OptimalPlacement>>(arguments...);
+  static_assert(PlacementPolicy<decltype(placement), Cost>,
+                "OptimalPlacement needs a cost with a minimizer, and this one has none: use "
+                "MidpointPlacement or EndpointPlacement, as in "
+                "simplify<EdgeLength, MidpointPlacement>(mesh).");
+  std::optional<Topology> topology;
+  if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
+    topology = pick<Kind::topology, Cost, Topology>(arguments...);
+  const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  Policies policies{
+      pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...),
+      placement,
+      pick<Kind::pairs, Cost, EdgePairs>(arguments...),
+      pick<Kind::stop, Cost, FaceRatio>(arguments...),
+      order,
+      hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
+      ThreadsHere(threads_of(order)),
+      topology,
+      pick_filters<Cost>(arguments...)};
+  validate(policies.cost);
+  validate(policies.pairs);
+  validate(policies.stop);
+  validate(policies.order);
+  policies.threads.validate();
+  return policies;
+}
+
+} // namespace QUADRILLE_THREADING
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_ARGUMENTS_H

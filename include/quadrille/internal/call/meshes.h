@@ -1,0 +1,129 @@
+#ifndef QUADRILLE_INTERNAL_CALL_MESHES_H
+#define QUADRILLE_INTERNAL_CALL_MESHES_H
+
+#include <quadrille/internal/adapter/face_graph_adapter.h>
+#include <quadrille/internal/adapter/soup_adapter.h>
+#include <quadrille/internal/call/arguments.h>
+#include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/call/run.h>
+#include <quadrille/internal/call/teller.h>
+#include <quadrille/parameters.h>
+#include <quadrille/report.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <concepts>
+#include <ranges>
+#include <type_traits>
+
+/// The two kinds of surface that `simplify` takes, from their named parameters to a run.
+
+namespace quadrille::internal {
+
+/// CGAL's MutableFaceGraph and FaceListGraph. vertices, halfedges and faces are asked for first:
+/// the graph traits of a type that is no graph are a hard error.
+template <class G>
+concept FaceGraph = requires(G& g) {
+  vertices(g);
+  halfedges(g);
+  faces(g);
+}
+&&requires(G& g, typename boost::graph_traits<G>::halfedge_descriptor h,
+           typename boost::graph_traits<G>::face_descriptor f) {
+  set_next(h, h, g);
+  set_face(h, f, g);
+  set_halfedge(f, h, g);
+  remove_face(f, g);
+  get(CGAL::vertex_point, g);
+};
+
+template <class P>
+concept PointContainer =
+    std::ranges::random_access_range<P> && !FaceGraph<P> && requires(P & points) {
+  points.push_back(points[0]);
+};
+
+template <class T>
+concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& triangles) {
+  triangles.push_back(triangles[0]);
+  requires std::ranges::random_access_range<std::ranges::range_value_t<T>>;
+  requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
+};
+
+template <class Mesh, class Policies, class NamedParameters>
+Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedParameters& named) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Cost = typename Policies::Cost;
+  namespace np = CGAL::internal_np;
+  check_named<Cost, NamedParameters>(
+      Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
+            np::face_index_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+            parameters::vertex_image_t, parameters::duplicate_output_t>());
+  auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
+                                 CGAL::get_property_map(CGAL::vertex_point, mesh));
+  auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
+  auto attributes = pick_attributes<Cost>(named);
+  Workspace workspace(memory_needs<Policies>(num_vertices(mesh), num_faces(mesh)));
+  FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes)> adapter(
+      mesh, points, indices, attributes, workspace);
+  const auto read = [&](auto& reader) {
+    auto input = reader.read();
+    const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
+    const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
+    const auto creases = get_parameter(named, parameters::edge_is_crease);
+    if constexpr (is_given<decltype(fixed_vertices)>)
+      reader.fix_vertices(fixed_vertices, input);
+    if constexpr (is_given<decltype(fixed_edges)>)
+      reader.fix_edges(fixed_edges, input);
+    if constexpr (is_given<decltype(creases)>) {
+      static_assert(
+          requires(const Cost cost) { cost.crease_degrees; },
+          "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
+      reader.name_creases(creases, input);
+    }
+    reader.release();
+    return input;
+  };
+  return run(adapter, policies, read, teller(named));
+}
+
+template <class Points, class Triangles, class Policies, class NamedParameters>
+Report simplify_soup(Points& points, Triangles& triangles, const Policies& policies,
+                     const NamedParameters& named) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Cost = typename Policies::Cost;
+  using Point = std::ranges::range_value_t<Points>;
+  const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
+  const auto creases = get_parameter(named, parameters::edge_is_crease);
+  static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)>,
+                "quadrille::simplify: a soup has no edges for a map: pass "
+                "vertex_is_constrained_map, or simplify a mesh");
+  namespace np = CGAL::internal_np;
+  check_named<Cost, NamedParameters>(
+      Names<np::point_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+            parameters::vertex_image_t>());
+  auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
+                              CGAL::Identity_property_map<Point>());
+  auto attributes = pick_attributes<Cost>(named);
+  Workspace workspace(
+      memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));
+  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes)> adapter(
+      points, triangles, map, attributes, workspace);
+  const auto read = [&](auto& reader) {
+    auto input = reader.read();
+    const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
+    if constexpr (is_given<decltype(fixed_vertices)>)
+      reader.fix_vertices(fixed_vertices, input);
+    return input;
+  };
+  return run(adapter, policies, read, teller(named));
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_MESHES_H

@@ -1,0 +1,129 @@
+#ifndef QUADRILLE_INTERNAL_CALL_NAMED_PARAMETERS_H
+#define QUADRILLE_INTERNAL_CALL_NAMED_PARAMETERS_H
+
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+/// CGAL's named parameters: which there are in a call, and which of them it reads.
+
+namespace quadrille::internal {
+
+template <class T>
+struct IsNamedParameters : std::false_type {};
+template <class T, class Tag, class Base>
+struct IsNamedParameters<CGAL::Named_function_parameters<T, Tag, Base>> : std::true_type {};
+
+/// The named parameters of a call.
+inline auto pick_named() {
+  return CGAL::parameters::default_values();
+}
+template <class First, class... Rest>
+auto pick_named(const First& first, const Rest&... rest) {
+  if constexpr (IsNamedParameters<First>::value)
+    return first;
+  else
+    return pick_named(rest...);
+}
+
+template <class Parameter>
+inline constexpr bool is_given =
+    !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
+
+/// Names of parameters: their tags.
+template <class... Tags>
+struct Names {
+  template <class Tag>
+  static constexpr bool contains = (std::same_as<Tag, Tags> || ...);
+};
+
+/// The named parameters of a chain that are not among those.
+template <class NamedParameters, class Known, class... Found>
+struct OthersThan : std::type_identity<Names<Found...>> {}; // at the end of the chain
+template <class T, class Tag, class Base, class Known, class... Found>
+struct OthersThan<CGAL::Named_function_parameters<T, Tag, Base>, Known, Found...>
+    : std::conditional_t<Known::template contains<Tag>, OthersThan<Base, Known, Found...>,
+                         OthersThan<Base, Known, Found..., Tag>> {};
+
+template <class... Tags, class... Others>
+constexpr bool have_in_common(Names<Tags...>, Names<Others...> others) {
+  return (decltype(others)::template contains<Tags> || ...);
+}
+
+/// Which property the attributes of a cost are.
+template <class Cost>
+constexpr Attribute attribute_of() {
+  if constexpr (requires { Cost::attribute; })
+    return Cost::attribute;
+  else
+    return Attribute::any;
+}
+
+/// The name of the attributes that a cost reads; of none if it reads none.
+template <class Cost>
+auto attribute_name() {
+  if constexpr (Cost::dimension == 3)
+    return CGAL::internal_np::all_default_t{};
+  else if constexpr (attribute_of<Cost>() == Attribute::color)
+    return CGAL::internal_np::vertex_color_map_t{};
+  else if constexpr (attribute_of<Cost>() == Attribute::texture)
+    return CGAL::internal_np::vertex_texture_map_t{};
+  else if constexpr (attribute_of<Cost>() == Attribute::normal)
+    return CGAL::internal_np::vertex_normal_map_t{};
+  else
+    return parameters::vertex_attribute_t{};
+}
+
+/// The attributes that a cost looks at, in the property map that is their named parameter.
+template <class Cost, class NamedParameters>
+auto pick_attributes(const NamedParameters& named) {
+  if constexpr (Cost::dimension == 3) {
+    return NoAttributes{};
+  } else {
+    const auto map = CGAL::parameters::get_parameter(named, attribute_name<Cost>());
+    using Map = std::remove_cvref_t<decltype(map)>;
+    static_assert(
+        is_given<Map>,
+        "This cost needs attributes: pass their property map as a named parameter, "
+        "vertex_color_map, vertex_texture_map or vertex_normal_map of CGAL::parameters, or "
+        "vertex_attribute_map of quadrille::parameters.");
+    return AttributeMap<Map, Cost::dimension - 3, attribute_of<Cost>()>(map);
+  }
+}
+
+/// Refuses to compile a call with named parameters that are neither among `Read` nor read by the
+/// cost nor harmless.
+template <class Cost, class NamedParameters, class... Read>
+constexpr void check_named(Names<Read...>) {
+  namespace np = CGAL::internal_np;
+  using Known =
+      Names<np::all_default_t, np::geom_traits_t, np::visitor_t, np::vertex_is_constrained_t,
+            parameters::vertex_quadric_t, decltype(attribute_name<Cost>()), Read...>;
+  constexpr typename OthersThan<NamedParameters, Known>::type unread;
+  constexpr Names<np::vertex_color_map_t, np::vertex_texture_map_t, np::vertex_normal_map_t,
+                  parameters::vertex_attribute_t>
+      attributes;
+  constexpr Names<np::get_cost_policy_t, np::get_placement_policy_t, np::filter_t> cgals;
+  constexpr bool are_attributes = have_in_common(unread, attributes);
+  constexpr bool are_cgals = have_in_common(unread, cgals);
+  static_assert(!are_attributes,
+                "The cost of this call does not read these attributes: vertex_color_map goes with "
+                "ColorQuadric, vertex_texture_map with TextureQuadric, vertex_normal_map with "
+                "NormalQuadric and vertex_attribute_map with AttributeQuadric<N>.");
+  static_assert(!are_cgals,
+                "get_cost, get_placement and filter are for CGAL's own policies: pass those of "
+                "quadrille as arguments, as in simplify(mesh, Quadric{}, OptimalPlacement{}).");
+  static_assert(are_attributes || are_cgals || std::same_as<decltype(unread), const Names<>>,
+                "Nothing in this call reads one of its named parameters: those that simplify knows "
+                "are listed in <quadrille/simplify.h>.");
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_NAMED_PARAMETERS_H

@@ -1,0 +1,129 @@
+#ifndef QUADRILLE_INTERNAL_CALL_RUN_H
+#define QUADRILLE_INTERNAL_CALL_RUN_H
+
+#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/contraction/pair_contraction.h>
+#include <quadrille/internal/contraction/result.h>
+#include <quadrille/internal/order/greedy_loop.h>
+#include <quadrille/internal/order/relaxed_passes.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/spatial_order.h>
+#include <quadrille/order.h>
+#include <quadrille/report.h>
+
+#include <chrono>
+#include <concepts>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// Seconds since it was last asked.
+class StopWatch {
+public:
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// Of a surface of so many vertices and faces, most of which will go.
+template <class Policies>
+MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
+  constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
+  // Beside what costs look at: its list of corners, its mark, what it has become part of, two
+  // bytes; with a queue, since when its pairs hold, and those that were refused.
+  constexpr std::size_t a_vertex =
+      PairCosts<Policies>::bytes_a_vertex + (has_queue ? 6 : 4) * sizeof(Index) + 2;
+  // Its corners, and room for another one or its origin.
+  constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 4 * sizeof(Index);
+  constexpr std::size_t passes = std::size_t{1} << 18; // proposals
+  const std::size_t queue =
+      PairQueue::bytes_for(GreedyLoop<Policies>::expected_pairs(3 * faces / 2, vertices));
+  const std::size_t least = vertices * a_vertex + faces * a_face + (has_queue ? queue : passes);
+  constexpr std::size_t few = std::size_t{1} << 23; // whatever the size of the surface
+  return {least, 2 * least + few};
+}
+
+/// The loop, in the order that was asked for.
+template <class Policies>
+void contract(PairContraction<Policies>& surface, Report& report, StopWatch& watch) {
+  if (surface.is_cancelled()) {
+    report.stop = StopReason::cancelled;
+    return;
+  }
+  if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
+    report.seconds.prepare = watch.lap();
+    const bool is_cancelled = !RelaxedPasses<Policies>(surface, surface.policies().order).run();
+    if (is_cancelled || surface.is_enough()) {
+      report.stop = is_cancelled ? StopReason::cancelled : surface.reason_of_target();
+      return;
+    }
+  }
+  GreedyLoop<Policies> loop(surface);
+  if constexpr (std::same_as<typename Policies::Order, GreedyOrder>)
+    report.seconds.prepare = watch.lap();
+  report.stop = loop.run();
+}
+
+/// Asks the visitor for the first time.
+template <class Policies>
+bool proceeds_at_beginning(const Policies& policies, const Report& report) {
+  Status status;
+  status.faces = status.initial_faces = report.faces_before;
+  status.vertices = status.initial_vertices = report.vertices_before;
+  return policies.visitor.proceed(status);
+}
+
+/// Of a surface that is left as it was, since the visitor has cancelled.
+inline Report untouched(Report report) {
+  report.faces_after = report.faces_before;
+  report.vertices_after = report.vertices_before;
+  report.stop = StopReason::cancelled;
+  return report;
+}
+
+/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter; it
+/// calls tell as Teller says.
+template <class Adapter, class Policies, class Read, class Tell>
+Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
+  StopWatch watch;
+  Report report;
+  auto input = read(adapter);
+  report.faces_before = input.triangles.size();
+  report.vertices_before = input.positions.size();
+  report.seconds.read = watch.lap();
+  if (!proceeds_at_beginning(policies, report))
+    return untouched(report);
+
+  const auto box = input.box();
+  if constexpr (ignores_indices<typename Policies::Pairs>)
+    SpatialOrder::apply(input, box, policies.threads);
+  PairContraction<Policies> surface(std::move(input), box, policies);
+  contract(surface, report, watch);
+  if (surface.is_cancelled() && surface.status().contractions == 0)
+    return untouched(report);
+  surface.complete(report);
+  if (!surface.is_cancelled())
+    surface.tell_end();
+  Numbering numbering = surface.release(Tell::asks_for_memories);
+  report.seconds.contract = watch.lap();
+
+  report.duplicated_vertices = adapter.write(Result<Policies>(surface, std::move(numbering)), tell);
+  report.vertices_after += report.duplicated_vertices;
+  report.seconds.write = watch.lap();
+  return report;
+}
+
+/// The same, with the threads that the order asks for.
+template <class Adapter, class Policies, class Read, class Tell>
+Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
+  return with_threads(policies.threads, [&] { return run_here(adapter, policies, read, tell); });
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_RUN_H

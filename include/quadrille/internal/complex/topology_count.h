@@ -1,0 +1,66 @@
+#ifndef QUADRILLE_INTERNAL_COMPLEX_TOPOLOGY_COUNT_H
+#define QUADRILLE_INTERNAL_COMPLEX_TOPOLOGY_COUNT_H
+
+#include <quadrille/internal/complex/edge_star.h>
+#include <quadrille/internal/complex/link_condition.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/memory/array.h>
+
+#include <cstddef>
+#include <numeric>
+
+namespace quadrille::internal {
+
+/// Of each vertex, one that stands for the part of the surface in which it is: parts are what no
+/// vertex connects.
+inline Array<Index> component_roots(const TriangleComplex& complex) {
+  Array<Index> parent(complex.vertex_capacity(), complex.workspace());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (Index face = 0; face < complex.face_capacity(); ++face) {
+    if (complex.is_dead(face))
+      continue;
+    const auto [a, b, c] = complex.vertices(face);
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  for (Index v = 0; v < parent.size(); ++v)
+    parent[v] = root(v);
+  return parent;
+}
+
+/// How many parts there are.
+inline std::size_t count_components(const TriangleComplex& complex) {
+  const Array<Index> root = component_roots(complex);
+  std::size_t components = 0;
+  for (Index v = 0; v < root.size(); ++v)
+    components += root[v] == v && complex.has_faces(v);
+  return components;
+}
+
+struct TopologyCount {
+  std::size_t components = 0, non_manifold_edges = 0, non_manifold_vertices = 0;
+};
+
+inline TopologyCount count_topology(TriangleComplex& complex, Marks& marks) {
+  TopologyCount count{count_components(complex)};
+  VertexClassifier classify;
+  EdgeStar star;
+  for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+    if (!complex.has_faces(v) || classify(complex, v, marks) < VertexKind::spine)
+      continue;
+    ++count.non_manifold_vertices;
+    for (const EdgeAt& edge : star.gather(complex, v, marks))
+      count.non_manifold_edges += edge.faces > 2 && v < edge.other;
+  }
+  return count;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COMPLEX_TOPOLOGY_COUNT_H

@@ -1,0 +1,293 @@
+#ifndef QUADRILLE_INTERNAL_COMPLEX_TRIANGLE_COMPLEX_H
+#define QUADRILLE_INTERNAL_COMPLEX_TRIANGLE_COMPLEX_H
+
+#include <quadrille/internal/base/prefetch.h>
+#include <quadrille/internal/base/ranges.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// Any set of triangles over any set of vertices, in flat arrays with 32-bit indices: incidence,
+/// and nothing of positions or costs.
+///
+/// A *corner* is a face at one of its vertices, written 4·face + 0, 1 or 2. The corners at a vertex
+/// lie side by side in no particular order, in one pool for all vertices, so a walk around a vertex
+/// does not wait for one face to learn of the next, and an edge of three faces is nothing special.
+/// Merging two vertices writes their corners to the end of the pool; when that is full, the lists
+/// are built anew. A face that has died stays in the lists of its corners until the next walk along
+/// them drops it.
+class TriangleComplex {
+public:
+  static constexpr std::size_t max_faces = std::size_t{1} << 30;
+  static constexpr std::size_t max_vertices = none;
+
+  using Triangle = std::array<Index, 3>;
+
+  TriangleComplex() = default;
+
+  /// Builds the lists in linear time; if `will_merge`, with room for as many more corners as there
+  /// are faces. A triangle with two equal vertices is dead from the beginning.
+  TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge = false)
+      : TriangleComplex(vertex_count, std::move(triangles), will_merge, OneThread()) {}
+  template <class Threads>
+  TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge,
+                  Threads threads);
+
+  static void check_size(std::size_t vertices, std::size_t faces) {
+    if (vertices >= max_vertices || faces >= max_faces)
+      throw std::length_error(
+          "quadrille::simplify: " + std::to_string(vertices) + " vertices and " +
+          std::to_string(faces) + " faces do not fit into 32-bit indices (at most " +
+          std::to_string(max_vertices - 1) + " and " + std::to_string(max_faces - 1) + ")");
+  }
+
+  /// Where its arrays are, and others may be.
+  Workspace* workspace() const { return faces_.get_allocator().workspace(); }
+
+  std::size_t vertex_capacity() const { return lists_.size(); }
+  std::size_t face_capacity() const { return faces_.size(); }
+  /// Counts those that are not dead.
+  std::size_t live_faces() const {
+    return static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(),
+                                                  [](const Triangle& f) { return f[0] != none; }));
+  }
+  /// Counts those that have faces.
+  std::size_t live_vertices() const {
+    return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(), has_corners));
+  }
+
+  bool is_dead(Index face) const { return faces_[face][0] == none; }
+  const Triangle& vertices(Index face) const { return faces_[face]; }
+  /// At most this many faces are at a vertex.
+  std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
+  /// A face that has died counts until a walk drops it.
+  bool has_faces(Index vertex) const { return has_corners(lists_[vertex]); }
+
+  /// Calls visit(face, i) for each live face at `vertex`, i being the place of the vertex in the
+  /// face. Drops the corners of dead faces on its way, so its cost is repaid by the faces that
+  /// died.
+  template <class Visit>
+  void for_each_corner(Index vertex, Visit visit) {
+    List& list = lists_[vertex];
+    Index* const corners = pool_.data() + list.begin;
+    const Index size = list.size;
+    Index live = 0;
+    for (Index i = 0; i < size; ++i) {
+      const Index corner = corners[i];
+      if (is_dead(corner >> 2))
+        continue;
+      corners[live++] = corner;
+      visit(corner >> 2, corner & 3);
+    }
+    list.size = live;
+  }
+
+  /// The same without dropping anything.
+  template <class Visit>
+  void for_each_corner(Index vertex, Visit visit) const {
+    const List& list = lists_[vertex];
+    for (Index i = 0; i < list.size; ++i)
+      if (const Index corner = pool_[list.begin + i]; !is_dead(corner >> 2))
+        visit(corner >> 2, corner & 3);
+  }
+
+  /// Does is(face, i) hold for any of them? Asks no further then.
+  template <class Is>
+  bool any_corner(Index vertex, Is is) const {
+    const Index* const corners = pool_.data() + lists_[vertex].begin;
+    return std::any_of(corners, corners + lists_[vertex].size, [&](Index corner) {
+      return !is_dead(corner >> 2) && is(corner >> 2, corner & 3);
+    });
+  }
+
+  /// Calls visit(vertices) for each live face that has a vertex in a range.
+  template <class R, class Visit>
+  void for_each_face_at(const R& range, Visit visit) const {
+    const auto is_in_range = [&](Index v) { return range.contains(v); };
+    for (const Triangle& face : faces_)
+      if (face[0] != none && std::any_of(face.begin(), face.end(), is_in_range))
+        visit(face);
+  }
+
+  void kill(Index face) { faces_[face] = {none, none, none}; }
+
+  /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces die
+  /// whose vertices are asked about: in new lists a vertex that has lost its last face has none.
+  void make_room_to_merge(Index kept, Index gone) {
+    make_room(lists_[kept].size + lists_[gone].size);
+  }
+  /// Moves all faces of `gone` to `kept`, whose list is then free of dead ones. Faces that hold
+  /// both must be dead already.
+  void merge(Index kept, Index gone) {
+    make_room_to_merge(kept, gone); // no walk may see the pool move
+    const std::size_t most = lists_[kept].size + lists_[gone].size;
+    const std::size_t begin = pool_.size();
+    pool_.resize(begin + most);
+    Index* end = pool_.data() + begin;
+    const auto append = [&](Index vertex) { // without a branch: it is hard to guess
+      for (Index i = 0; i < lists_[vertex].size; ++i) {
+        const Index corner = *end = pool_[lists_[vertex].begin + i];
+        const Index face = corner >> 2;
+        faces_[face][corner & 3] = is_dead(face) ? none : kept;
+        end += !is_dead(face);
+      }
+    };
+    append(kept);
+    append(gone);
+    lists_[kept] = {static_cast<Index>(begin), static_cast<Index>(end - (pool_.data() + begin))};
+    lists_[gone].size = 0;
+    pool_.resize(begin + lists_[kept].size);
+  }
+
+  /// The same, but the faces do not come into the list of `kept` before build_lists() is called.
+  /// Writes to nothing but these faces and the list of `gone`.
+  void relabel(Index kept, Index gone) {
+    for_each_corner(gone, [&](Index face, Index i) { faces_[face][i] = kept; });
+    lists_[gone].size = 0;
+  }
+
+  /// Builds all lists anew, in linear time, each in the order of its faces.
+  template <class Threads = OneThread>
+  void build_lists(Threads threads = Threads());
+
+  /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
+  /// is told.
+  Array<Index> left_vertices() const { return indices_of(lists_, has_corners); }
+  /// The faces that are not dead.
+  Array<Index> left_faces() const {
+    return indices_of(faces_, [](const Triangle& face) { return face[0] != none; });
+  }
+  /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
+  /// No walk is possible before fill_lists() is called.
+  void pack(const Array<Index>& vertices);
+  /// Fills the lists, of which the sizes are known, each in the order of its faces.
+  template <class Threads = OneThread>
+  void fill_lists(Threads threads = Threads());
+
+  /// Gives memory back: of the lists, and of what has been left out. After that no walk is
+  /// possible; has_faces() still is.
+  void release() {
+    pool_ = Array<Index>();
+    faces_.shrink_to_fit();
+    lists_.shrink_to_fit();
+  }
+
+  /// Ask for what a walk around a vertex will read, one after the other and some time before it:
+  /// where its corners are, the corners, the faces.
+  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&lists_[vertex]); }
+  [[gnu::always_inline]] void prefetch_corners(Index vertex) const {
+    internal::prefetch(pool_.data() + lists_[vertex].begin);
+  }
+  [[gnu::always_inline]] void prefetch_faces(Index vertex) const {
+    const List& list = lists_[vertex];
+    const Index size = std::min(list.size, most_prefetched);
+    for (Index i = 0; i < size; ++i) // few lie in two lines: to ask for both takes longer
+      internal::prefetch(&faces_[pool_[list.begin + i] >> 2].front());
+  }
+  /// Calls visit(w) for the next vertex of each face at a vertex, or of the first of very many:
+  /// for what is to be asked for of the neighbours.
+  template <class Visit>
+  [[gnu::always_inline]] void for_each_next(Index vertex, Visit visit) const {
+    const List& list = lists_[vertex];
+    const Index size = std::min(list.size, most_prefetched);
+    for (Index i = 0; i < size; ++i) {
+      const Index corner = pool_[list.begin + i];
+      const Index w = faces_[corner >> 2][(corner & 3) == 2 ? 0 : (corner & 3) + 1];
+      if (w != none) // else the face is dead
+        visit(w);
+    }
+  }
+
+private:
+  struct List {
+    Index begin, size; // in the pool
+  };
+  static constexpr Index most_prefetched = 64; // of a vertex: more would push each other out
+  static constexpr auto has_corners = [](const List& list) { return list.size != 0; };
+
+  // At the end of the pool; if need be, for many a merge more, which repay the new lists.
+  void make_room(std::size_t corners) {
+    if (pool_.size() + corners <= pool_.capacity())
+      return;
+    build_lists();
+    pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
+  }
+
+  Array<Triangle> faces_;
+  Array<Index> pool_;
+  Array<List> lists_; // of each vertex
+};
+
+template <class Threads>
+TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
+                                 bool will_merge, Threads threads)
+    : faces_(std::move(triangles)), pool_(faces_.get_allocator()),
+      lists_(vertex_count, faces_.get_allocator()) {
+  check_size(vertex_count, faces_.size());
+  for (Index face = 0; face < faces_.size(); ++face) {
+    const auto [a, b, c] = faces_[face];
+    if (a == b || b == c || c == a)
+      kill(face);
+  }
+  pool_.reserve((will_merge ? 4 : 3) * faces_.size());
+  build_lists(threads);
+}
+
+template <class Threads>
+void TriangleComplex::build_lists(Threads threads) {
+  for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
+    for (Index v = range.begin; v < range.end; ++v)
+      lists_[v].size = 0;
+    for (const Triangle& face : faces_)
+      if (face[0] != none)
+        for (Index v : face)
+          if (range.contains(v))
+            ++lists_[v].size;
+  });
+  fill_lists(threads);
+}
+
+template <class Threads>
+void TriangleComplex::fill_lists(Threads threads) {
+  Index all = 0;
+  for (List& list : lists_) {
+    list.begin = all;
+    all += std::exchange(list.size, 0);
+  }
+  pool_.resize(all);
+  for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
+    for (Index face = 0; face < faces_.size(); ++face)
+      if (!is_dead(face))
+        for (Index i = 0; i < 3; ++i)
+          if (const Index v = faces_[face][i]; range.contains(v)) {
+            List& list = lists_[v];
+            pool_[list.begin + list.size++] = 4 * face + i;
+          }
+  });
+}
+
+inline void TriangleComplex::pack(const Array<Index>& vertices) {
+  for (List& list : lists_)
+    list.size = 0;
+  for (Index v = 0; v < vertices.size(); ++v)
+    lists_[vertices[v]].begin = v; // until fill_lists()
+  pack_if(faces_, [this](Index face) { return !is_dead(face); });
+  for (Triangle& face : faces_)
+    for (Index& v : face) {
+      v = lists_[v].begin;
+      ++lists_[v].size;
+    }
+  lists_.resize(vertices.size());
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COMPLEX_TRIANGLE_COMPLEX_H

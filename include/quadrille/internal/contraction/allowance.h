@@ -1,0 +1,61 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_ALLOWANCE_H
+#define QUADRILLE_INTERNAL_CONTRACTION_ALLOWANCE_H
+
+#include <quadrille/concepts.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/contraction/leftovers.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// How many contractions a pass may do without asking the stop policy, and what each counts as.
+/// Where topology is free, doubled faces go too, and all faces at an edge, and what is bare then:
+/// such a contraction counts as several.
+class Allowance {
+public:
+  explicit Allowance(bool is_topology_kept) : is_topology_kept_(is_topology_kept) {}
+
+  /// As many as `stop`, asked before each, would let pass in a row from `now` on.
+  template <StopPolicy Stop>
+  std::size_t contractions(const Stop& stop, const Status& now) const {
+    const auto status_after = [&](std::size_t contractions) {
+      Status after = now;
+      after.faces -= std::min(after.faces, faces_each() * contractions);
+      after.vertices -= contractions;
+      after.contractions += contractions;
+      after.next_error = 0;
+      return after;
+    };
+    std::size_t allowed = 0; // the first `allowed` are, `refused` are not
+    std::size_t refused = now.vertices + 1;
+    while (refused - allowed > 1) {
+      const std::size_t middle = allowed + (refused - allowed) / 2;
+      (stop(status_after(middle - 1)) ? refused : allowed) = middle;
+    }
+    return allowed;
+  }
+
+  /// What counts for the faces and vertices that a contraction has taken.
+  std::size_t used(std::size_t faces, std::size_t vertices) const {
+    return std::max(vertices, (faces + faces_each() - 1) / faces_each());
+  }
+
+  /// The most that contracting the star may count.
+  std::size_t most_used(const PairStar& star) const {
+    const auto [faces, vertices] =
+        is_topology_kept_ ? Loss{star.shared.size(), 1} : most_loss(star);
+    return used(faces, vertices);
+  }
+
+private:
+  std::size_t faces_each() const { return is_topology_kept_ ? 2 : 4; }
+
+  bool is_topology_kept_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_ALLOWANCE_H

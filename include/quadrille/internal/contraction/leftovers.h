@@ -1,0 +1,149 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_LEFTOVERS_H
+#define QUADRILLE_INTERNAL_CONTRACTION_LEFTOVERS_H
+
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/scratch.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Does the predicate hold of a vertex that no face of the star of the pair (a, b) has but those
+/// that vanish with its contraction?
+template <class Predicate>
+bool any_cut_off(const PairStar& star, Index b, Predicate predicate) {
+  const auto is_at = [](Index v) {
+    return [v](const StarFace& f) { return f.second == v || f.third == v; };
+  };
+  return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
+    const Index v = f.second == b ? f.third : f.second;
+    return std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
+           std::none_of(star.second.begin(), star.second.end(), is_at(v)) && predicate(v);
+  });
+}
+
+/// Does the contraction of a pair take the last face of a vertex that is fixed, where topology is
+/// free? The faces that vanish may be the last of the pair, or of their third vertex and its edge
+/// to the pair.
+template <class IsFixed>
+bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b, IsFixed is_fixed) {
+  return (star.first.empty() && star.second.empty() && (is_fixed(a) || is_fixed(b))) ||
+         any_cut_off(star, b, is_fixed);
+}
+
+/// How many faces and vertices a contraction takes.
+struct Loss {
+  std::size_t faces, vertices;
+};
+
+/// The most that contracting the star may take where topology is free: doubled faces go too, and
+/// what is bare then.
+inline Loss most_loss(const PairStar& star) {
+  const std::size_t doubled = std::min(star.first.size(), star.second.size());
+  return {star.shared.size() + doubled, star.shared.size() + 2};
+}
+
+/// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
+/// and vertices without a face.
+class Leftovers {
+public:
+  Leftovers(TriangleComplex& complex, Scratch& scratch) : complex_(complex), scratch_(scratch) {}
+
+  /// Of the faces at a vertex with the same three vertices, one is left.
+  void drop_doubled_faces(Index v) {
+    scratch_.faces.clear();
+    complex_.for_each_corner(v, [&](Index face, Index i) {
+      scratch_.faces.push_back(PairStar::star_face(complex_, face, i));
+    });
+    drop_doubled();
+  }
+
+  /// The same for the faces that the contraction of the star has changed.
+  void drop_doubled_faces() {
+    gather_changed();
+    drop_doubled();
+  }
+
+  /// A vertex whose last face is gone with the contraction of the star is gone too. Where the list
+  /// of a vertex that has been contracted is not up to date, none of these may be cut off.
+  void drop_bare_vertices(Index b) {
+    const PairStar& star = scratch_.star;
+    any_cut_off(star, b, [&](Index v) {
+      drop_if_bare(v);
+      return false;
+    });
+    scratch_.tally.vertices += star.first.empty() && star.second.empty();
+  }
+
+  /// How many faces and vertices the contraction of the star will take.
+  Loss loss(Index b) {
+    const PairStar& star = scratch_.star;
+    Loss loss{star.shared.size(), 1};
+    gather_changed();
+    for_each_doubled([&](Index) { ++loss.faces; });
+    any_cut_off(star, b, [&](Index v) {
+      loss.vertices += !has_others(v);
+      return false;
+    });
+    loss.vertices += star.first.empty() && star.second.empty();
+    return loss;
+  }
+
+private:
+  void gather_changed() {
+    const PairStar& star = scratch_.star;
+    scratch_.faces.assign(star.first.begin(), star.first.end());
+    scratch_.faces.insert(scratch_.faces.end(), star.second.begin(), star.second.end());
+  }
+
+  void drop_doubled() {
+    for_each_doubled([this](Index face) {
+      complex_.kill(face);
+      ++scratch_.tally.faces;
+    });
+  }
+
+  // Of the gathered faces, at one vertex, that have the same two others, all but the first.
+  template <class Visit>
+  void for_each_doubled(Visit visit) {
+    std::vector<StarFace>& faces = scratch_.faces;
+    for (StarFace& f : faces)
+      if (f.third < f.second)
+        std::swap(f.second, f.third);
+    std::sort(faces.begin(), faces.end(), [](const StarFace& a, const StarFace& b) {
+      return std::tie(a.second, a.third, a.face) < std::tie(b.second, b.third, b.face);
+    });
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (faces[i - 1].second == faces[i].second && faces[i - 1].third == faces[i].third)
+        visit(faces[i].face);
+  }
+
+  // Than those that vanish.
+  bool has_others(Index v) {
+    bool has = false;
+    complex_.for_each_corner(v, [&](Index face, Index) {
+      const auto is_it = [face](const StarFace& f) { return f.face == face; };
+      has |= std::ranges::none_of(scratch_.star.shared, is_it);
+    });
+    return has;
+  }
+
+  void drop_if_bare(Index v) {
+    if (!complex_.has_faces(v))
+      return;
+    complex_.for_each_corner(v, [](Index, Index) {}); // drops corners of faces that are gone
+    scratch_.tally.vertices += !complex_.has_faces(v);
+  }
+
+  TriangleComplex& complex_;
+  Scratch& scratch_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_LEFTOVERS_H

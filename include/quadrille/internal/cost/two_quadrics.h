@@ -1,0 +1,191 @@
+#ifndef QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
+#define QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
+
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/quadric.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/symmetric_matrix.h>
+#include <quadrille/vector.h>
+
+#include <array>
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// \file
+/// The innermost step of a simplification, for two pairs at the price of one.
+
+/// Two doubles that are computed with at once, with what every 64-bit machine has for that.
+using Lanes = double __attribute__((vector_size(16)));
+
+/// Two vectors in space.
+struct LaneVector {
+  Lanes x, y, z;
+
+  static LaneVector of(const Vector<3>& a, const Vector<3>& b) {
+    return {Lanes{a[0], b[0]}, Lanes{a[1], b[1]}, Lanes{a[2], b[2]}};
+  }
+  static LaneVector twice(const Vector<3>& a) { return of(a, a); }
+
+  friend LaneVector operator+(const LaneVector& a, const LaneVector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend LaneVector operator-(const LaneVector& a) { return {-a.x, -a.y, -a.z}; }
+  friend LaneVector operator*(Lanes factor, const LaneVector& a) {
+    return {factor * a.x, factor * a.y, factor * a.z};
+  }
+  friend Lanes dot(const LaneVector& a, const LaneVector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+};
+
+/// Two symmetric matrices.
+struct LaneMatrix {
+  Lanes xx, yx, yy, zx, zy, zz;
+
+  static LaneMatrix of(const SymmetricMatrix<3>& a, const SymmetricMatrix<3>& b) {
+    const auto entry = [&](std::size_t i, std::size_t j) { return Lanes{a(i, j), b(i, j)}; };
+    return {entry(0, 0), entry(1, 0), entry(1, 1), entry(2, 0), entry(2, 1), entry(2, 2)};
+  }
+  static LaneMatrix twice(const SymmetricMatrix<3>& a) { return of(a, a); }
+
+  friend LaneMatrix operator+(const LaneMatrix& a, const LaneMatrix& b) {
+    return {a.xx + b.xx, a.yx + b.yx, a.yy + b.yy, a.zx + b.zx, a.zy + b.zy, a.zz + b.zz};
+  }
+  friend LaneMatrix operator-(const LaneMatrix& a, const LaneMatrix& b) {
+    return {a.xx - b.xx, a.yx - b.yx, a.yy - b.yy, a.zx - b.zx, a.zy - b.zy, a.zz - b.zz};
+  }
+  /// Adds the same to each entry of the diagonal.
+  friend LaneMatrix operator+(const LaneMatrix& a, Lanes value) {
+    return {a.xx + value, a.yx, a.yy + value, a.zx, a.zy, a.zz + value};
+  }
+  Lanes trace() const { return xx + yy + zz; }
+  friend LaneVector operator*(const LaneMatrix& a, const LaneVector& v) {
+    return {a.xx * v.x + a.yx * v.y + a.zx * v.z, a.yx * v.x + a.yy * v.y + a.zy * v.z,
+            a.zx * v.x + a.zy * v.y + a.zz * v.z};
+  }
+};
+
+/// See Factorization<3>.
+class LaneFactorization {
+public:
+  using Mask = decltype(Lanes{} < Lanes{});
+
+  explicit LaneFactorization(const LaneMatrix& a) {
+    const Lanes least_pivot = Factorization<3>::least_relative_pivot * a.trace();
+    inverse0_ = 1.0 / a.xx;
+    l10_ = a.yx * inverse0_;
+    l20_ = a.zx * inverse0_;
+    const Lanes pivot1 = a.yy - l10_ * a.yx;
+    inverse1_ = 1.0 / pivot1;
+    const Lanes below = a.zy - l20_ * a.yx;
+    l21_ = below * inverse1_;
+    const Lanes pivot2 = a.zz - l20_ * a.zx - l21_ * below;
+    inverse2_ = 1.0 / pivot2;
+    is_regular_ = (a.xx > least_pivot) & (pivot1 > least_pivot) & (pivot2 > least_pivot);
+  }
+
+  Mask is_regular() const { return is_regular_; }
+
+  LaneVector solve(const LaneVector& b) const {
+    const Lanes y1 = b.y - l10_ * b.x;
+    const Lanes y2 = b.z - l20_ * b.x - l21_ * y1;
+    const Lanes z = y2 * inverse2_;
+    const Lanes y = y1 * inverse1_ - l21_ * z;
+    return {b.x * inverse0_ - l10_ * y - l20_ * z, y, z};
+  }
+
+private:
+  Lanes l10_, l20_, l21_, inverse0_, inverse1_, inverse2_;
+  Mask is_regular_;
+};
+
+/// A value where the matrix is not singular and the position no further than √reach from the first
+/// or the second point of the pair; no number elsewhere.
+inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
+                            const LaneVector& x, const LaneVector& to_second, Lanes squared_reach) {
+  const LaneVector e = x - to_second;
+  const auto is_within = (dot(x, x) <= squared_reach) | (dot(e, e) <= squared_reach);
+  const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
+  return factorization.is_regular() & is_within ? value : no_number;
+}
+
+/// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
+/// point `displacement` from it, with what tells those of equal cost apart (see TieBreak). A value
+/// that can't be had so, because the matrix is singular or the position lies further than √reach
+/// from both points, is NaN.
+[[gnu::always_inline]] inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
+                                                 const std::array<const QuadricForm<3>*, 2>& others,
+                                                 const std::array<Vector<3>, 2>& displacements,
+                                                 Lanes squared_reach) {
+  // The sum, about the first point: see QuadricForm::sum_about_first.
+  const auto& [p, q] = firsts;
+  const auto& [r, s] = others;
+  const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
+  const LaneMatrix b = LaneMatrix::of(r->matrix(), s->matrix());
+  const LaneVector h = LaneVector::of(r->gradient(), s->gradient());
+  const LaneMatrix a = LaneMatrix::of(p->matrix(), q->matrix()) + b;
+  const Lanes weight = shape_weight * a.trace(); // half of it at each end
+  const LaneVector bd = b * d + 0.5 * weight * d;
+  const LaneVector g = LaneVector::of(p->gradient(), q->gradient()) + h - bd;
+  const Lanes c = Lanes{p->constant(), q->constant()} + Lanes{r->constant(), s->constant()} +
+                  dot(d, bd) - 2.0 * dot(h, d);
+
+  const LaneFactorization factorization(a + weight);
+  const LaneVector x = factorization.solve(-g);
+  return value_if_found(c + dot(g, x), factorization, x, d, squared_reach); // Ax = −g
+}
+
+/// Values, and the positions that have them.
+struct LaneMinima {
+  Lanes values;
+  LaneVector positions;
+};
+
+/// The same for memoryless costs: see MemorylessQuadric::join and minimizer.
+inline LaneMinima minima(const MemorylessQuadric::Current& first,
+                         const std::array<const MemorylessQuadric::Current*, 2>& others,
+                         const std::array<MemorylessQuadric::Current, 2>& shared,
+                         const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
+  const auto& [p, q] = others;
+  const auto& [s, t] = shared;
+  const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
+  const LaneMatrix b = LaneMatrix::of(p->matrix, q->matrix);
+  const LaneMatrix a = LaneMatrix::twice(first.matrix) + b - LaneMatrix::of(s.matrix, t.matrix);
+  const Lanes weight = shape_weight * a.trace(); // half of it at each end
+  const LaneVector bd = b * d + 0.5 * weight * d;
+  const LaneVector other_area = LaneVector::of(p->doubled_area, q->doubled_area);
+  const LaneVector normal = LaneVector::twice(first.doubled_area) + other_area -
+                            LaneVector::of(s.doubled_area, t.doubled_area);
+
+  const LaneFactorization factorization(a + weight);
+  const LaneVector x = factorization.solve(bd); // without the plane: it costs dᵀBd − dᵀBx
+  const LaneVector across = factorization.solve(normal);
+  const Lanes slope = dot(normal, across);
+  const Lanes off = dot(other_area, d) - dot(normal, x);
+  const Lanes way = slope > 0 ? off / slope : Lanes{};
+  const LaneVector position = x + way * across;
+  return {value_if_found(dot(bd, d) - dot(bd, x) + way * way * slope, factorization, position, d,
+                         squared_reach),
+          position};
+}
+
+/// How much farther from the planes, in sum of squares, the positions x are than the points where
+/// the forms are at home. The first form belongs to both.
+inline Lanes growth(const QuadricForm<3>& first, const std::array<const QuadricForm<3>*, 2>& others,
+                    const std::array<Vector<3>, 2>& displacements, const LaneVector& x) {
+  const auto& [p, q] = others;
+  const LaneVector y = x - LaneVector::of(displacements[0], displacements[1]);
+  const LaneMatrix a = LaneMatrix::twice(first.matrix());
+  const LaneMatrix b = LaneMatrix::of(p->matrix(), q->matrix());
+  const LaneVector g = LaneVector::twice(first.gradient());
+  const LaneVector h = LaneVector::of(p->gradient(), q->gradient());
+  return dot(a * x, x) + 2.0 * dot(g, x) + dot(b * y, y) + 2.0 * dot(h, y);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H

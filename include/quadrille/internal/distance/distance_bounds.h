@@ -1,0 +1,137 @@
+#ifndef QUADRILLE_INTERNAL_DISTANCE_DISTANCE_BOUNDS_H
+#define QUADRILLE_INTERNAL_DISTANCE_DISTANCE_BOUNDS_H
+
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/distance/recent_faces.h>
+#include <quadrille/internal/distance/star_deviation.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Of each face, how far its points are from the input at most: what each contraction has added.
+class DistanceBounds {
+public:
+  /// `size` is the greatest coordinate of the surface.
+  explicit DistanceBounds(std::size_t faces, double size = 0) : of_face_(faces, 0), size_(size) {}
+
+  /// A distance that may be nothing but the sum of many roundings, on a surface of this size.
+  double rounding() const { return 0x1p-40 * size_; }
+
+  /// What a contraction would make of the bounds of the faces that it changes, in the order of the
+  /// star; and the greatest of these. Once is_too_far(distance) says so nothing else is looked at:
+  /// then only the distance that is too far is told. What is too far stays so at any greater one.
+  template <std::size_t N, class IsTooFar>
+  FaceDeviation after(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
+                      const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
+                      std::vector<float>& bounds, IsTooFar is_too_far) const {
+    deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
+    const auto bound = [&](double distance) { return rounded_up(distance + deviation.rounding()); };
+    const auto is_beyond = [&](double distance) { return is_too_far(bound(distance)); };
+    std::optional<FaceDeviation> beyond = deviation.compare_each(is_beyond);
+    if (!beyond)
+      beyond = deviation.compare_sheets(is_beyond);
+    if (!beyond && may_have_border)
+      beyond = deviation.compare_border(is_beyond);
+    if (beyond) { // told as it was asked about, else it might seem not to be too far
+      beyond->from_input = bound(beyond->from_input);
+      return *beyond;
+    }
+    FaceDeviation greatest = deviation.greatest();
+    greatest.from_input = take_bounds(star, deviation, bounds);
+    return greatest;
+  }
+
+  /// Will one of very many faces at an end be too far? Looks at them before the star is gathered,
+  /// at those first that were too far the last times: at a hub they are few and mostly the same.
+  template <std::size_t N, class IsTooFar>
+  bool is_beyond_hub(const TriangleComplex& complex, Index a, Index b,
+                     const Array<Vector<N>>& positions, const Vector<3>& x,
+                     RecentFaces& recent_faces, IsTooFar is_too_far) const {
+    const auto at = [&](Index v) { return space(positions[v]); };
+    const auto is_beyond = [&](Index end, Index other) {
+      if (complex.degree_bound(end) <= 2 * StarDeviation::most_faces || at(end) == x)
+        return false;
+      const auto is_face_beyond = [&](Index face, Index i) {
+        const StarFace f = PairStar::star_face(complex, face, i);
+        if (f.second == other || f.third == other)
+          return false;
+        const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
+        return squared > 0x1p-40 * squared_distance(x, at(f.second)) && // else it may be rounding
+               is_too_far(rounded_up(of_face_[face] + std::sqrt(squared)));
+      };
+      return recent_faces.any_at(complex, end, is_face_beyond) ||
+             complex.any_corner(end, [&](Index face, Index i) {
+               const bool result = is_face_beyond(face, i);
+               if (result)
+                 recent_faces.add(face);
+               return result;
+             });
+    };
+    return is_beyond(a, b) || is_beyond(b, a);
+  }
+
+  /// The contraction has been done.
+  void set(const PairStar& star, const std::vector<float>& bounds) {
+    auto bound = bounds.begin();
+    for (const auto* faces : {&star.first, &star.second})
+      for (const StarFace& f : *faces)
+        of_face_[f.face] = *bound++;
+  }
+
+  /// Leaves out those of faces for which is_left(face) is false.
+  template <class IsLeft>
+  void pack_if(IsLeft is_left) {
+    internal::pack_if(of_face_, is_left);
+  }
+
+  /// Of the faces that are left.
+  double greatest(const TriangleComplex& complex) const {
+    float greatest = 0;
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_dead(face))
+        greatest = std::max(greatest, of_face_[face]);
+    return greatest;
+  }
+
+private:
+  // Of the faces of a star, in its order. Returns the greatest of those that change.
+  double take_bounds(const PairStar& star, const StarDeviation& deviation,
+                     std::vector<float>& bounds) const {
+    bounds.clear();
+    std::size_t changed = 0;
+    float greatest = 0;
+    const auto take = [&](const Room<StarFace>& faces, std::size_t end) {
+      for (const StarFace& f : faces)
+        if (deviation.is_unchanged(end)) {
+          bounds.push_back(of_face_[f.face]);
+        } else {
+          bounds.push_back(rounded_up(deviation[changed++].from_input + deviation.rounding()));
+          greatest = std::max(greatest, bounds.back());
+        }
+    };
+    take(star.first, 0);
+    take(star.second, 1);
+    return greatest;
+  }
+
+  static float rounded_up(double bound) {
+    return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::infinity());
+  }
+
+  Array<float> of_face_;
+  double size_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_DISTANCE_DISTANCE_BOUNDS_H

@@ -1,0 +1,71 @@
+#ifndef QUADRILLE_INTERNAL_PAIRS_PAIR_SELECTION_H
+#define QUADRILLE_INTERNAL_PAIRS_PAIR_SELECTION_H
+
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/pairs/pair_lists.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/pairs.h>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The pairs that a policy emits, each once with the lower index first, in order.
+template <class Pairs, std::size_t N>
+std::vector<std::array<Index, 2>> emitted_pairs(const Pairs& policy, const SurfaceInput<N>& input) {
+  std::vector<Vector<3>> points;
+  points.reserve(input.positions.size());
+  for (const Vector<N>& p : input.positions)
+    points.push_back(space(p));
+  std::vector<std::array<Index, 2>> pairs;
+  const SurfaceView surface{points, input.triangles};
+  const EmitPair emit = [&](std::size_t i, std::size_t j) {
+    if (i >= points.size() || j >= points.size())
+      throw std::out_of_range("quadrille::simplify: the pair policy selected vertices " +
+                              std::to_string(i) + " and " + std::to_string(j) + " of " +
+                              std::to_string(points.size()));
+    if (i != j)
+      pairs.push_back({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
+  };
+  policy(surface, emit);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// The lists of the pairs that a policy selects; where it includes all edges, of the others only.
+template <class Pairs, std::size_t N>
+PairLists select_pairs(const Pairs& policy, const SurfaceInput<N>& input, TriangleComplex& complex,
+                       Marks& marks) {
+  if constexpr (std::same_as<Pairs, EdgePairs>)
+    return {};
+  PairLists lists(input.positions.size());
+  Index last = none;
+  for (const auto& [v, w] : emitted_pairs(policy, input)) {
+    if (!complex.has_faces(v) || !complex.has_faces(w))
+      continue;
+    if (includes_edges<Pairs> && v != last) {
+      marks.clear();
+      complex.for_each_corner(v, [&](Index face, Index) {
+        for (Index neighbour : complex.vertices(face))
+          marks.set(neighbour);
+      });
+      last = v;
+    }
+    if (!includes_edges<Pairs> || !marks.is_marked(w))
+      lists.add(v, w);
+  }
+  return lists;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PAIRS_PAIR_SELECTION_H

@@ -1,0 +1,155 @@
+#ifndef QUADRILLE_INTERNAL_POLICY_CONTRACTION_VIEW_H
+#define QUADRILLE_INTERNAL_POLICY_CONTRACTION_VIEW_H
+
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// A face that a contraction changes: its moving corner before and after, and its two others.
+struct ChangedFace {
+  Vector<3> before, after, second, third;
+};
+
+/// The faces that a contraction changes, of a view of it.
+template <class View>
+class ChangedFaces {
+public:
+  explicit ChangedFaces(const View& view) : view_(view) {}
+  class Iterator {
+  public:
+    Iterator(const View& view, std::size_t i) : view_(view), i_(i) {}
+    ChangedFace operator*() const { return view_.face(i_); }
+    Iterator& operator++() { return ++i_, *this; }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.i_ == b.i_; }
+
+  private:
+    const View& view_;
+    std::size_t i_;
+  };
+  Iterator begin() const { return {view_, 0}; }
+  Iterator end() const { return {view_, size()}; }
+  std::size_t size() const { return view_.face_count(); }
+
+private:
+  const View& view_;
+};
+
+/// What a filter sees of a contraction that is about to be done, in the engine's units.
+template <std::size_t N>
+class ContractionView {
+public:
+  ContractionView(const PairStar& star, const TriangleComplex& complex,
+                  const Array<Vector<N>>& positions, const Vector<N>& first,
+                  const Vector<N>& second, const Vector<N>& target)
+      : star_(star), complex_(complex), positions_(positions), first_(first), second_(second),
+        target_(target) {}
+
+  /// The faces that stay.
+  ChangedFaces<ContractionView> faces() const { return ChangedFaces(*this); }
+  std::size_t face_count() const { return star_.first.size() + star_.second.size(); }
+  ChangedFace face(std::size_t i) const {
+    const StarFace& f = star_face(i);
+    return {space(i < star_.first.size() ? first_ : second_), space(target_),
+            space(positions_[f.second]), space(positions_[f.third])};
+  }
+  const Vector<N>& target() const { return target_; }
+
+  /// How many faces the end with more of them has before.
+  std::size_t highest_degree() const {
+    return std::max(star_.first.size(), star_.second.size()) + star_.shared.size();
+  }
+
+  /// Would a face be folded like the middle of a letter Z, as it is not now? Then it is turned by
+  /// more than 90 degrees from one neighbour over a ridge, and from another over a valley: no sharp
+  /// part of a surface looks like that.
+  ///
+  /// Only faces that would look away from the mean of all by more than 60 degrees are looked at,
+  /// and none around vertices of very many faces.
+  bool makes_fold() const {
+    if (faces().size() > many_faces)
+      return false;
+    Vector<3> sum{};
+    for (const ChangedFace& f : faces())
+      sum += normal_after(f);
+    for (std::size_t i = 0; i < faces().size(); ++i)
+      if (!is_within(0.25, normal_after(face(i)), sum) && is_new_fold(i))
+        return true;
+    return false;
+  }
+
+private:
+  static constexpr std::size_t many_faces = 128;
+
+  // Is the angle between them acute, and its cosine squared above this?
+  static bool is_within(double squared_cosine, const Vector<3>& a, const Vector<3>& b) {
+    const double product = dot(a, b);
+    return product > 0 &&
+           product * product > squared_cosine * squared_length(a) * squared_length(b);
+  }
+
+  // Over what a face turns back from its neighbours, by more than 90.5 degrees: right angles are
+  // no folds, whatever they are rounded to.
+  struct Bends {
+    bool over_ridge = false, over_valley = false;
+
+    // to_apex leads from the common edge into the neighbour.
+    void see(const Vector<3>& normal, const Vector<3>& neighbour, const Vector<3>& to_apex) {
+      if (is_within(0x1p-14, normal, -1.0 * neighbour))
+        (dot(normal, to_apex) < 0 ? over_ridge : over_valley) = true;
+    }
+    bool is_fold() const { return over_ridge && over_valley; }
+  };
+
+  bool is_new_fold(std::size_t i) const {
+    const ChangedFace f = face(i);
+    const StarFace& ids = star_face(i);
+    Bends before, after;
+    for (std::size_t j = 0; j < faces().size(); ++j) {
+      const StarFace& neighbour = star_face(j);
+      if (neighbour.second != ids.third && neighbour.third != ids.second)
+        continue;
+      const ChangedFace g = face(j);
+      const Vector<3> way = neighbour.second == ids.third ? g.third - f.third : g.second - f.second;
+      before.see(normal_before(f), normal_before(g), way);
+      after.see(normal_after(f), normal_after(g), way);
+    }
+    if (complex_.degree_bound(ids.second) <= many_faces)
+      complex_.for_each_corner(ids.second, [&](Index face, Index corner) {
+        const StarFace g = PairStar::star_face(complex_, face, corner);
+        if (g.third != ids.third) // a neighbour has the edge the other way round
+          return;
+        const Vector<3> apex = space(positions_[g.second]);
+        const Vector<3> normal = double_area_vector(f.second, apex, f.third);
+        before.see(normal_before(f), normal, apex - f.second);
+        after.see(normal_after(f), normal, apex - f.second);
+      });
+    return after.is_fold() && !before.is_fold();
+  }
+
+  static Vector<3> normal_before(const ChangedFace& f) {
+    return double_area_vector(f.before, f.second, f.third);
+  }
+  static Vector<3> normal_after(const ChangedFace& f) {
+    return double_area_vector(f.after, f.second, f.third);
+  }
+
+  const StarFace& star_face(std::size_t i) const {
+    const std::size_t n = star_.first.size();
+    return i < n ? star_.first[i] : star_.second[i - n];
+  }
+
+  const PairStar& star_;
+  const TriangleComplex& complex_;
+  const Array<Vector<N>>& positions_;
+  const Vector<N>&first_, &second_, &target_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_POLICY_CONTRACTION_VIEW_H

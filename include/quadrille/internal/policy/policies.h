@@ -1,0 +1,180 @@
+#ifndef QUADRILLE_INTERNAL_POLICY_POLICIES_H
+#define QUADRILLE_INTERNAL_POLICY_POLICIES_H
+
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+#include <quadrille/vector.h>
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+
+namespace quadrille::internal {
+
+/// Does a cost look at the surface as it is now, beside what vertices remember?
+template <class Cost>
+concept asks_for_current = requires {
+  typename Cost::Current;
+};
+
+/// How many times as dear as it was a pair may have become while it waited, and still be
+/// contracted.
+template <class Cost>
+inline constexpr float tolerated_rise = 1;
+template <class Cost>
+requires requires {
+  Cost::tolerated_rise;
+}
+inline constexpr float tolerated_rise<Cost> = static_cast<float>(Cost::tolerated_rise);
+
+/// Does a cost tell how uneven the faces around a vertex are?
+template <class Cost>
+concept tells_unevenness = requires(const Cost& cost, const typename Cost::Current& current) {
+  { cost.unevenness(current) } -> std::convertible_to<double>;
+};
+
+/// By which factor that may fall before the pairs of the vertex are costed anew.
+template <class Cost>
+inline constexpr float tolerated_fall = 0;
+template <class Cost>
+requires tells_unevenness<Cost>
+inline constexpr float tolerated_fall<Cost> = static_cast<float>(Cost::tolerated_fall);
+
+/// Does a policy say that it does as well in any unit of length? A class says so for itself only:
+/// one that is derived from it may not.
+template <class Policy>
+inline constexpr bool is_scale_free = requires {
+  requires std::same_as<typename Policy::ScaleFree, std::remove_const_t<Policy>>;
+};
+
+struct NoCurrent {};
+
+template <class Cost>
+struct PairCurrentOf {
+  using type = NoCurrent;
+};
+template <class Cost>
+requires asks_for_current<Cost>
+struct PairCurrentOf<Cost> {
+  using type = typename Cost::PairCurrent;
+};
+
+/// A pair as cost and placement see it.
+template <class Cost>
+struct PairOf {
+  Vector<Cost::dimension> first, second;
+  typename Cost::Memory memory; ///< of both ends, about `first`
+  double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour, as each
+                                ///< end had it when it took its place
+  [[no_unique_address]] typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
+};
+
+/// Everything that `simplify` was asked for, each with its default where it was not named.
+template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
+          class Threads_, class... Filters>
+struct Policies {
+  using Cost = Cost_;
+  using Placement = Placement_;
+  using Pairs = Pairs_;
+  using Stop = Stop_;
+  using Order = Order_;
+  using Visitor = Visitor_;
+  using Threads = Threads_;
+
+  Cost cost;
+  Placement placement;
+  Pairs pairs;
+  Stop stop;
+  Order order;
+  Visitor visitor;
+  Threads threads;                  // as many as the order asks for
+  std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
+  std::tuple<Filters...> filters;
+};
+
+/// Expresses what is remembered about the point d, where the cost keeps its memory about its
+/// vertex.
+template <class Memory, std::size_t N>
+void move_origin(Memory& memory, const Vector<N>& d) {
+  if constexpr (requires { memory.move_origin(d); })
+    memory.move_origin(d);
+}
+
+/// What two vertices remember, about the first: the second is at d from it.
+template <class Memory, std::size_t N>
+Memory sum_about_first(const Memory& first, const Memory& second, const Vector<N>& d) {
+  if constexpr (requires { Memory::sum_about_first(first, second, d); }) {
+    return Memory::sum_about_first(first, second, d);
+  } else {
+    Memory sum = second;
+    move_origin(sum, -1.0 * d);
+    sum += first;
+    return sum;
+  }
+}
+
+/// What tells pairs of equal costs apart, for costs that do.
+template <class Cost>
+double tie_break(const Cost& cost, const PairOf<Cost>& pair, const Vector<Cost::dimension>& x) {
+  if constexpr (requires { cost.tie_break(pair, x); })
+    return cost.tie_break(pair, x);
+  else
+    return 0;
+}
+
+/// The square of the error of a contraction as a distance, in the engine's unit.
+template <class Cost>
+double squared_error(const Cost& cost, const PairOf<Cost>& pair, double value) {
+  if constexpr (requires { cost.squared_error(pair, value); })
+    return cost.squared_error(pair, value);
+  else
+    return value;
+}
+
+/// True if a surface of this status lies beyond the target and not just at it.
+template <class Stop>
+bool is_passed(const Stop& stop, const Status& status) {
+  if constexpr (requires { stop.is_passed(status); })
+    return stop.is_passed(status);
+  else
+    return false;
+}
+
+/// Does a stop policy look at Status::next_distance?
+template <class Stop>
+inline constexpr bool asks_for_distance = requires {
+  requires Stop::asks_for_distance;
+};
+
+/// Is every edge a pair at any time, for this pair policy?
+template <class Pairs>
+inline constexpr bool includes_edges = requires {
+  requires Pairs::includes_edges;
+};
+
+/// Does a pair policy look at points and not at their indices? Then they may be renumbered.
+template <class Pairs>
+inline constexpr bool ignores_indices = requires {
+  requires Pairs::ignores_indices;
+};
+
+/// How many threads an order may use.
+template <class Order>
+unsigned threads_of(const Order& order) {
+  if constexpr (requires { order.threads; })
+    return order.threads;
+  else
+    return 1;
+}
+
+template <class Policy>
+void validate(const Policy& policy) {
+  if constexpr (requires { policy.validate(); })
+    policy.validate();
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_POLICY_POLICIES_H
