@@ -3,6 +3,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/internal/base/attribute_values.h>
+#include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/vector.h>
 
@@ -20,24 +21,6 @@
 #include <utility>
 
 namespace quadrille::internal {
-
-/// A position and its attributes as one point, and the attributes of such a point.
-template <std::size_t N>
-Vector<3 + N> join(const Vector<3>& position, const Vector<N>& attributes) {
-  Vector<3 + N> joined;
-  std::copy(position.coordinates.begin(), position.coordinates.end(), joined.coordinates.begin());
-  std::copy(attributes.coordinates.begin(), attributes.coordinates.end(),
-            joined.coordinates.begin() + 3);
-  return joined;
-}
-
-template <std::size_t D>
-Vector<D - 3> attributes_of(const Vector<D>& joined) {
-  Vector<D - 3> attributes;
-  std::copy(joined.coordinates.begin() + 3, joined.coordinates.end(),
-            attributes.coordinates.begin());
-  return attributes;
-}
 
 /// Attributes of the vertices, for a cost that looks at positions only.
 struct NoAttributes {

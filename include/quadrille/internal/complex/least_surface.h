@@ -50,7 +50,7 @@ SurfaceSize least_surface(const TriangleComplex& complex, const LinkCondition& l
       part.is_closed &= link_condition.is_interior(v);
     }
   for (Index face = 0; face < complex.face_capacity(); ++face)
-    if (!complex.is_dead(face))
+    if (!complex.is_removed(face))
       ++parts[root[complex.vertices(face)[0]]].faces;
   SurfaceSize size{0, 0, 0};
   for (const PartTally& part : parts)

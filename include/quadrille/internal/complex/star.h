@@ -22,8 +22,8 @@ struct StarFace {
 /// The faces around a pair of vertices: those of one end only, which a contraction changes, and
 /// those of both, which it removes.
 struct PairStar {
-  Room<StarFace> first, second; // the faces of one end only
-  Room<StarFace> shared;        // the faces of both, seen from the first end
+  AppendBuffer<StarFace> first, second; // the faces of one end only
+  AppendBuffer<StarFace> shared;        // the faces of both, seen from the first end
 
   void gather(TriangleComplex& complex, Index a, Index b) {
     first.clear(), second.clear(), shared.clear();
@@ -31,7 +31,7 @@ struct PairStar {
     StarFace* const both = shared.extend(complex.degree_bound(a));
     StarFace* const theirs = second.extend(complex.degree_bound(b));
     std::size_t our_count = 0, both_count = 0, their_count = 0;
-    complex.for_each_corner(a, [&](Index face, Index i) { // without a branch: it is hard to guess
+    complex.prune_corners(a, [&](Index face, Index i) { // without a branch: it is hard to guess
       const StarFace f = star_face(complex, face, i);
       const bool is_shared = (f.second == b) | (f.third == b);
       ours[our_count].set(f);
@@ -39,7 +39,7 @@ struct PairStar {
       both_count += is_shared;
       our_count += !is_shared;
     });
-    complex.for_each_corner(b, [&](Index face, Index i) {
+    complex.prune_corners(b, [&](Index face, Index i) {
       const StarFace f = star_face(complex, face, i);
       theirs[their_count].set(f);
       their_count += (f.second != a) & (f.third != a);

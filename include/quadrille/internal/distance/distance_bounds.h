@@ -31,9 +31,9 @@ public:
   /// star; and the greatest of these. Once is_too_far(distance) says so nothing else is looked at:
   /// then only the distance that is too far is told. What is too far stays so at any greater one.
   template <std::size_t N, class IsTooFar>
-  FaceDeviation after(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
-                      const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
-                      std::vector<float>& bounds, IsTooFar is_too_far) const {
+  FaceDeviation measure(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
+                        const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
+                        std::vector<float>& bounds, IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
     const auto bound = [&](double distance) { return rounded_up(distance + deviation.rounding()); };
     const auto is_beyond = [&](double distance) { return is_too_far(bound(distance)); };
@@ -80,9 +80,11 @@ public:
     return is_beyond(a, b) || is_beyond(b, a);
   }
 
-  /// The contraction has been done.
-  void set(const PairStar& star, const std::vector<float>& bounds) {
-    auto bound = bounds.begin();
+  /// The faces that a contraction has changed have the bounds that were measured for it.
+  template <class Event>
+  void after(const Event& event) {
+    const PairStar& star = event.contraction.star();
+    auto bound = event.contraction.bounds().begin();
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
         of_face_[f.face] = *bound++;
@@ -98,7 +100,7 @@ public:
   double greatest(const TriangleComplex& complex) const {
     float greatest = 0;
     for (Index face = 0; face < complex.face_capacity(); ++face)
-      if (!complex.is_dead(face))
+      if (!complex.is_removed(face))
         greatest = std::max(greatest, of_face_[face]);
     return greatest;
   }
@@ -110,7 +112,7 @@ private:
     bounds.clear();
     std::size_t changed = 0;
     float greatest = 0;
-    const auto take = [&](const Room<StarFace>& faces, std::size_t end) {
+    const auto take = [&](const AppendBuffer<StarFace>& faces, std::size_t end) {
       for (const StarFace& f : faces)
         if (deviation.is_unchanged(end)) {
           bounds.push_back(of_face_[f.face]);

@@ -52,7 +52,7 @@ public:
   }
 
   template <class IsOutdated>
-  void push(QueuedPair pair, IsOutdated is_outdated) {
+  [[gnu::always_inline]] void push(QueuedPair pair, IsOutdated is_outdated) {
     const std::size_t bucket = bucket_of(pair.cost);
     if (bucket < open_end_) {
       push_to_heap(pair);

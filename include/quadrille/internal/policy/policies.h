@@ -15,7 +15,7 @@ namespace quadrille::internal {
 
 /// Does a cost look at the surface as it is now, beside what vertices remember?
 template <class Cost>
-concept asks_for_current = requires {
+concept has_local_terms = requires {
   typename Cost::Current;
 };
 
@@ -56,7 +56,7 @@ struct PairCurrentOf {
   using type = NoCurrent;
 };
 template <class Cost>
-requires asks_for_current<Cost>
+requires has_local_terms<Cost>
 struct PairCurrentOf<Cost> {
   using type = typename Cost::PairCurrent;
 };

@@ -30,7 +30,7 @@ public:
   static void apply(SurfaceInput<N>& surface, const Box<N>& box, Threads threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    const Array<Index>& order = surface.vertex_origins =
+    const Array<Index>& order = surface.input_vertices =
         sorted(keyed_vertices(surface.positions, box, threads));
     renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
@@ -115,10 +115,10 @@ private:
 
   struct PlacedFace {
     Triangle corners;
-    Index origin;
+    Index input;
 
     PlacedFace() {} // a new one is not written to before it is used
-    PlacedFace(const Triangle& c, Index o) : corners(c), origin(o) {}
+    PlacedFace(const Triangle& c, Index o) : corners(c), input(o) {}
   };
 
   // By their lowest vertices: first into parts, which fit into a cache, then inside of each.
@@ -137,7 +137,7 @@ private:
     for (Index face = 0; face < triangles.size(); ++face)
       faces[end[lowest(triangles[face]) >> part_bits]++] = {triangles[face], face};
 
-    surface.face_origins.resize(triangles.size());
+    surface.input_faces.resize(triangles.size());
     std::vector<std::vector<PlacedFace>> sorted(unsigned{threads});
     parallel_for(threads, parts, [&](std::size_t part, std::size_t worker) {
       const std::size_t first = begin[part], count = begin[part + 1] - first;
@@ -147,7 +147,7 @@ private:
           [&](const PlacedFace& face) { return lowest(face.corners) % (Index{1} << part_bits); });
       for (std::size_t i = 0; i < count; ++i) {
         triangles[first + i] = sorted[worker][i].corners;
-        surface.face_origins[first + i] = sorted[worker][i].origin;
+        surface.input_faces[first + i] = sorted[worker][i].input;
       }
     });
   }

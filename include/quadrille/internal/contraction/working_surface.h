@@ -1,0 +1,375 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
+#define QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
+
+#include <quadrille/internal/base/joined_vector.h>
+#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/complex/link_condition.h>
+#include <quadrille/internal/complex/topology_count.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/checks.h>
+#include <quadrille/internal/contraction/cleanup.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/contraction_quota.h>
+#include <quadrille/internal/contraction/distance_check.h>
+#include <quadrille/internal/contraction/finished_surface.h>
+#include <quadrille/internal/contraction/moved_vertices.h>
+#include <quadrille/internal/contraction/progress.h>
+#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/target_rules.h>
+#include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/pair_evaluator.h>
+#include <quadrille/internal/cost/vertex_memories.h>
+#include <quadrille/internal/distance/distance_bounds.h>
+#include <quadrille/internal/memory/columns.h>
+#include <quadrille/internal/pairs/pair_finder.h>
+#include <quadrille/internal/pairs/pair_selection.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/order.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A surface that is being simplified: its faces, and the parts that keep up with its contractions.
+/// Each part has one job; which pair is contracted when is not among these.
+template <class Policies>
+class WorkingSurface {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Position = Vector<dimension>;
+  using Candidate = internal::Candidate<Cost>;
+  using Contraction = internal::Contraction<Cost>;
+
+  WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
+      : policies_(policies), scale_(scale_of(box, policies.cost)),
+        complex_(input.positions.size(), take_triangles(input), merges_at_once, policies.threads),
+        scratches_(scratches_for(policies.threads, complex_)),
+        pairs_(complex_, link_condition_, evaluator_,
+               select_pairs(policies.pairs, input, complex_, scratch().labels)),
+        is_topology_kept_(keeps_topology()), creases_(std::move(input.creases)),
+        numbering_({input.positions.size(), std::move(input.input_vertices)},
+                   {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
+        geometry_(complex_, scaled(std::move(input.positions)), std::move(input.is_fixed),
+                  policies.threads),
+        moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
+        terms_(policies.cost, geometry_, complex_, link_condition_),
+        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_),
+        checks_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
+        distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
+                        checks_),
+        target_rules_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
+        progress_(policies) {
+    if (!is_topology_kept_ || input.has_duplicate_faces)
+      remove_duplicate_faces();
+    progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
+    if (progress_.proceed())
+      classify(box);
+    if (progress_.proceed())
+      remember();
+  }
+  WorkingSurface(const WorkingSurface&) = delete; // its parts refer to each other
+  WorkingSurface& operator=(const WorkingSurface&) = delete;
+
+  const Policies& policies() const { return policies_; }
+  TriangleComplex& complex() { return complex_; }
+  const TriangleComplex& complex() const { return complex_; }
+  std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
+  bool is_topology_kept() const { return is_topology_kept_; }
+  double unevenness(Index v) const { return terms_.unevenness(v); }
+  /// One for each thread.
+  std::vector<Scratch>& scratches() { return scratches_; }
+  Scratch& scratch() { return scratches_.front(); }
+
+  PairFinder<Policies>& pairs() { return pairs_; }
+  const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
+  const Checks<Policies>& checks() const { return checks_; }
+  const DistanceCheck<Policies>& distance_check() const { return distance_check_; }
+  const TargetRules<Policies>& target_rules() const { return target_rules_; }
+  Progress<Policies>& progress() { return progress_; }
+  const Status& status() const { return progress_.status(); }
+
+  /// Asks for what contracting the pairs that come next will read, one thing after the other: what
+  /// the parts hold of their ends, the corners of these, the faces, what is held of their
+  /// neighbours. peek(n) points to the pair that comes n pairs later, or nowhere; also(w) asks for
+  /// what the caller will read of a neighbour.
+  template <class Peek, class Also>
+  [[gnu::always_inline]] void prefetch(Peek peek, Also also) const {
+    if (const auto* last = peek(12))
+      for (Index v : {last->first, last->second}) {
+        complex_.prefetch(v);
+        evaluator_.prefetch(v);
+        if (is_topology_kept_)
+          prefetch_columns(link_condition_, v);
+        prefetch_columns(moved_, v);
+        numbering_.prefetch(v);
+      }
+    if (const auto* later = peek(8))
+      for (Index v : {later->first, later->second})
+        complex_.prefetch_corners(v);
+    if (const auto* soon = peek(4))
+      for (Index v : {soon->first, soon->second})
+        complex_.prefetch_faces(v);
+    if (const auto* next = peek(2))
+      for (Index v : {next->first, next->second})
+        complex_.for_each_next(
+            v, [&](Index w) __attribute__((always_inline)) {
+              evaluator_.prefetch(w);
+              scratches_.front().labels.prefetch(w);
+              also(w);
+            });
+  }
+
+  /// Contracts a pair, and returns the vertex that is left: an end that keeps its place, else the
+  /// first. Observers are told before and after it. What has changed is tallied, to be counted.
+  ///
+  /// In a pass, contractions have no end in common, end_pass() is called behind the last, and those
+  /// whose stars have no vertex in common may be done at the same time. Where topology is free, no
+  /// end of an earlier one may be cut off: see any_cut_off().
+  template <class Mode>
+  Index apply(const Contraction& contraction, const Mode& mode) {
+    const auto [kept, gone] = choose(contraction);
+    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone};
+    const auto observers = this->observers();
+    std::apply([&](auto&... observer) { (tell_before(observer, event), ...); }, observers);
+    change_faces(event);
+    std::apply([&](auto&... observer) { (tell_after(observer, event), ...); }, observers);
+    Tally& tally = contraction.scratch().tally;
+    ++tally.contractions;
+    ++tally.vertices;
+    tally.error = std::max(tally.error, contraction.error());
+    return kept;
+  }
+
+  /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
+  /// enough of them are gone, those that are left get new numbers, in the same order.
+  void end_pass(bool refresh) {
+    if (status().faces > 0 && pairs_.are_edges() && 4 * status().vertices < 3 * vertex_capacity())
+      pack();
+    else
+      complex_.build_lists(threads());
+    if (refresh) {
+      for (auto& [v, w] : creases_)
+        v = numbering_.image(v), w = numbering_.image(w);
+      std::erase_if(creases_, [](const auto& crease) { return crease[0] == crease[1]; });
+      remember_as_it_is();
+    } else {
+      terms_.sum_up(scratch().labels);
+    }
+  }
+
+  /// What has become of the surface, which is not here any more then; with what vertices remember,
+  /// if that is asked for. Tells the report the rest.
+  FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
+    progress_.tell(report);
+    if constexpr (asks_for_distance)
+      report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
+    const TopologyCount count = count_topology(complex_, scratch().labels);
+    report.components_after = count.components;
+    report.components_before = is_topology_kept_ ? count.components : initial_components_;
+    report.non_manifold_edges = count.non_manifold_edges;
+    report.non_manifold_vertices = count.non_manifold_vertices;
+    return {scale_,
+            link_condition_.is_closed(),
+            std::move(complex_),
+            geometry_.take_positions(),
+            moved_.take(),
+            keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
+            std::move(numbering_)};
+  }
+
+private:
+  static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
+
+  // All that keeps up with contractions. Who looks at the surface as it is comes last.
+  auto observers() {
+    if constexpr (asks_for_distance)
+      return std::tie(bounds_, pairs_, numbering_, moved_, memories_, geometry_, link_condition_,
+                      terms_);
+    else
+      return std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_, terms_);
+  }
+
+  static Scale<dimension> scale_of(const Box<dimension>& box, const Cost& cost) {
+    Scale<dimension> scale(box, is_scale_free<Cost>);
+    if constexpr (requires {
+                    cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
+                  })
+      scale.set_attribute_weights(
+          cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()),
+          box);
+    return scale;
+  }
+
+  static std::vector<Scratch> scratches_for(unsigned threads, const TriangleComplex& complex) {
+    std::vector<Scratch> scratches;
+    scratches.reserve(threads);
+    for (unsigned i = 0; i < threads; ++i)
+      scratches.emplace_back(complex.vertex_capacity(), complex.workspace());
+    return scratches;
+  }
+
+  // Passes merge nothing before few faces are left.
+  static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
+
+  // A pair policy of the user's wants to see them once more.
+  static Array<TriangleComplex::Triangle> take_triangles(SurfaceInput<dimension>& input) {
+    if constexpr (std::same_as<typename Policies::Pairs, EdgePairs>)
+      return std::move(input.triangles);
+    else
+      return input.triangles;
+  }
+
+  // Unless the user says, free if there are pairs that are not edges.
+  bool keeps_topology() const {
+    const Topology by_default = pairs_.has_others() ? Topology::free : Topology::kept;
+    return policies_.topology.value_or(by_default) == Topology::kept;
+  }
+
+  typename Policies::Threads threads() const { return policies_.threads; }
+
+  Array<Position> scaled(Array<Position> positions) const {
+    scale_.apply(positions);
+    return positions;
+  }
+
+  void classify(const Box<dimension>& box) {
+    if (is_topology_kept_)
+      link_condition_ = LinkCondition(
+          complex_,
+          [this](std::size_t worker) -> VertexLabels& { return scratches_[worker].labels; },
+          threads());
+    else
+      initial_components_ = count_components(complex_);
+    if constexpr (asks_for_distance) {
+      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(box));
+      progress_.announce_distance(0);
+    }
+  }
+
+  // The greatest of a surface in a box, in the engine's unit.
+  double greatest_coordinate(const Box<dimension>& box) const {
+    double greatest = 0;
+    for (const Position& p : scaled({box.low, box.high}))
+      for (std::size_t i = 0; i < 3; ++i)
+        greatest = std::max(greatest, std::abs(p[i]));
+    return greatest;
+  }
+
+  void remember() {
+    remember_as_it_is();
+    if constexpr (Progress<Policies>::has_visitor)
+      progress_.expect(ContractionQuota(is_topology_kept_).contractions(policies_.stop, status()));
+  }
+
+  void remember_as_it_is() {
+    std::vector<std::array<Index, 2>> creases;
+    if (!creases_.empty()) {
+      const InputIndices numbers = numbering_.vertices.inverse();
+      for (const auto& [v, w] : creases_)
+        if (const Index p = numbers[v], q = numbers[w]; p != none && q != none)
+          creases.push_back({p, q}); // else it has lost its faces
+    }
+    const auto is_interior = [this](Index v) { return link_condition_.is_interior(v); };
+    VertexLabels& labels = scratch().labels;
+    memories_.remember(policies_.cost, geometry_.positions(), complex_, labels, creases,
+                       is_interior, threads());
+    terms_.sum_up(labels);
+  }
+
+  // What is gone takes no more time or room in a cache. Local terms are summed up anew behind it.
+  void pack() {
+    Array<Index> vertices = complex_.left_vertices();
+    const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
+    numbering_.faces.pack_if(is_left);
+    bounds_.pack_if(is_left);
+    parallel_for(threads(), 2, [&](std::size_t part, std::size_t) {
+      if (part == 0) {
+        complex_.pack(vertices);
+        return;
+      }
+      pack_columns(geometry_, vertices);
+      pack_columns(memories_, vertices);
+      pack_columns(link_condition_, vertices);
+      pack_columns(moved_, vertices);
+    });
+    complex_.fill_lists(threads());
+    numbering_.vertices.pack(std::move(vertices));
+  }
+
+  // Which end is kept, and which is gone.
+  std::pair<Index, Index> choose(const Contraction& contraction) const {
+    const Index a = contraction.first(), b = contraction.second();
+    const auto& [pair, target] = std::tie(contraction.pair(), contraction.target());
+    const bool b_stays = !geometry_.is_fixed(a) &&
+                         (geometry_.is_fixed(b) || (target == pair.second && target != pair.first));
+    return b_stays ? std::pair(b, a) : std::pair(a, b);
+  }
+
+  template <class Event>
+  [[gnu::always_inline]] void change_faces(const Event& event) {
+    Scratch& scratch = event.contraction.scratch();
+    if constexpr (Event::is_in_pass) {
+      complex_.relabel(event.kept, event.gone);
+      remove_shared_faces(scratch);
+    } else {
+      complex_.reserve_for_merge(event.kept, event.gone);
+      remove_shared_faces(scratch);
+      complex_.merge(event.kept, event.gone);
+    }
+    if (is_topology_kept_)
+      return;
+    Cleanup(complex_, scratch).remove_duplicate_faces();
+    Cleanup(complex_, scratch).remove_isolated_vertices(event.contraction.second());
+  }
+
+  void remove_shared_faces(Scratch& scratch) {
+    for (const StarFace& f : scratch.star.shared)
+      complex_.remove_face(f.face);
+    scratch.tally.faces += scratch.star.shared.size();
+    scratch.tally.non_edge_contractions += scratch.star.shared.empty();
+  }
+
+  void remove_duplicate_faces() {
+    for (Index v = 0; v < vertex_capacity(); ++v)
+      Cleanup(complex_, scratch()).remove_duplicate_faces(v);
+    scratch().tally = {};
+  }
+
+  const Policies& policies_;
+  Scale<dimension> scale_;
+  TriangleComplex complex_;
+  std::vector<Scratch> scratches_;
+  PairFinder<Policies> pairs_;
+  bool is_topology_kept_;
+  LinkCondition link_condition_;
+  DistanceBounds bounds_{0};                  // of no face where nobody asks
+  std::vector<std::array<Index, 2>> creases_; // edges that the user named, by input indices
+  Numbering numbering_;
+  Geometry<dimension> geometry_;
+  MovedVertices<dimension> moved_;
+  VertexMemories<Cost> memories_;
+  [[no_unique_address]] typename LocalTermsOf<Cost>::type terms_;
+  PairEvaluator<Policies> evaluator_;
+  Checks<Policies> checks_;
+  DistanceCheck<Policies> distance_check_;
+  TargetRules<Policies> target_rules_;
+  Progress<Policies> progress_;
+  std::size_t initial_components_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
