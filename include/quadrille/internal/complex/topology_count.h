@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/report.h>
 
 #include <cstddef>
 #include <numeric>
@@ -45,6 +46,12 @@ inline std::size_t count_components(const TriangleComplex& complex) {
 
 struct TopologyCount {
   std::size_t components = 0, non_manifold_edges = 0, non_manifold_vertices = 0;
+
+  void tell(Report& report) const {
+    report.components_after = components;
+    report.non_manifold_edges = non_manifold_edges;
+    report.non_manifold_vertices = non_manifold_vertices;
+  }
 };
 
 inline TopologyCount count_topology(TriangleComplex& complex, VertexLabels& labels) {

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 #define QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 
-#include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/topology_count.h>
@@ -13,8 +12,10 @@
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
+#include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/progress.h>
 #include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/pair_evaluator.h>
@@ -31,9 +32,6 @@
 #include <quadrille/order.h>
 #include <quadrille/report.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <tuple>
@@ -55,14 +53,15 @@ public:
 
   WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
       : policies_(policies), scale_(scale_of(box, policies.cost)),
-        complex_(input.positions.size(), take_triangles(input), merges_at_once, policies.threads),
+        complex_(input.positions.size(), take_triangles(policies.pairs, input), merges_at_once,
+                 policies.threads),
         scratches_(scratches_for(policies.threads, complex_)),
         pairs_(complex_, link_condition_, evaluator_,
                select_pairs(policies.pairs, input, complex_, scratch().labels)),
         is_topology_kept_(keeps_topology()), creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.input_vertices)},
                    {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
-        geometry_(complex_, scaled(std::move(input.positions)), std::move(input.is_fixed),
+        geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
         terms_(policies.cost, geometry_, complex_, link_condition_),
@@ -77,8 +76,11 @@ public:
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
       classify(box);
-    if (progress_.proceed())
-      remember();
+    if (!progress_.proceed())
+      return;
+    remember();
+    if constexpr (Progress<Policies>::has_visitor)
+      progress_.expect(ContractionQuota(is_topology_kept_).contractions(policies.stop, status()));
   }
   WorkingSurface(const WorkingSurface&) = delete; // its parts refer to each other
   WorkingSurface& operator=(const WorkingSurface&) = delete;
@@ -88,7 +90,6 @@ public:
   const TriangleComplex& complex() const { return complex_; }
   std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
   bool is_topology_kept() const { return is_topology_kept_; }
-  double unevenness(Index v) const { return terms_.unevenness(v); }
   /// One for each thread.
   std::vector<Scratch>& scratches() { return scratches_; }
   Scratch& scratch() { return scratches_.front(); }
@@ -101,35 +102,18 @@ public:
   Progress<Policies>& progress() { return progress_; }
   const Status& status() const { return progress_.status(); }
 
-  /// Asks for what contracting the pairs that come next will read, one thing after the other: what
-  /// the parts hold of their ends, the corners of these, the faces, what is held of their
-  /// neighbours. peek(n) points to the pair that comes n pairs later, or nowhere; also(w) asks for
-  /// what the caller will read of a neighbour.
-  template <class Peek, class Also>
-  [[gnu::always_inline]] void prefetch(Peek peek, Also also) const {
-    if (const auto* last = peek(12))
-      for (Index v : {last->first, last->second}) {
-        complex_.prefetch(v);
-        evaluator_.prefetch(v);
-        if (is_topology_kept_)
-          prefetch_columns(link_condition_, v);
-        prefetch_columns(moved_, v);
-        numbering_.prefetch(v);
-      }
-    if (const auto* later = peek(8))
-      for (Index v : {later->first, later->second})
-        complex_.prefetch_corners(v);
-    if (const auto* soon = peek(4))
-      for (Index v : {soon->first, soon->second})
-        complex_.prefetch_faces(v);
-    if (const auto* next = peek(2))
-      for (Index v : {next->first, next->second})
-        complex_.for_each_next(
-            v, [&](Index w) __attribute__((always_inline)) {
-              evaluator_.prefetch(w);
-              scratches_.front().labels.prefetch(w);
-              also(w);
-            });
+  /// Ask for what a contraction will read of an end, but for its faces, and of a neighbour.
+  [[gnu::always_inline]] void prefetch_end(Index v) const {
+    complex_.prefetch(v);
+    evaluator_.prefetch(v);
+    if (is_topology_kept_)
+      prefetch_columns(link_condition_, v);
+    prefetch_columns(moved_, v);
+    numbering_.prefetch(v);
+  }
+  [[gnu::always_inline]] void prefetch_neighbour(Index v) const {
+    evaluator_.prefetch(v);
+    scratches_.front().labels.prefetch(v);
   }
 
   /// Contracts a pair, and returns the vertex that is left: an end that keeps its place, else the
@@ -161,10 +145,8 @@ public:
     else
       complex_.build_lists(threads());
     if (refresh) {
-      for (auto& [v, w] : creases_)
-        v = numbering_.image(v), w = numbering_.image(w);
-      std::erase_if(creases_, [](const auto& crease) { return crease[0] == crease[1]; });
-      remember_as_it_is();
+      creases_.follow(numbering_);
+      remember();
     } else {
       terms_.sum_up(scratch().labels);
     }
@@ -176,11 +158,8 @@ public:
     progress_.tell(report);
     if constexpr (asks_for_distance)
       report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
-    const TopologyCount count = count_topology(complex_, scratch().labels);
-    report.components_after = count.components;
-    report.components_before = is_topology_kept_ ? count.components : initial_components_;
-    report.non_manifold_edges = count.non_manifold_edges;
-    report.non_manifold_vertices = count.non_manifold_vertices;
+    count_topology(complex_, scratch().labels).tell(report);
+    report.components_before = is_topology_kept_ ? report.components_after : initial_components_;
     return {scale_,
             link_condition_.is_closed(),
             std::move(complex_),
@@ -202,35 +181,8 @@ private:
       return std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_, terms_);
   }
 
-  static Scale<dimension> scale_of(const Box<dimension>& box, const Cost& cost) {
-    Scale<dimension> scale(box, is_scale_free<Cost>);
-    if constexpr (requires {
-                    cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
-                  })
-      scale.set_attribute_weights(
-          cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()),
-          box);
-    return scale;
-  }
-
-  static std::vector<Scratch> scratches_for(unsigned threads, const TriangleComplex& complex) {
-    std::vector<Scratch> scratches;
-    scratches.reserve(threads);
-    for (unsigned i = 0; i < threads; ++i)
-      scratches.emplace_back(complex.vertex_capacity(), complex.workspace());
-    return scratches;
-  }
-
   // Passes merge nothing before few faces are left.
   static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
-
-  // A pair policy of the user's wants to see them once more.
-  static Array<TriangleComplex::Triangle> take_triangles(SurfaceInput<dimension>& input) {
-    if constexpr (std::same_as<typename Policies::Pairs, EdgePairs>)
-      return std::move(input.triangles);
-    else
-      return input.triangles;
-  }
 
   // Unless the user says, free if there are pairs that are not edges.
   bool keeps_topology() const {
@@ -239,11 +191,6 @@ private:
   }
 
   typename Policies::Threads threads() const { return policies_.threads; }
-
-  Array<Position> scaled(Array<Position> positions) const {
-    scale_.apply(positions);
-    return positions;
-  }
 
   void classify(const Box<dimension>& box) {
     if (is_topology_kept_)
@@ -254,38 +201,16 @@ private:
     else
       initial_components_ = count_components(complex_);
     if constexpr (asks_for_distance) {
-      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(box));
+      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box));
       progress_.announce_distance(0);
     }
   }
 
-  // The greatest of a surface in a box, in the engine's unit.
-  double greatest_coordinate(const Box<dimension>& box) const {
-    double greatest = 0;
-    for (const Position& p : scaled({box.low, box.high}))
-      for (std::size_t i = 0; i < 3; ++i)
-        greatest = std::max(greatest, std::abs(p[i]));
-    return greatest;
-  }
-
   void remember() {
-    remember_as_it_is();
-    if constexpr (Progress<Policies>::has_visitor)
-      progress_.expect(ContractionQuota(is_topology_kept_).contractions(policies_.stop, status()));
-  }
-
-  void remember_as_it_is() {
-    std::vector<std::array<Index, 2>> creases;
-    if (!creases_.empty()) {
-      const InputIndices numbers = numbering_.vertices.inverse();
-      for (const auto& [v, w] : creases_)
-        if (const Index p = numbers[v], q = numbers[w]; p != none && q != none)
-          creases.push_back({p, q}); // else it has lost its faces
-    }
     const auto is_interior = [this](Index v) { return link_condition_.is_interior(v); };
     VertexLabels& labels = scratch().labels;
-    memories_.remember(policies_.cost, geometry_.positions(), complex_, labels, creases,
-                       is_interior, threads());
+    memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
+                       creases_.left(numbering_), is_interior, threads());
     terms_.sum_up(labels);
   }
 
@@ -355,8 +280,8 @@ private:
   PairFinder<Policies> pairs_;
   bool is_topology_kept_;
   LinkCondition link_condition_;
-  DistanceBounds bounds_{0};                  // of no face where nobody asks
-  std::vector<std::array<Index, 2>> creases_; // edges that the user named, by input indices
+  DistanceBounds bounds_{0}; // of no face where nobody asks
+  NamedCreases creases_;
   Numbering numbering_;
   Geometry<dimension> geometry_;
   MovedVertices<dimension> moved_;

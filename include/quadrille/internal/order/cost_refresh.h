@@ -33,12 +33,12 @@ public:
   /// The pairs of a vertex have just been costed.
   void note(Index v) {
     if (looks_for_flattened())
-      flattened_.note(v, surface_.unevenness(v));
+      flattened_.note(v, surface_.evaluator().terms().unevenness(v));
   }
   /// The faces around a vertex have changed.
   void look_at(Index v) {
     if (looks_for_flattened())
-      flattened_.look_at(v, surface_.unevenness(v));
+      flattened_.look_at(v, surface_.evaluator().terms().unevenness(v));
   }
 
   /// Calls push(v, w, key) for the pairs that are to be costed anew now that a contraction has left

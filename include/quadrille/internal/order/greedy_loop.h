@@ -7,6 +7,7 @@
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/order/cost_refresh.h>
 #include <quadrille/internal/order/deferred_pairs.h>
+#include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/pair_stamps.h>
 #include <quadrille/internal/order/waiting_pairs.h>
@@ -122,7 +123,9 @@ private:
 
   // The cheapest; those that would go beyond the target when there are no others.
   std::optional<QueuedPair> next_pair() {
-    prefetch();
+    look_ahead(
+        surface_, [&](std::size_t ahead) { return queue_.peek(ahead); },
+        [&](Index w) __attribute__((always_inline)) { waiting_.prefetch(w); });
     std::optional<QueuedPair> next = queue_.pop(stamps_.outdated());
     while (next ? has_isolated_end(*next) : waiting_.release_rest(stamps_.time(), push_again()))
       next = queue_.pop(stamps_.outdated());
@@ -130,12 +133,6 @@ private:
     return next ? next : deferred_.take([this](const QueuedPair& pair) {
       return !stamps_.is_outdated(pair) && !has_isolated_end(pair);
     });
-  }
-
-  // Pairs lie anywhere, so most of the time would go into waiting for memory.
-  [[gnu::always_inline]] void prefetch() const {
-    surface_.prefetch([&](std::size_t ahead) { return queue_.peek(ahead); },
-                      [&](Index w) __attribute__((always_inline)) { waiting_.prefetch(w); });
   }
 
   bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {

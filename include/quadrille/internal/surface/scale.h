@@ -58,6 +58,10 @@ public:
     for (Vector<N>& p : positions)
       p = position_from_mesh(p);
   }
+  Array<Vector<N>> scaled(Array<Vector<N>> positions) const {
+    apply(positions);
+    return positions;
+  }
   Vector<N> position_from_mesh(Vector<N> p) const {
     for (std::size_t i = 0; i < 3; ++i)
       p[i] = to_engine_(p[i]);
