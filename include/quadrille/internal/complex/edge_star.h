@@ -25,7 +25,7 @@ public:
     edges_.clear();
     labels.clear(2 * complex.degree_bound(v));
     complex.prune_corners(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
+      const StarFace f = star_face_at(complex, face, i);
       add(f.second, f.third, labels);
       add(f.third, f.second, labels);
     });

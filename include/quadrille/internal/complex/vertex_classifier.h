@@ -26,7 +26,7 @@ public:
     Index faces = 0;
     labels.clear(star_.size());
     complex.prune_corners(v, [&](Index face, Index i) {
-      const StarFace f = star_[faces] = PairStar::star_face(complex, face, i);
+      const StarFace f = star_[faces] = star_face_at(complex, face, i);
       labels.set(f.second, faces++);
     });
     star_.resize(faces);

@@ -63,9 +63,9 @@ private:
 
   // Why a filter refuses a target, if one does.
   std::optional<Rejection> refusal(const Contraction& contraction, const Position& target) const {
-    const ContractionView<dimension> view(contraction.star(), complex_, geometry_.positions(),
-                                          contraction.pair().first, contraction.pair().second,
-                                          target);
+    const ContractionView<dimension> view(contraction.star(), complex_,
+                                          geometry_.positions().data(), contraction.pair().first,
+                                          contraction.pair().second, target);
     const ContractionInMeshUnits<dimension> in_mesh_units(view, scale_);
     std::optional<Rejection> cause;
     const auto looks_and_refuses = [&](const auto& filter) {

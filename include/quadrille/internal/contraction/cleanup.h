@@ -57,9 +57,8 @@ public:
   /// Of the faces at a vertex with the same three vertices, one is left.
   void remove_duplicate_faces(Index v) {
     scratch_.faces.clear();
-    complex_.prune_corners(v, [&](Index face, Index i) {
-      scratch_.faces.push_back(PairStar::star_face(complex_, face, i));
-    });
+    complex_.prune_corners(
+        v, [&](Index face, Index i) { scratch_.faces.push_back(star_face_at(complex_, face, i)); });
     remove_duplicates();
   }
 

@@ -13,6 +13,7 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -41,7 +42,7 @@ Scale<N> scale_of(const Box<N>& box, const Cost& cost) {
 template <std::size_t N>
 double greatest_coordinate(const Scale<N>& scale, const Box<N>& box) {
   double greatest = 0;
-  for (const Vector<N>& p : scale.scaled({box.low, box.high}))
+  for (const Vector<N>& p : scale.scaled(std::array{box.low, box.high}))
     for (std::size_t i = 0; i < 3; ++i)
       greatest = std::max(greatest, std::abs(p[i]));
   return greatest;

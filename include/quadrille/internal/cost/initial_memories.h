@@ -122,7 +122,7 @@ private:
   // Each face of a crease leaves a plane, at both of its ends.
   void add_crease(Index v, Index w) {
     complex_.prune_corners(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex_, face, i);
+      const StarFace f = star_face_at(complex_, face, i);
       if (f.second != w && f.third != w)
         return;
       const Index opposite = f.second == w ? f.third : f.second;

@@ -55,9 +55,8 @@ public:
   template <class Positions>
   LocalStar(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex) {
     clear(v);
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      add(PairStar::star_face(complex, face, i), cost, positions);
-    });
+    complex.for_each_corner(
+        v, [&](Index face, Index i) { add(star_face_at(complex, face, i), cost, positions); });
   }
 
   /// Of a vertex whose faces are about to be added, or of none.
@@ -111,7 +110,7 @@ public:
       : v_(v), labels_(labels) {
     labels.clear(2 * complex.degree_bound(v));
     complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
+      const StarFace f = star_face_at(complex, face, i);
       const auto now = cost.current_face(positions[v], positions[f.second], positions[f.third]);
       at(f.second).add(now, f.third);
       at(f.third).add(now, f.second);

@@ -43,7 +43,7 @@ public:
   Current shared(Index a, Index b) const {
     SharedTerms<Cost> shared;
     complex_.for_each_corner(a, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex_, face, i);
+      const StarFace f = star_face_at(complex_, face, i);
       if (f.second == b || f.third == b)
         shared.add(term(a, f), f.second == b ? f.third : f.second);
     });
@@ -130,13 +130,13 @@ private:
     if (complex_.degree_bound(kept) <= LocalStar<Cost>::most_faces) {
       last_star_.clear(kept);
       complex_.prune_corners(kept, [&](Index face, Index i) {
-        last_star_.add(PairStar::star_face(complex_, face, i), cost_, geometry_.positions());
+        last_star_.add(star_face_at(complex_, face, i), cost_, geometry_.positions());
       });
       last_star_.for_each_face(add);
     } else {
       last_star_.clear();
       complex_.prune_corners(kept, [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex_, face, i);
+        const StarFace f = star_face_at(complex_, face, i);
         add(f.second, f.third, term(kept, f));
       });
     }
@@ -164,7 +164,7 @@ private:
       return;
     Current& sum = terms_[v] = {};
     complex_.prune_corners(
-        v, [&](Index face, Index i) { sum += term(v, PairStar::star_face(complex_, face, i)); });
+        v, [&](Index face, Index i) { sum += term(v, star_face_at(complex_, face, i)); });
     add_boundary(v, labels);
   }
 

@@ -62,7 +62,7 @@ public:
       if (complex.degree_bound(end) <= 2 * StarDeviation::most_faces || at(end) == x)
         return false;
       const auto is_face_beyond = [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex, face, i);
+        const StarFace f = star_face_at(complex, face, i);
         if (f.second == other || f.third == other)
           return false;
         const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));

@@ -68,7 +68,7 @@ private:
     ring_.clear();
     const TriangleComplex& complex = surface_.complex();
     surface_.complex().prune_corners(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
+      const StarFace f = star_face_at(complex, face, i);
       for (Index w : {f.second, f.third})
         if (!stamps_.is_new(w) && complex.degree_bound(w) <= WaitingPairs::few_faces) {
           stamps_.renew(w);

@@ -140,14 +140,13 @@ private:
       count += is_new & (w >= least);
     };
     if (link_condition_.is_oriented(v)) {
-      complex_.prune_corners(v, [&](Index face, Index i) {
-        add(PairStar::star_face(complex_, face, i).second, true);
-      });
+      complex_.prune_corners(
+          v, [&](Index face, Index i) { add(star_face_at(complex_, face, i).second, true); });
     } else {
       VertexLabels& labels = tools.labels;
       labels.clear();
       complex_.prune_corners(v, [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex_, face, i);
+        const StarFace f = star_face_at(complex_, face, i);
         add(f.second, labels.insert(f.second));
         add(f.third, labels.insert(f.third));
       });

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_BOX_H
 #define QUADRILLE_INTERNAL_SURFACE_BOX_H
 
-#include <quadrille/internal/memory/array.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -16,12 +15,12 @@ template <std::size_t N>
 struct Box {
   Vector<N> low, high;
 
-  explicit Box(const Array<Vector<N>>& positions)
-      : Box(positions, [](std::size_t) { return true; }) {}
+  template <class Positions>
+  explicit Box(const Positions& positions) : Box(positions, [](std::size_t) { return true; }) {}
 
   /// Of the positions v for which counts(v).
-  template <class Counts>
-  Box(const Array<Vector<N>>& positions, Counts counts) {
+  template <class Positions, class Counts>
+  Box(const Positions& positions, Counts counts) {
     Vector<N> least, greatest; // no members, which would be written each time
     least.coordinates.fill(std::numeric_limits<double>::max());
     greatest.coordinates.fill(std::numeric_limits<double>::lowest());

@@ -3,13 +3,13 @@
 
 #include <quadrille/internal/base/power_of_two.h>
 #include <quadrille/internal/base/text.h>
-#include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -41,8 +41,7 @@ public:
   /// lengths that can be told beside those of the surface.
   void set_attribute_weights(const Vector<N - 3>& weights, const Box<N>& box) {
     weights_ = weights;
-    Array<Vector<N>> ends{box.low, box.high};
-    apply(ends);
+    const std::array ends{position_from_mesh(box.low), position_from_mesh(box.high)};
     for (std::size_t i = 3; i < N; ++i) {
       const double range = ends[1][i] - ends[0][i];
       if (!std::isnormal(weights_[i - 3]) || !(std::abs(range) <= greatest_range))
@@ -54,12 +53,10 @@ public:
     }
   }
 
-  void apply(Array<Vector<N>>& positions) const {
+  template <class Positions>
+  Positions scaled(Positions positions) const {
     for (Vector<N>& p : positions)
       p = position_from_mesh(p);
-  }
-  Array<Vector<N>> scaled(Array<Vector<N>> positions) const {
-    apply(positions);
     return positions;
   }
   Vector<N> position_from_mesh(Vector<N> p) const {
