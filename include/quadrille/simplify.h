@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_SIMPLIFY_H
 #define QUADRILLE_SIMPLIFY_H
 
+#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/concepts.h>
 #include <quadrille/edge_length.h>

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_VERTEX_LABELS_H
 #define QUADRILLE_INTERNAL_COMPLEX_VERTEX_LABELS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
@@ -37,7 +38,7 @@ public:
   Index operator[](Index vertex) const { return mark_[vertex] - base_; } ///< of a marked vertex
   void set(Index vertex, Index number = 0) { mark_[vertex] = base_ + number; }
 
-  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&mark_[vertex]); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&mark_[vertex]); }
 
 private:
   Array<Index> mark_;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
 #define QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
@@ -117,10 +118,10 @@ inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
 /// point `displacement` from it, with what tells those of equal cost apart (see TieBreak). A value
 /// that can't be had so, because the matrix is singular or the position lies further than √reach
 /// from both points, is NaN.
-[[gnu::always_inline]] inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
-                                                 const std::array<const QuadricForm<3>*, 2>& others,
-                                                 const std::array<Vector<3>, 2>& displacements,
-                                                 Lanes squared_reach) {
+QUADRILLE_ALWAYS_INLINE inline Lanes
+least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
+             const std::array<const QuadricForm<3>*, 2>& others,
+             const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
   // The sum, about the first point: see QuadricForm::sum_about_first.
   const auto& [p, q] = firsts;
   const auto& [r, s] = others;

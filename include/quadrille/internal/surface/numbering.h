@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_NUMBERING_H
 #define QUADRILLE_INTERNAL_SURFACE_NUMBERING_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -73,7 +74,7 @@ public:
     else
       merged_into_[gone] = kept;
   }
-  [[gnu::always_inline]] void prefetch(Index v) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     internal::prefetch(&merged_into_[is_by_origins_ ? vertices[v] : v]);
   }
 
