@@ -81,7 +81,9 @@ public:
       const auto box = surface.box();
       low_ = attributes_of(box.low);
       high_ = attributes_of(box.high);
-      if (std::ranges::min(low_.coordinates) >= 0 && std::ranges::max(high_.coordinates) <= 1) {
+      const auto &low = low_.coordinates, &high = high_.coordinates;
+      if (*std::min_element(low.begin(), low.end()) >= 0 &&
+          *std::max_element(high.begin(), high.end()) <= 1) {
         low_.coordinates.fill(0);
         high_.coordinates.fill(1);
       }

@@ -128,7 +128,8 @@ private:
     bool has = false;
     complex_.for_each_corner(v, [&](Index face, Index) {
       const auto is_it = [face](const StarFace& f) { return f.face == face; };
-      has |= std::ranges::none_of(scratch_.star.shared, is_it);
+      const auto& vanishing = scratch_.star.shared;
+      has |= std::none_of(vanishing.begin(), vanishing.end(), is_it);
     });
     return has;
   }

@@ -70,15 +70,24 @@ DistanceSurface distance_surface(const Mesh& mesh) {
   return surface;
 }
 
+/// How many elements there are: std::ranges::distance is not in every library.
+template <class Range>
+std::size_t length_of(const Range& range) {
+  std::size_t length = 0;
+  for (auto i = std::ranges::begin(range); i != std::ranges::end(range); ++i)
+    ++length;
+  return length;
+}
+
 template <class Points, class Triangles>
 DistanceSurface distance_surface(const Points& points, const Triangles& triangles) {
-  const auto count = static_cast<std::size_t>(std::ranges::distance(points));
+  const std::size_t count = length_of(points);
   const auto first = std::ranges::begin(points);
   using Step = std::iter_difference_t<decltype(first)>;
   DistanceSurface surface;
   std::vector<bool> used(count, false);
   for (const auto& triangle : triangles) {
-    if (std::ranges::distance(triangle) != 3)
+    if (length_of(triangle) != 3)
       throw std::invalid_argument("quadrille: a face of a measured surface is not a triangle");
     std::array<DistancePoint, 3> corners;
     std::size_t corner = 0;
