@@ -83,7 +83,7 @@ private:
     const double limit = max_pairs_per_vertex_ * static_cast<double>(points);
     const double pairs = finder.count_pairs(limit);
     if (pairs > limit)
-      refuse(std::max(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
+      refuse((std::max)(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
   }
 
   // Counting all pairs could take O(n²): up to a thousand vertices are looked at, in an order that

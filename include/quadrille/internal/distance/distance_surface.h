@@ -116,9 +116,9 @@ inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {
 
 /// At most the greatest double.
 inline double diagonal(const CGAL::Bbox_3& box) {
-  const auto half = [&](int i) { return 0.5 * box.max(i) - 0.5 * box.min(i); };
-  return 2 *
-         std::min(std::hypot(half(0), half(1), half(2)), std::numeric_limits<double>::max() / 2);
+  const auto half = [&](int i) { return 0.5 * (box.max)(i)-0.5 * (box.min)(i); };
+  return 2 * (std::min)(std::hypot(half(0), half(1), half(2)),
+                        (std::numeric_limits<double>::max)() / 2);
 }
 
 /// Where distances are measured: around the origin, so that far-away coordinates cost no digits,
@@ -131,8 +131,8 @@ public:
     double extent = 0;
     for (int i = 0; i < 3; ++i) {
       // By halves: sums and differences of the ends could overflow.
-      middle[static_cast<std::size_t>(i)] = 0.5 * box.min(i) + 0.5 * box.max(i);
-      extent = std::max(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
+      middle[static_cast<std::size_t>(i)] = 0.5 * (box.min)(i) + 0.5 * (box.max)(i);
+      extent = (std::max)(extent, 0.5 * (box.max)(i)-0.5 * (box.min)(i));
     }
     origin_ = DistanceVector(middle[0], middle[1], middle[2]);
     if (extent > 0)

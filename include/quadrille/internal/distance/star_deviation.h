@@ -70,8 +70,8 @@ public:
   FaceDeviation greatest() const {
     FaceDeviation greatest;
     for (const FaceDeviation& d : deviations_) {
-      greatest.from_input = std::max(greatest.from_input, d.from_input);
-      greatest.from_star = std::max(greatest.from_star, d.from_star);
+      greatest.from_input = (std::max)(greatest.from_input, d.from_input);
+      greatest.from_star = (std::max)(greatest.from_star, d.from_star);
     }
     return greatest;
   }
@@ -118,8 +118,8 @@ public:
       return moved;
     for (std::size_t i = 0; i < changed_; ++i)
       if (border_.has(faces_[i].second) || border_.has(faces_[i].third)) {
-        deviations_[i].from_input = std::max(deviations_[i].from_input, moved.from_input);
-        deviations_[i].from_star = std::max(deviations_[i].from_star, moved.from_star);
+        deviations_[i].from_input = (std::max)(deviations_[i].from_input, moved.from_input);
+        deviations_[i].from_star = (std::max)(deviations_[i].from_star, moved.from_star);
       }
     return std::nullopt;
   }
@@ -181,7 +181,7 @@ private:
     extent_ = 0;
     const auto see = [&](const Vector<3>& p) {
       for (std::size_t i = 0; i < 3; ++i)
-        extent_ = std::max(extent_, std::abs(p[i] - ends_[0][i]));
+        extent_ = (std::max)(extent_, std::abs(p[i] - ends_[0][i]));
     };
     see(x_.point);
     see(ends_[1]);
@@ -287,11 +287,11 @@ private:
         return;
       double most = 0;
       for (const FlatPoint& y : piece)
-        most = std::max(most, squared(y));
+        most = (std::max)(most, squared(y));
       covered += piece.area();
       const double distance = std::sqrt(most);
-      deviation.from_star = std::max(deviation.from_star, distance);
-      deviation.from_input = std::max(deviation.from_input, bound + distance);
+      deviation.from_star = (std::max)(deviation.from_star, distance);
+      deviation.from_input = (std::max)(deviation.from_input, bound + distance);
     };
     for (const Face& f : faces_)
       if (f.is_in_sheet && deviation.from_input < known && flat_area(f.flat) > 0)
