@@ -5,9 +5,9 @@ set -eu
 export LC_ALL=C
 
 cd -- "$(dirname -- "$0")/.."
-sh .ci/install_packages.sh cmake g++ clang ninja-build libcgal-dev libcgal-demo libboost-dev catch2 \
-  libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev libmeshoptimizer-dev \
-  gnuplot-nox
+sh .ci/install_packages.sh cmake g++ clang libc++-dev ninja-build libcgal-dev libcgal-demo \
+  libboost-dev catch2 libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev \
+  libmeshoptimizer-dev gnuplot-nox
 
 jobs=$(nproc)
 cmake --preset test "$@"

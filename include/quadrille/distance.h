@@ -108,10 +108,10 @@ inline OneSidedDistance one_sided_distance(const DistanceSurface& from, const Di
   for (const DistancePoint& p : points) {
     const double distance2 = to.squared_distance(p);
     sum += distance2;
-    largest = std::max(largest, distance2);
+    largest = (std::max)(largest, distance2);
   }
   for (const DistancePoint& p : from.vertices)
-    largest = std::max(largest, to.squared_distance(p));
+    largest = (std::max)(largest, to.squared_distance(p));
   return {std::sqrt(sum / static_cast<double>(points.size())), std::sqrt(largest)};
 }
 
@@ -123,7 +123,7 @@ inline SurfaceDistance distance_between(DistanceSurface a, DistanceSurface b,
   const auto ab = one_sided_distance(a, DistanceTree(b.triangles), sampling);
   const auto ba = one_sided_distance(b, DistanceTree(a.triangles), sampling);
   return {.rms = frame.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
-          .hausdorff = frame.from(std::max(ab.hausdorff, ba.hausdorff)),
+          .hausdorff = frame.from((std::max)(ab.hausdorff, ba.hausdorff)),
           .rms_a_to_b = frame.from(ab.rms),
           .rms_b_to_a = frame.from(ba.rms),
           .hausdorff_a_to_b = frame.from(ab.hausdorff),
@@ -229,7 +229,7 @@ double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
       CGAL::Sequential_tag>(internal::distance_mesh(a, frame), internal::distance_mesh(b, frame),
                             error_in_frame);
   // Far below a large error CGAL's answer is that error.
-  return std::min(frame.from(distance), farthest);
+  return (std::min)(frame.from(distance), farthest);
 }
 
 /// The length of the diagonal of the axis-parallel box around the vertices of a mesh; 0 when there

@@ -78,8 +78,8 @@ private:
 
   // False for a position that is not finite.
   static bool is_within_reach(const auto& pair, const auto& x) {
-    return std::min(squared_distance(space(x), space(pair.first)),
-                    squared_distance(space(x), space(pair.second))) <= pair.squared_reach;
+    return (std::min)(squared_distance(space(x), space(pair.first)),
+                      squared_distance(space(x), space(pair.second))) <= pair.squared_reach;
   }
 };
 

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_SIMPLIFY_H
 #define QUADRILLE_SIMPLIFY_H
 
+#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/concepts.h>
 #include <quadrille/edge_length.h>
@@ -52,8 +54,9 @@ inline namespace QUADRILLE_THREADING {
 /// - vertex_image_map: written, what became of each vertex
 /// - duplicate_output_iterator: gets the vertices that a non-manifold result is written with
 ///
-/// A name that nothing in the call reads does not compile, but for geom_traits and CGAL's other
-/// maps to indices.
+/// A name that nothing in the call reads does not compile, but for CGAL's other maps to indices and
+/// for geom_traits, which must be of the mesh's points and says no more than they: all is computed
+/// with coordinates as doubles. Threads are chosen by the order and not by concurrency_tag.
 ///
 /// Vertices and edges without a face go, constrained or not. What is left keeps its descriptors, so
 /// property maps stay right. As in CGAL, meshes that only mark what is removed (Surface_mesh,

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_THIN_FEATURE_QUADRIC_H
 #define QUADRILLE_THIN_FEATURE_QUADRIC_H
 
+#include <quadrille/internal/base/lanes.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
@@ -69,7 +70,7 @@ struct ThinFeatureQuadric : MemorylessQuadric {
   template <class Number>
   Number loss(const Number& growth, const Number& trace) const {
     const Number excess = growth - loss_tolerance * loss_tolerance / 3 * trace * trace;
-    return excess > Number{} ? loss_weight * excess : Number{};
+    return internal::select(excess > Number{}, loss_weight * excess, Number{});
   }
 
   /// Throws std::invalid_argument for a weight or a tolerance that makes no sense.

@@ -83,13 +83,13 @@ private:
     const double limit = max_pairs_per_vertex_ * static_cast<double>(points);
     const double pairs = finder.count_pairs(limit);
     if (pairs > limit)
-      refuse(std::max(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
+      refuse((std::max)(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
   }
 
   // Counting all pairs could take O(n²): up to a thousand vertices are looked at, in an order that
   // jumps about, until they have met enough others.
   static double estimated_pairs(const internal::ClosePoints& finder, std::size_t points) {
-    const std::size_t samples = std::min<std::size_t>(points, 1000);
+    const std::size_t samples = (std::min<std::size_t>)(points, 1000);
     const std::size_t jump = 1627; // a prime, so that no vertex comes twice
     double count = 0;
     std::size_t n = 0;

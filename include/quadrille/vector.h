@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_VECTOR_H
 #define QUADRILLE_VECTOR_H
 
+#include <quadrille/internal/base/compiler.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,7 +40,7 @@ struct Vector {
 };
 
 template <std::size_t N>
-[[gnu::always_inline]] constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
+QUADRILLE_ALWAYS_INLINE constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
   static_assert(N > 0);
   double sum = a[0] * b[0]; // not from 0: x + 0 is an addition that no compiler may leave out
   for (std::size_t i = 1; i < N; ++i)
@@ -47,12 +49,12 @@ template <std::size_t N>
 }
 
 template <std::size_t N>
-[[gnu::always_inline]] constexpr double squared_length(const Vector<N>& a) {
+QUADRILLE_ALWAYS_INLINE constexpr double squared_length(const Vector<N>& a) {
   return dot(a, a);
 }
 
 template <std::size_t N>
-[[gnu::always_inline]] constexpr double squared_distance(const Vector<N>& a, const Vector<N>& b) {
+QUADRILLE_ALWAYS_INLINE constexpr double squared_distance(const Vector<N>& a, const Vector<N>& b) {
   return squared_length(a - b);
 }
 
@@ -62,15 +64,15 @@ constexpr Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
 
 /// Twice the area vector of the triangle pqr: its length is twice the area, its direction the
 /// normal.
-[[gnu::always_inline]] constexpr Vector<3>
+QUADRILLE_ALWAYS_INLINE constexpr Vector<3>
 double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
   return cross(q - p, r - p);
 }
 
 /// The same, but zero, no normal, if the three points lie on a line up to the rounding of their
 /// coordinates. A triangle higher than a millionth of its length has one, however few bits tell it.
-[[gnu::always_inline]] constexpr Vector<3> normal_vector(const Vector<3>& p, const Vector<3>& q,
-                                                         const Vector<3>& r) {
+QUADRILLE_ALWAYS_INLINE constexpr Vector<3> normal_vector(const Vector<3>& p, const Vector<3>& q,
+                                                          const Vector<3>& r) {
   const Vector<3> normal = double_area_vector(p, q, r);
   const double edges = squared_distance(p, q) + squared_distance(p, r);
   if (squared_length(normal) > 0x1p-40 * edges * edges)

@@ -64,7 +64,9 @@ public:
       const auto box = surface.box();
       low_ = attributes_of(box.low);
       high_ = attributes_of(box.high);
-      if (std::ranges::min(low_.coordinates) >= 0 && std::ranges::max(high_.coordinates) <= 1) {
+      const auto &low = low_.coordinates, &high = high_.coordinates;
+      if (*std::min_element(low.begin(), low.end()) >= 0 &&
+          *std::max_element(high.begin(), high.end()) <= 1) {
         low_.coordinates.fill(0);
         high_.coordinates.fill(1);
       }
@@ -93,7 +95,7 @@ public:
 private:
   // Of a value whose type does not tell how many it has.
   static void require_components([[maybe_unused]] const Value& value) {
-    if constexpr (component_count<Value>() == std::numeric_limits<std::size_t>::max() &&
+    if constexpr (component_count<Value>() == (std::numeric_limits<std::size_t>::max)() &&
                   requires { static_cast<std::size_t>(value.size()); })
       if (static_cast<std::size_t>(value.size()) < N)
         throw std::invalid_argument("quadrille::simplify: the attributes of a vertex have " +
@@ -115,9 +117,9 @@ private:
       using Limits = std::numeric_limits<T>; // as a double max() of 64 bits is one too many
       const double rounded = std::round(x);
       if (!(rounded > static_cast<double>(Limits::min())))
-        return Limits::min();
-      if (rounded >= static_cast<double>(Limits::max()))
-        return Limits::max();
+        return (Limits::min)();
+      if (rounded >= static_cast<double>((Limits::max)()))
+        return (Limits::max)();
       return static_cast<T>(rounded);
     } else {
       return to_number<T>(x);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/adapter/attributes.h>
 #include <quadrille/internal/adapter/face_graph_writer.h>
 #include <quadrille/internal/adapter/named_edges.h>
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/surface/surface_input.h>
@@ -137,7 +138,7 @@ private:
   Mesh& mesh_;
   PointMap points_;
   VertexNumbers<Mesh, VertexIndexMap> vertices_;
-  [[no_unique_address]] Attributes attributes_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Attributes attributes_;
   NamedEdges<Edge> named_edges_;
 };
 

@@ -98,7 +98,7 @@ private:
     std::size_t face = 0, found = 0;
     for (Face f : faces(mesh_)) { // without a branch: it is hard to guess
       const Index place = places[face];
-      faces_[std::min<std::size_t>(place, left)] = f;
+      faces_[(std::min<std::size_t>)(place, left)] = f;
       doomed_faces_[face++ - found] = f;
       found += place != none;
     }

@@ -18,7 +18,7 @@ class NamedEdges {
 public:
   /// Behind the last, sort() is called.
   void add(Index v, Index w, Edge edge, bool is_fixed) {
-    edges_.push_back({std::min(v, w), std::max(v, w), edge, is_fixed});
+    edges_.push_back({(std::min)(v, w), (std::max)(v, w), edge, is_fixed});
   }
   void sort() { std::stable_sort(edges_.begin(), edges_.end(), Named::less); }
 
@@ -73,7 +73,8 @@ private:
   static int rank(const Named& e) { return 2 * e.is_fixed + (e.owner != none); }
 
   std::span<Named> along(const Side& side) {
-    const Named wanted{std::min(side.from, side.to), std::max(side.from, side.to), Edge(), true};
+    const Named wanted{(std::min)(side.from, side.to), (std::max)(side.from, side.to), Edge(),
+                       true};
     const auto [begin, end] = std::equal_range(edges_.begin(), edges_.end(), wanted, Named::less);
     return {begin, end};
   }

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ADAPTER_SOUP_ADAPTER_H
 
 #include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
@@ -199,7 +200,7 @@ private:
   Points& points_;
   Triangles& triangles_;
   PointMap map_;
-  [[no_unique_address]] Attributes attributes_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Attributes attributes_;
 };
 
 } // namespace quadrille::internal

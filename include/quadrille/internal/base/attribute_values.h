@@ -66,7 +66,7 @@ constexpr std::size_t component_count() {
   else if constexpr (requires { std::integral_constant<std::size_t, std::size_t(V::length())>(); })
     return V::length(); // of GLM
   else
-    return std::numeric_limits<std::size_t>::max();
+    return (std::numeric_limits<std::size_t>::max)();
 }
 
 } // namespace quadrille::internal

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_BASE_PREFETCH_H
 #define QUADRILLE_INTERNAL_BASE_PREFETCH_H
 
+#include <quadrille/internal/base/compiler.h>
+
 #include <cstddef>
 #include <numeric>
 #include <type_traits>
@@ -13,14 +15,14 @@ namespace quadrille::internal {
 /// This and all that calls it for others must be inlined always: g++ takes a function that does
 /// nothing but prefetch for one without effect, and drops the calls.
 template <class T>
-[[gnu::always_inline]] inline void prefetch(const T* object) {
+QUADRILLE_ALWAYS_INLINE inline void prefetch(const T* object) {
   constexpr std::size_t line = 64, size = sizeof(T);
   constexpr std::size_t latest = line - std::gcd(line, size); // it begins there in its first line
   if constexpr (!std::is_empty_v<T>) {
     for (std::size_t i = 0; i < size; i += line)
-      __builtin_prefetch(reinterpret_cast<const char*>(object) + i);
+      QUADRILLE_PREFETCH(reinterpret_cast<const char*>(object) + i);
     if constexpr ((latest + size - 1) / line > (size - 1) / line)
-      __builtin_prefetch(reinterpret_cast<const char*>(object + 1) - 1);
+      QUADRILLE_PREFETCH(reinterpret_cast<const char*>(object + 1) - 1);
   }
 }
 

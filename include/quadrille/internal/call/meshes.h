@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
+#include <boost/property_map/property_map.hpp>
 
 #include <concepts>
 #include <ranges>
@@ -65,6 +66,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
             parameters::vertex_image_t, parameters::duplicate_output_t>());
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
+  check_geom_traits<typename boost::property_traits<decltype(points)>::value_type,
+                    NamedParameters>();
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(memory_needs<Policies>(num_vertices(mesh), num_faces(mesh)));
@@ -109,6 +112,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
             parameters::vertex_image_t>());
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
+  check_geom_traits<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
       memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));

@@ -6,10 +6,12 @@
 #include <quadrille/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/version.h>
 
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 /// CGAL's named parameters: which there are in a call, and which of them it reads.
 
@@ -97,6 +99,25 @@ auto pick_attributes(const NamedParameters& named) {
   }
 }
 
+/// Refuses to compile a call with geom_traits that are not of the surface's points. Those that are
+/// say nothing that the points do not: all is computed with their coordinates as doubles.
+template <class Point, class NamedParameters>
+constexpr void check_geom_traits() {
+  using Traits = std::remove_cvref_t<decltype(CGAL::parameters::get_parameter(
+      std::declval<const NamedParameters&>(), CGAL::internal_np::geom_traits))>;
+  if constexpr (is_given<Traits>)
+    static_assert(
+        requires { requires std::same_as<typename Traits::Point_3, Point>; },
+        "The points of this surface are not those of geom_traits: simplify computes with "
+        "their coordinates as doubles, whatever the kernel; leave geom_traits out.");
+}
+
+#if CGAL_VERSION_NR >= 1060000000
+using ConcurrencyTag = CGAL::internal_np::concurrency_tag_t;
+#else
+struct ConcurrencyTag {}; // there is none
+#endif
+
 /// Refuses to compile a call with named parameters that are neither among `Read` nor read by the
 /// cost nor harmless.
 template <class Cost, class NamedParameters, class... Read>
@@ -112,6 +133,7 @@ constexpr void check_named(Names<Read...>) {
   constexpr Names<np::get_cost_policy_t, np::get_placement_policy_t, np::filter_t> cgals;
   constexpr bool are_attributes = have_in_common(unread, attributes);
   constexpr bool are_cgals = have_in_common(unread, cgals);
+  constexpr bool is_concurrency = have_in_common(unread, Names<ConcurrencyTag>());
   static_assert(!are_attributes,
                 "The cost of this call does not read these attributes: vertex_color_map goes with "
                 "ColorQuadric, vertex_texture_map with TextureQuadric, vertex_normal_map with "
@@ -119,7 +141,10 @@ constexpr void check_named(Names<Read...>) {
   static_assert(!are_cgals,
                 "get_cost, get_placement and filter are for CGAL's own policies: pass those of "
                 "quadrille as arguments, as in simplify(mesh, Quadric{}, OptimalPlacement{}).");
-  static_assert(are_attributes || are_cgals || std::same_as<decltype(unread), const Names<>>,
+  static_assert(!is_concurrency,
+                "concurrency_tag is not read: threads are chosen by RelaxedOrder{.threads = n}.");
+  static_assert(are_attributes || are_cgals || is_concurrency ||
+                    std::same_as<decltype(unread), const Names<>>,
                 "Nothing in this call reads one of its named parameters: those that simplify knows "
                 "are listed in <quadrille/simplify.h>.");
 }

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_TELLER_H
 #define QUADRILLE_INTERNAL_CALL_TELLER_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/parameters.h>
@@ -43,9 +44,9 @@ public:
   }
 
 private:
-  [[no_unique_address]] QuadricMap quadrics_;
-  [[no_unique_address]] ImageMap images_;
-  [[no_unique_address]] Duplicates duplicates_;
+  QUADRILLE_NO_UNIQUE_ADDRESS QuadricMap quadrics_;
+  QUADRILLE_NO_UNIQUE_ADDRESS ImageMap images_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Duplicates duplicates_;
 };
 
 template <class NamedParameters>

@@ -27,10 +27,10 @@ struct PartTally {
   /// 1890). Of another one they are those of a triangle, and a face for every two fixed vertices.
   SurfaceSize least() const {
     if (!is_closed)
-      return {std::max<std::size_t>(1, fixed / 2), std::max<std::size_t>(3, fixed)};
+      return {(std::max<std::size_t>)(1, fixed / 2), (std::max<std::size_t>)(3, fixed)};
     const double euler = static_cast<double>(vertices) - static_cast<double>(faces) / 2;
     const double heawood = std::ceil((7 + std::sqrt(49 - 24 * euler)) / 2);
-    const double most = std::max(heawood, static_cast<double>(fixed));
+    const double most = (std::max)(heawood, static_cast<double>(fixed));
     return {static_cast<std::size_t>(2 * (most - euler)), static_cast<std::size_t>(most)};
   }
 };

@@ -63,7 +63,7 @@ public:
       if (labels.has_label(f.second, in_both) && labels.has_label(f.third, in_both) &&
           has_link_edge(star.second, f.second, f.third))
         return false; // a common edge: the two would become a duplicate face
-    return std::min(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b) ||
+    return (std::min)(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b) ||
            is_along_spine(star, a, b, labels);
   }
 
@@ -77,7 +77,7 @@ public:
 
   static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
 
-  void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
+  void merge(Index kept, Index gone) { kind_[kept] = (std::max)(kind_[kept], kind_[gone]); }
   /// A vertex of two kinds is of the one that allows less.
   template <class Event>
   void after(const Event& event) {

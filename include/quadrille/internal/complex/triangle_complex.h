@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_TRIANGLE_COMPLEX_H
 #define QUADRILLE_INTERNAL_COMPLEX_TRIANGLE_COMPLEX_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/memory/array.h>
@@ -183,22 +184,22 @@ public:
 
   /// Ask for what a walk around a vertex will read, one after the other and some time before it:
   /// where its corners are, the corners, the faces.
-  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&lists_[vertex]); }
-  [[gnu::always_inline]] void prefetch_corners(Index vertex) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&lists_[vertex]); }
+  QUADRILLE_ALWAYS_INLINE void prefetch_corners(Index vertex) const {
     internal::prefetch(pool_.data() + lists_[vertex].begin);
   }
-  [[gnu::always_inline]] void prefetch_faces(Index vertex) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch_faces(Index vertex) const {
     const List& list = lists_[vertex];
-    const Index size = std::min(list.size, most_prefetched);
+    const Index size = (std::min)(list.size, most_prefetched);
     for (Index i = 0; i < size; ++i) // few lie in two lines: to ask for both takes longer
       internal::prefetch(&faces_[pool_[list.begin + i] >> 2].front());
   }
   /// Calls visit(w) for the next vertex of each face at a vertex, or of the first of very many:
   /// for what is to be asked for of the neighbours.
   template <class Visit>
-  [[gnu::always_inline]] void for_each_next(Index vertex, Visit visit) const {
+  QUADRILLE_ALWAYS_INLINE void for_each_next(Index vertex, Visit visit) const {
     const List& list = lists_[vertex];
-    const Index size = std::min(list.size, most_prefetched);
+    const Index size = (std::min)(list.size, most_prefetched);
     for (Index i = 0; i < size; ++i) {
       const Index corner = pool_[list.begin + i];
       const Index w = faces_[corner >> 2][(corner & 3) == 2 ? 0 : (corner & 3) + 1];
@@ -219,7 +220,7 @@ private:
     if (pool_.size() + corners <= pool_.capacity())
       return;
     build_lists();
-    pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
+    pool_.reserve(pool_.size() + (std::max)(corners, faces_.size() / 2));
   }
 
   Array<Triangle> faces_;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_VERTEX_LABELS_H
 #define QUADRILLE_INTERNAL_COMPLEX_VERTEX_LABELS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
@@ -31,13 +32,13 @@ public:
   /// VertexLabels a vertex with 0; false if it was marked before.
   bool insert(Index vertex) {
     const bool is_new = label_[vertex] < base_;
-    label_[vertex] = std::max(label_[vertex], base_);
+    label_[vertex] = (std::max)(label_[vertex], base_);
     return is_new;
   }
   Index operator[](Index vertex) const { return label_[vertex] - base_; } ///< of a marked vertex
   void set(Index vertex, Index number = 0) { label_[vertex] = base_ + number; }
 
-  [[gnu::always_inline]] void prefetch(Index vertex) const { internal::prefetch(&label_[vertex]); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&label_[vertex]); }
 
 private:
   Array<Index> label_;

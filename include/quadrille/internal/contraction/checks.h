@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 #define QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
@@ -90,7 +91,7 @@ private:
     return true;
   }
 
-  [[gnu::noinline]] bool finds_equal_place(Contraction& contraction) const { // seldom
+  QUADRILLE_NOINLINE bool finds_equal_place(Contraction& contraction) const { // seldom
     const auto takes = [&](const Position& x) {
       if (refusal(contraction, x))
         return false;

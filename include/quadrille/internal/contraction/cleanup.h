@@ -44,7 +44,7 @@ struct Loss {
 /// The most that contracting the star may take where topology is free: duplicate faces go too, and
 /// what is isolated then.
 inline Loss most_loss(const PairStar& star) {
-  const std::size_t duplicates = std::min(star.first.size(), star.second.size());
+  const std::size_t duplicates = (std::min)(star.first.size(), star.second.size());
   return {star.shared.size() + duplicates, star.shared.size() + 2};
 }
 
@@ -127,7 +127,8 @@ private:
     bool has = false;
     complex_.prune_corners(v, [&](Index face, Index) {
       const auto is_it = [face](const StarFace& f) { return f.face == face; };
-      has |= std::ranges::none_of(scratch_.star.shared, is_it);
+      const auto& vanishing = scratch_.star.shared;
+      has |= std::none_of(vanishing.begin(), vanishing.end(), is_it);
     });
     return has;
   }

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_H
 #define QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -81,12 +82,12 @@ struct ContractionEvent {
 };
 
 template <class Observer, class Event>
-[[gnu::always_inline]] inline void tell_before(Observer& observer, const Event& event) {
+QUADRILLE_ALWAYS_INLINE inline void tell_before(Observer& observer, const Event& event) {
   if constexpr (requires { observer.before(event); })
     observer.before(event);
 }
 template <class Observer, class Event>
-[[gnu::always_inline]] inline void tell_after(Observer& observer, const Event& event) {
+QUADRILLE_ALWAYS_INLINE inline void tell_after(Observer& observer, const Event& event) {
   if constexpr (requires { observer.after(event); })
     observer.after(event);
 }

@@ -23,7 +23,7 @@ public:
   std::size_t contractions(const Stop& stop, const Status& now) const {
     const auto status_after = [&](std::size_t contractions) {
       Status after = now;
-      after.faces -= std::min(after.faces, faces_each() * contractions);
+      after.faces -= (std::min)(after.faces, faces_each() * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
       after.next_error = 0;
@@ -40,7 +40,7 @@ public:
 
   /// What counts for the faces and vertices that a contraction has taken.
   std::size_t used(std::size_t faces, std::size_t vertices) const {
-    return std::max(vertices, (faces + faces_each() - 1) / faces_each());
+    return (std::max)(vertices, (faces + faces_each() - 1) / faces_each());
   }
 
   /// The most that contracting the star may count.

@@ -33,7 +33,7 @@ public:
     status_.vertices -= tally.vertices;
     status_.contractions += tally.contractions;
     total_.non_edge_contractions += tally.non_edge_contractions;
-    total_.error = std::max(total_.error, tally.error);
+    total_.error = (std::max)(total_.error, tally.error);
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
       total_.rejections[cause] += tally.rejections[cause];
     tally = {};
@@ -75,7 +75,7 @@ private:
   double part_done() const {
     const auto done = static_cast<double>(status_.contractions);
     const auto all = static_cast<double>(std::max<std::size_t>(expected_contractions_, 1));
-    return std::min(done / all, most_part_done);
+    return (std::min)(done / all, most_part_done);
   }
   static constexpr double most_part_done = 0.999;
 

@@ -44,7 +44,7 @@ double greatest_coordinate(const Scale<N>& scale, const Box<N>& box) {
   double greatest = 0;
   for (const Vector<N>& p : scale.scaled(std::array{box.low, box.high}))
     for (std::size_t i = 0; i < 3; ++i)
-      greatest = std::max(greatest, std::abs(p[i]));
+      greatest = (std::max)(greatest, std::abs(p[i]));
   return greatest;
 }
 

@@ -72,9 +72,9 @@ public:
     if (parts == 1)
       return true;
     Status least = status;
-    std::size_t contractions = least.vertices - std::min(least.vertices, vertices);
-    least.faces = std::min(least.faces, faces);
-    least.vertices = std::min(least.vertices, vertices);
+    std::size_t contractions = least.vertices - (std::min)(least.vertices, vertices);
+    least.faces = (std::min)(least.faces, faces);
+    least.vertices = (std::min)(least.vertices, vertices);
     least.next_error = least.next_distance = std::numeric_limits<double>::infinity();
     for (; !policies_.stop(least); ++least.contractions) // it may look at their number
       if (contractions-- == 0)
@@ -86,8 +86,8 @@ private:
   // Does the surface lie beyond the target of the stop policy, once it has lost that?
   bool is_passed_without(const Loss& loss, const Status& status) const {
     Status after = status;
-    after.faces -= std::min(after.faces, loss.faces);
-    after.vertices -= std::min(after.vertices, loss.vertices);
+    after.faces -= (std::min)(after.faces, loss.faces);
+    after.vertices -= (std::min)(after.vertices, loss.vertices);
     return internal::is_passed(policies_.stop, after);
   }
 

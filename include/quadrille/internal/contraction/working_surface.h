@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 #define QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/parallel.h>
-#include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/checks.h>
@@ -103,7 +103,7 @@ public:
   const Status& status() const { return progress_.status(); }
 
   /// Ask for what a contraction will read of an end, but for its faces, and of a neighbour.
-  [[gnu::always_inline]] void prefetch_end(Index v) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch_end(Index v) const {
     complex_.prefetch(v);
     evaluator_.prefetch(v);
     if (is_topology_kept_)
@@ -111,7 +111,7 @@ public:
     prefetch_columns(moved_, v);
     numbering_.prefetch(v);
   }
-  [[gnu::always_inline]] void prefetch_neighbour(Index v) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch_neighbour(Index v) const {
     evaluator_.prefetch(v);
     scratches_.front().labels.prefetch(v);
   }
@@ -133,7 +133,7 @@ public:
     Tally& tally = contraction.scratch().tally;
     ++tally.contractions;
     ++tally.vertices;
-    tally.error = std::max(tally.error, contraction.error());
+    tally.error = (std::max)(tally.error, contraction.error());
     return kept;
   }
 
@@ -244,7 +244,7 @@ private:
   }
 
   template <class Event>
-  [[gnu::always_inline]] void change_faces(const Event& event) {
+  QUADRILLE_ALWAYS_INLINE void change_faces(const Event& event) {
     Scratch& scratch = event.contraction.scratch();
     if constexpr (Event::is_in_pass) {
       complex_.relabel(event.kept, event.gone);
@@ -286,7 +286,7 @@ private:
   Geometry<dimension> geometry_;
   MovedVertices<dimension> moved_;
   VertexMemories<Cost> memories_;
-  [[no_unique_address]] typename LocalTermsOf<Cost>::type terms_;
+  QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
   PairEvaluator<Policies> evaluator_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
 #define QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/power_of_two.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
@@ -51,7 +52,7 @@ public:
   const Memories& memories() const { return memories_; }
   const Terms& terms() const { return terms_; }
 
-  [[gnu::always_inline]] void prefetch(Index v) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     prefetch_columns(geometry_, v);
     prefetch_columns(memories_, v);
     prefetch_columns(terms_, v);
@@ -66,7 +67,7 @@ public:
   }
 
   /// Of the candidate's target, which may be another one than before.
-  [[gnu::always_inline]] void set_cost(Candidate& candidate) const {
+  QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
     candidate.cost = policies_.cost(candidate.pair, candidate.target);
     candidate.key = key(candidate.pair, candidate.target, candidate.cost);
     const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
@@ -108,14 +109,14 @@ public:
     const Position x = target(a, b, pair);
     return as_key(key(pair, x, policies_.cost(pair, x)));
   }
-  static float as_key(double cost) { return std::max(0.0f, static_cast<float>(cost)); }
+  static float as_key(double cost) { return (std::max)(0.0f, static_cast<float>(cost)); }
 
 private:
   // The pair as cost and placement see it.
   Pair view(Index a, Index b) const {
     const Position &p = geometry_.position(a), &q = geometry_.position(b);
     Pair pair{p, q, sum_about_first(memories_[a], memories_[b], q - p),
-              std::max(geometry_.squared_reach(a), geometry_.squared_reach(b))};
+              (std::max)(geometry_.squared_reach(a), geometry_.squared_reach(b))};
     if constexpr (has_local_terms<Cost>)
       pair.current =
           policies_.cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
@@ -131,7 +132,7 @@ private:
       return target_in_mesh_units(pair);
   }
 
-  [[gnu::noinline]] Position target_in_mesh_units(const Pair& pair) const {
+  QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair) const {
     const CostInMeshUnits<Cost> cost(policies_.cost, scale_);
     const PairInMeshUnits<Cost> seen(pair, scale_);
     return seen.position_from_mesh(policies_.placement(cost, seen), scale_);
@@ -145,8 +146,8 @@ private:
     if constexpr (is_scale_free<Cost>)
       return key;
     else
-      return std::min(PowerOfTwo(2 * scale_.exponent())(key),
-                      double{std::numeric_limits<float>::max()});
+      return (std::min)(PowerOfTwo(2 * scale_.exponent())(key),
+                        double{(std::numeric_limits<float>::max)()});
   }
 
   const Policies& policies_;

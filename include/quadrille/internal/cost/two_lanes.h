@@ -44,7 +44,7 @@ public:
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
     const auto& memories = evaluator_.memories();
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
-      const Two two = {pairs[i], pairs[std::min(i + 1, pairs.size() - 1)]};
+      const Two two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
       const Lanes values =
           least_values({&memories[p.first], &memories[q.first]},
@@ -83,7 +83,7 @@ private:
                        std::size_t end, float* keys) const {
     const auto& terms = evaluator_.terms();
     for (; i < end; i += 2) {
-      const Two two = {pairs[i], pairs[std::min(i + 1, end - 1)]};
+      const Two two = {pairs[i], pairs[(std::min)(i + 1, end - 1)]};
       const auto& [p, q] = two;
       auto [values, minimizers] =
           minima(terms[p.first], {&terms[p.second], &terms[q.second]},
@@ -122,7 +122,7 @@ private:
   Lanes squared_reaches(const Two& two) const {
     const auto reach = [&](const VertexPair& p) {
       const auto& geometry = evaluator_.geometry();
-      return std::max(geometry.squared_reach(p.first), geometry.squared_reach(p.second));
+      return (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second));
     };
     return Lanes{reach(two[0]), reach(two[1])};
   }

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
 #define QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
 
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/lanes.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
@@ -9,14 +11,12 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace quadrille::internal {
 
 /// \file
 /// The innermost step of a simplification, for two pairs at the price of one.
-
-/// Two doubles that are computed with at once, with what every 64-bit machine has for that.
-using Lanes = double __attribute__((vector_size(16)));
 
 /// Two vectors in space.
 struct LaneVector {
@@ -72,8 +72,6 @@ struct LaneMatrix {
 /// See Factorization<3>.
 class LaneFactorization {
 public:
-  using Mask = decltype(Lanes{} < Lanes{});
-
   explicit LaneFactorization(const LaneMatrix& a) {
     const Lanes least_pivot = Factorization<3>::least_relative_pivot * a.trace();
     inverse0_ = 1.0 / a.xx;
@@ -88,7 +86,7 @@ public:
     is_regular_ = (a.xx > least_pivot) & (pivot1 > least_pivot) & (pivot2 > least_pivot);
   }
 
-  Mask is_regular() const { return is_regular_; }
+  LaneMask is_regular() const { return is_regular_; }
 
   LaneVector solve(const LaneVector& b) const {
     const Lanes y1 = b.y - l10_ * b.x;
@@ -100,7 +98,7 @@ public:
 
 private:
   Lanes l10_, l20_, l21_, inverse0_, inverse1_, inverse2_;
-  Mask is_regular_;
+  LaneMask is_regular_;
 };
 
 /// A value where the matrix is not singular and the position no further than √reach from the first
@@ -108,19 +106,19 @@ private:
 inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
                             const LaneVector& x, const LaneVector& to_second, Lanes squared_reach) {
   const LaneVector e = x - to_second;
-  const auto is_within = (dot(x, x) <= squared_reach) | (dot(e, e) <= squared_reach);
-  const Lanes no_number = {__builtin_nan(""), __builtin_nan("")};
-  return factorization.is_regular() & is_within ? value : no_number;
+  const LaneMask is_within = (dot(x, x) <= squared_reach) | (dot(e, e) <= squared_reach);
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+  return select(factorization.is_regular() & is_within, value, Lanes{no_number, no_number});
 }
 
 /// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
 /// point `displacement` from it, with what tells those of equal cost apart (see TieBreak). A value
 /// that can't be had so, because the matrix is singular or the position lies further than √reach
 /// from both points, is NaN.
-[[gnu::always_inline]] inline Lanes least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
-                                                 const std::array<const QuadricForm<3>*, 2>& others,
-                                                 const std::array<Vector<3>, 2>& displacements,
-                                                 Lanes squared_reach) {
+QUADRILLE_ALWAYS_INLINE inline Lanes
+least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
+             const std::array<const QuadricForm<3>*, 2>& others,
+             const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
   // The sum, about the first point: see QuadricForm::sum_about_first.
   const auto& [p, q] = firsts;
   const auto& [r, s] = others;
@@ -166,7 +164,7 @@ inline LaneMinima minima(const MemorylessQuadric::Current& first,
   const LaneVector across = factorization.solve(normal);
   const Lanes slope = dot(normal, across);
   const Lanes off = dot(other_area, d) - dot(normal, x);
-  const Lanes way = slope > 0 ? off / slope : Lanes{};
+  const Lanes way = select(slope > Lanes{}, off / slope, Lanes{});
   const LaneVector position = x + way * across;
   return {value_if_found(dot(bd, d) - dot(bd, x) + way * way * slope, factorization, position, d,
                          squared_reach),

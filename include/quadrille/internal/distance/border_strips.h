@@ -20,8 +20,8 @@ struct FaceDeviation {
   double from_input = 0, from_star = 0;
 
   void raise_to(const FaceDeviation& other) {
-    from_input = std::max(from_input, other.from_input);
-    from_star = std::max(from_star, other.from_star);
+    from_input = (std::max)(from_input, other.from_input);
+    from_star = (std::max)(from_star, other.from_star);
   }
 };
 
@@ -61,7 +61,7 @@ public:
   void add_between(int turn, double bound) {
     turns_between_ += turn;
     ++faces_between_;
-    bound_ = std::max(bound_, bound);
+    bound_ = (std::max)(bound_, bound);
   }
 
   /// Makes one of the spokes along the same edge, once all have been added.
@@ -98,11 +98,11 @@ public:
     for_each_path(ends, x, [&](const Path& path) {
       double t = 0, most = squared_distance(path.points[path.size - 1], x);
       for (std::size_t i = 1; i + 1 < path.size; ++i) {
-        t = std::max(t, nearest_on_segment(path.points[i], path.points[0], x));
-        most = std::max(most, squared_distance(path.points[i], between(path.points[0], x, t)));
+        t = (std::max)(t, nearest_on_segment(path.points[i], path.points[0], x));
+        most = (std::max)(most, squared_distance(path.points[i], between(path.points[0], x, t)));
       }
-      deviation.from_star = std::max(deviation.from_star, std::sqrt(most));
-      deviation.from_input = std::max(deviation.from_input, path.bound + std::sqrt(most));
+      deviation.from_star = (std::max)(deviation.from_star, std::sqrt(most));
+      deviation.from_input = (std::max)(deviation.from_input, path.bound + std::sqrt(most));
     });
     return deviation;
   }
@@ -129,7 +129,7 @@ private:
     void add(const Spoke& other) {
       turn += other.turn;
       faces += other.faces;
-      bound = std::max(bound, other.bound);
+      bound = (std::max)(bound, other.bound);
     }
   };
   // Of the border to x.
@@ -166,7 +166,7 @@ private:
     double bound = are_seen[0] && are_seen[1] ? bound_ : 0;
     for (const Spoke& s : spokes_)
       if (is_seen(s))
-        bound = std::max(bound, s.bound);
+        bound = (std::max)(bound, s.bound);
     for (const Spoke& s : spokes_) {
       if (!is_seen(s))
         continue;
@@ -209,7 +209,7 @@ private:
     double t = 0;
     for (std::size_t i = 1; i < path.size; ++i) {
       const FlatPoint next = flatten(path.points[i]);
-      t = std::max(t, nearest_on_segment(next.point, begin.point, x.point));
+      t = (std::max)(t, nearest_on_segment(next.point, begin.point, x.point));
       const FlatPoint next_match = i + 1 == path.size ? x
                                                       : FlatPoint{between(begin.point, x.point, t),
                                                                   begin.u + t * (x.u - begin.u),

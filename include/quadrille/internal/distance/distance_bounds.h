@@ -35,7 +35,9 @@ public:
                         const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
                         std::vector<float>& bounds, IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
-    const auto bound = [&](double distance) { return rounded_up(distance + deviation.rounding()); };
+    const auto bound = [&](double distance) {
+      return static_cast<double>(rounded_up(distance + deviation.rounding()));
+    };
     const auto is_beyond = [&](double distance) { return is_too_far(bound(distance)); };
     std::optional<FaceDeviation> beyond = deviation.compare_each(is_beyond);
     if (!beyond)
@@ -66,8 +68,9 @@ public:
         if (f.second == other || f.third == other)
           return false;
         const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
+        const auto bound = static_cast<double>(of_face_[face]);
         return squared > 0x1p-40 * squared_distance(x, at(f.second)) && // else it may be rounding
-               is_too_far(rounded_up(of_face_[face] + std::sqrt(squared)));
+               is_too_far(static_cast<double>(rounded_up(bound + std::sqrt(squared))));
       };
       return recent_faces.any_at(complex, end, is_face_beyond) ||
              complex.any_corner(end, [&](Index face, Index i) {
@@ -101,8 +104,8 @@ public:
     float greatest = 0;
     for (Index face = 0; face < complex.face_capacity(); ++face)
       if (!complex.is_removed(face))
-        greatest = std::max(greatest, of_face_[face]);
-    return greatest;
+        greatest = (std::max)(greatest, of_face_[face]);
+    return static_cast<double>(greatest);
   }
 
 private:
@@ -118,12 +121,12 @@ private:
           bounds.push_back(of_face_[f.face]);
         } else {
           bounds.push_back(rounded_up(deviation[changed++].from_input + deviation.rounding()));
-          greatest = std::max(greatest, bounds.back());
+          greatest = (std::max)(greatest, bounds.back());
         }
     };
     take(star.first, 0);
     take(star.second, 1);
-    return greatest;
+    return static_cast<double>(greatest);
   }
 
   static float rounded_up(double bound) {

@@ -70,15 +70,24 @@ DistanceSurface distance_surface(const Mesh& mesh) {
   return surface;
 }
 
+/// How many elements there are: std::ranges::distance is not in every library.
+template <class Range>
+std::size_t length_of(const Range& range) {
+  std::size_t length = 0;
+  for (auto i = std::ranges::begin(range); i != std::ranges::end(range); ++i)
+    ++length;
+  return length;
+}
+
 template <class Points, class Triangles>
 DistanceSurface distance_surface(const Points& points, const Triangles& triangles) {
-  const auto count = static_cast<std::size_t>(std::ranges::distance(points));
+  const std::size_t count = length_of(points);
   const auto first = std::ranges::begin(points);
   using Step = std::iter_difference_t<decltype(first)>;
   DistanceSurface surface;
   std::vector<bool> used(count, false);
   for (const auto& triangle : triangles) {
-    if (std::ranges::distance(triangle) != 3)
+    if (length_of(triangle) != 3)
       throw std::invalid_argument("quadrille: a face of a measured surface is not a triangle");
     std::array<DistancePoint, 3> corners;
     std::size_t corner = 0;
@@ -107,9 +116,9 @@ inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {
 
 /// At most the greatest double.
 inline double diagonal(const CGAL::Bbox_3& box) {
-  const auto half = [&](int i) { return 0.5 * box.max(i) - 0.5 * box.min(i); };
-  return 2 *
-         std::min(std::hypot(half(0), half(1), half(2)), std::numeric_limits<double>::max() / 2);
+  const auto half = [&](int i) { return 0.5 * (box.max)(i)-0.5 * (box.min)(i); };
+  return 2 * (std::min)(std::hypot(half(0), half(1), half(2)),
+                        (std::numeric_limits<double>::max)() / 2);
 }
 
 /// Where distances are measured: around the origin, so that far-away coordinates cost no digits,
@@ -122,8 +131,8 @@ public:
     double extent = 0;
     for (int i = 0; i < 3; ++i) {
       // By halves: sums and differences of the ends could overflow.
-      middle[static_cast<std::size_t>(i)] = 0.5 * box.min(i) + 0.5 * box.max(i);
-      extent = std::max(extent, 0.5 * box.max(i) - 0.5 * box.min(i));
+      middle[static_cast<std::size_t>(i)] = 0.5 * (box.min)(i) + 0.5 * (box.max)(i);
+      extent = (std::max)(extent, 0.5 * (box.max)(i)-0.5 * (box.min)(i));
     }
     origin_ = DistanceVector(middle[0], middle[1], middle[2]);
     if (extent > 0)

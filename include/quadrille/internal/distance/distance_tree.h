@@ -5,11 +5,17 @@
 
 #include <quadrille/internal/distance/distance_surface.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000 // since 6.0 the names say that space has three dimensions
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <algorithm>
 #include <vector>
@@ -79,8 +85,14 @@ public:
 
 private:
   using Iterator = std::vector<DistanceTriangle>::const_iterator;
+#if CGAL_VERSION_NR >= 1060000000
+  using Primitive = CGAL::AABB_triangle_primitive_3<DistanceKernel, Iterator>;
+  using Traits = CGAL::AABB_traits_3<DistanceKernel, Primitive>;
+#else
   using Primitive = CGAL::AABB_triangle_primitive<DistanceKernel, Iterator>;
-  CGAL::AABB_tree<CGAL::AABB_traits<DistanceKernel, Primitive>> tree_;
+  using Traits = CGAL::AABB_traits<DistanceKernel, Primitive>;
+#endif
+  CGAL::AABB_tree<Traits> tree_;
 };
 
 } // namespace quadrille::internal

@@ -78,8 +78,8 @@ inline double squared_distance_to_triangle(const Vector<3>& y, const Vector<3>& 
     const double sum = wp + wq + wr;
     return squared_length(py - (wq / sum) * pq - (wr / sum) * pr);
   }
-  return std::min({squared_distance_to_segment(y, p, q), squared_distance_to_segment(y, q, r),
-                   squared_distance_to_segment(y, r, p)});
+  return (std::min)({squared_distance_to_segment(y, p, q), squared_distance_to_segment(y, q, r),
+                     squared_distance_to_segment(y, r, p)});
 }
 
 /// From y to the point of a triangle that is under it in the plane; if y is beside the triangle, to
@@ -89,7 +89,7 @@ inline double squared_height(const FlatPoint& y, const FlatTriangle& t) {
                           flat_area(t[0], t[1], y)};
   double sum = 0;
   for (double& x : w)
-    sum += x = std::max(x, 0.0);
+    sum += x = (std::max)(x, 0.0);
   if (!(sum > 0))
     return squared_distance_to_triangle(y.point, t[0].point, t[1].point, t[2].point);
   Vector<3> d = y.point - t[0].point;

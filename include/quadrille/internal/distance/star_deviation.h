@@ -178,7 +178,7 @@ private:
     extent_ = 0;
     const auto see = [&](const Vector<3>& p) {
       for (std::size_t i = 0; i < 3; ++i)
-        extent_ = std::max(extent_, std::abs(p[i] - ends_[0][i]));
+        extent_ = (std::max)(extent_, std::abs(p[i] - ends_[0][i]));
     };
     see(x_.point);
     see(ends_[1]);
@@ -264,7 +264,7 @@ private:
         return;
       double most = 0;
       for (const FlatPoint& y : piece)
-        most = std::max(most, squared(y));
+        most = (std::max)(most, squared(y));
       covered += piece.area();
       const double distance = std::sqrt(most);
       deviation.raise_to({bound + distance, distance});

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_MEMORY_APPEND_BUFFER_H
 #define QUADRILLE_INTERNAL_MEMORY_APPEND_BUFFER_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/memory/array.h>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ public:
   const T* data() const { return values_.data(); }
 
 private:
-  [[gnu::noinline]] void grow(std::size_t size) { // seldom
+  QUADRILLE_NOINLINE void grow(std::size_t size) { // seldom
     if (empty())
       release();           // two at a time take more memory
     values_.reserve(size); // resize() takes twice as much as it had

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_MEMORY_COLUMNS_H
 #define QUADRILLE_INTERNAL_MEMORY_COLUMNS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -27,19 +28,18 @@ void pack_columns(Part& part, const Array<Index>& left) {
 }
 
 /// Bits are too small to ask for.
-[[gnu::always_inline]] inline void prefetch_value(const std::vector<bool>&, Index) {}
+QUADRILLE_ALWAYS_INLINE inline void prefetch_value(const std::vector<bool>&, Index) {}
 template <class Column>
-[[gnu::always_inline]] inline void prefetch_value(const Column& column, Index v) {
+QUADRILLE_ALWAYS_INLINE inline void prefetch_value(const Column& column, Index v) {
   prefetch(&column[v]);
 }
 
 /// Asks for all that a part holds of a vertex.
 template <class Part>
-[[gnu::always_inline]] inline void prefetch_columns(const Part& part, Index v) {
-  std::apply(
-      [v](const auto&... column)
-          __attribute__((always_inline)) { (prefetch_value(column, v), ...); },
-      Part::vertex_columns(part));
+QUADRILLE_ALWAYS_INLINE inline void prefetch_columns(const Part& part, Index v) {
+  std::apply([v](const auto&... column)
+                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (prefetch_value(column, v), ...); },
+             Part::vertex_columns(part));
 }
 
 template <class Column>

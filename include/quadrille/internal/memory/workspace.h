@@ -115,7 +115,7 @@ private:
   static constexpr std::align_val_t alignment{large_page};
 
   static constexpr std::size_t rounded_up(std::size_t bytes) {
-    return std::max(unit, (bytes + unit - 1) / unit * unit);
+    return (std::max)(unit, (bytes + unit - 1) / unit * unit);
   }
   static void* behind(Gap* gap, std::size_t size) {
     return reinterpret_cast<std::byte*>(gap) + size;

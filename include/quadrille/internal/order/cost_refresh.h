@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_COST_REFRESH_H
 #define QUADRILLE_INTERNAL_ORDER_COST_REFRESH_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -79,7 +80,7 @@ private:
   }
 
   template <class Push>
-  [[gnu::noinline]] void push_flattened(Push push) {
+  QUADRILLE_NOINLINE void push_flattened(Push push) {
     ring_.clear();
     stamps_.advance(); // so that what was pushed before is outdated
     flattened_.take([this](Index v) {

@@ -27,7 +27,7 @@ public:
   void note(Index v, double unevenness) { unevenness_[v] = static_cast<float>(unevenness); }
   /// The faces around a vertex may have changed.
   void look_at(Index v, double unevenness) {
-    if (!(unevenness < fall_ * unevenness_[v]))
+    if (!(unevenness < static_cast<double>(fall_ * unevenness_[v])))
       return;
     unevenness_[v] = found;
     found_.push_back(v);

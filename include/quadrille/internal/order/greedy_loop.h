@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_GREEDY_LOOP_H
 #define QUADRILLE_INTERNAL_ORDER_GREEDY_LOOP_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -99,8 +100,8 @@ private:
   void fill_queue() {
     const auto end = static_cast<Index>(surface_.vertex_capacity());
     const Index step = Progress<Policies>::has_visitor ? vertices_between_visits : end;
-    for (Index v = 0; v < end && surface_.progress().proceed(); v += std::min(step, end - v))
-      surface_.pairs().for_each_above(scratch_, v, v + std::min(step, end - v), 1, push_pair());
+    for (Index v = 0; v < end && surface_.progress().proceed(); v += (std::min)(step, end - v))
+      surface_.pairs().for_each_above(scratch_, v, v + (std::min)(step, end - v), 1, push_pair());
   }
 
   void push(Index v, Index w, float key) {
@@ -125,7 +126,7 @@ private:
   std::optional<QueuedPair> next_pair() {
     look_ahead(
         surface_, [&](std::size_t ahead) { return queue_.peek(ahead); },
-        [&](Index w) __attribute__((always_inline)) { waiting_.prefetch(w); });
+        [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA { waiting_.prefetch(w); });
     std::optional<QueuedPair> next = queue_.pop(stamps_.outdated());
     while (next ? has_isolated_end(*next) : waiting_.release_rest(stamps_.time(), push_again()))
       next = queue_.pop(stamps_.outdated());
@@ -257,7 +258,7 @@ private:
         waiting_.release(partner, push_again());
     });
     std::sort(new_pairs_.begin(), new_pairs_.end());
-    const std::size_t pushed = std::min(waiting_.most_pairs(v), new_pairs_.size());
+    const std::size_t pushed = (std::min)(waiting_.most_pairs(v), new_pairs_.size());
     for (std::size_t i = 0; i < pushed; ++i)
       push(v, new_pairs_[i].second, new_pairs_[i].first);
     for (std::size_t i = pushed; i < new_pairs_.size(); ++i)

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_LOOK_AHEAD_H
 #define QUADRILLE_INTERNAL_ORDER_LOOK_AHEAD_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 
 namespace quadrille::internal {
@@ -11,7 +12,7 @@ namespace quadrille::internal {
 /// peek(n) points to the pair that comes n pairs later, or nowhere; also(w) asks for what the
 /// caller will read of a neighbour.
 template <class Surface, class Peek, class Also>
-[[gnu::always_inline]] inline void look_ahead(const Surface& surface, Peek peek, Also also) {
+QUADRILLE_ALWAYS_INLINE inline void look_ahead(const Surface& surface, Peek peek, Also also) {
   const auto& complex = surface.complex();
   if (const auto* last = peek(12))
     for (Index v : {last->first, last->second})
@@ -24,11 +25,10 @@ template <class Surface, class Peek, class Also>
       complex.prefetch_faces(v);
   if (const auto* next = peek(2))
     for (Index v : {next->first, next->second})
-      complex.for_each_next(
-          v, [&](Index w) __attribute__((always_inline)) {
-            surface.prefetch_neighbour(w);
-            also(w);
-          });
+      complex.for_each_next(v, [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+        surface.prefetch_neighbour(w);
+        also(w);
+      });
 }
 
 } // namespace quadrille::internal

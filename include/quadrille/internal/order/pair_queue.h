@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_PAIR_QUEUE_H
 #define QUADRILLE_INTERNAL_ORDER_PAIR_QUEUE_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
 
@@ -52,7 +53,7 @@ public:
   }
 
   template <class IsOutdated>
-  [[gnu::always_inline]] void push(QueuedPair pair, IsOutdated is_outdated) {
+  QUADRILLE_ALWAYS_INLINE void push(QueuedPair pair, IsOutdated is_outdated) {
     const std::size_t bucket = bucket_of(pair.cost);
     if (bucket < open_end_) {
       push_to_heap(pair);
@@ -113,13 +114,13 @@ private:
     return std::bit_cast<std::uint32_t>(cost) >> (31 - 13);
   }
 
-  [[gnu::noinline]] void push_to_heap(const QueuedPair& pair) {
+  QUADRILLE_NOINLINE void push_to_heap(const QueuedPair& pair) {
     heap_.push_back(pair);
     std::push_heap(heap_.begin(), heap_.end(), later);
   }
 
   // Part by part: a copy of the whole would wait until the parts, just computed, have been written.
-  [[gnu::always_inline]] void append(std::size_t index, QueuedPair pair) {
+  QUADRILLE_ALWAYS_INLINE void append(std::size_t index, QueuedPair pair) {
     Bucket& bucket = buckets_[index];
     if (bucket.size == Block::capacity)
       begin_block(index);
@@ -130,12 +131,12 @@ private:
     place.stamp = pair.stamp;
   }
 
-  [[gnu::noinline]] void begin_block(std::size_t index) {
+  QUADRILLE_NOINLINE void begin_block(std::size_t index) {
     Bucket& bucket = buckets_[index];
     const std::uint32_t added = new_block();
     blocks_[added].next = bucket.first;
     bucket = {added, 0};
-    lowest_ = std::min(lowest_, index);
+    lowest_ = (std::min)(lowest_, index);
   }
 
   std::uint32_t new_block() {

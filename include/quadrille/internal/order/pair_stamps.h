@@ -29,7 +29,7 @@ public:
   bool is_retired(Index v) const { return stamp_[v] == never; }
 
   bool is_outdated(const QueuedPair& pair) const {
-    return pair.stamp < std::max(stamp_[pair.first], stamp_[pair.second]);
+    return pair.stamp < (std::max)(stamp_[pair.first], stamp_[pair.second]);
   }
   auto outdated() const {
     return [this](const QueuedPair& pair) { return is_outdated(pair); };

@@ -39,8 +39,8 @@ private:
     for (const std::vector<float>& sample : samples)
       costs.insert(costs.end(), sample.begin(), sample.end());
     const std::size_t rank =
-        std::min(static_cast<std::size_t>(share * static_cast<double>(costs.size())),
-                 pairs_per_contraction * quota / sample_step);
+        (std::min)(static_cast<std::size_t>(share * static_cast<double>(costs.size())),
+                   pairs_per_contraction * quota / sample_step);
     if (rank >= costs.size())
       return std::numeric_limits<float>::infinity();
     const auto nth = costs.begin() + static_cast<std::ptrdiff_t>(rank);

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_REFUSED_PAIRS_H
 #define QUADRILLE_INTERNAL_ORDER_REFUSED_PAIRS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
@@ -56,7 +57,7 @@ public:
 
   std::size_t size() const { return size_; }
 
-  [[gnu::always_inline]] void prefetch(Index vertex) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
     internal::prefetch(&last_entry_[vertex]);
   }
 

@@ -38,7 +38,7 @@ public:
   bool run() {
     for (;;) {
       const Status before = surface_.status();
-      const std::size_t least = std::max(least_contractions, before.vertices / least_part);
+      const std::size_t least = (std::max)(least_contractions, before.vertices / least_part);
       const std::size_t quota = quota_.contractions(surface_.policies().stop, before);
       if (quota < least)
         return true;
@@ -114,7 +114,7 @@ private:
   void divide() {
     const std::size_t capacity = surface_.vertex_capacity();
     const std::size_t sparsity = std::bit_floor(capacity / surface_.status().vertices);
-    const std::size_t size = std::min(block_size * sparsity, std::size_t{1} << 31);
+    const std::size_t size = (std::min)(block_size * sparsity, std::size_t{1} << 31);
     blocks_.clear();
     for (std::size_t begin = 0; begin < capacity; begin += size)
       blocks_.push_back(

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_WAITING_PAIRS_H
 #define QUADRILLE_INTERNAL_ORDER_WAITING_PAIRS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/refused_pairs.h>
@@ -34,7 +35,7 @@ public:
   /// So many pairs of a vertex look at few² faces together; all of them where there are few.
   std::size_t most_pairs(Index v) const {
     const std::size_t faces = complex_.degree_bound(v);
-    return faces <= few_faces ? all : std::max<std::size_t>(1, few_faces * few_faces / faces);
+    return faces <= few_faces ? all : (std::max<std::size_t>)(1, few_faces * few_faces / faces);
   }
 
   /// All pairs of a vertex are outdated.
@@ -66,11 +67,11 @@ public:
     return released > 0;
   }
 
-  [[gnu::always_inline]] void prefetch(Index v) const { refused_.prefetch(v); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const { refused_.prefetch(v); }
 
 private:
   template <class Push>
-  [[gnu::noinline]] void release_some(Index v, Push push) { // seldom
+  QUADRILLE_NOINLINE void release_some(Index v, Push push) { // seldom
     if (!refused_.release(v, most_pairs(v), push))
       left_behind_.push_back(v);
   }

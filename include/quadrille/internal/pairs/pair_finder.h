@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
 #define QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -74,7 +75,7 @@ public:
     constexpr std::size_t many = 256; // evaluated in one go
     for (Index v = begin; v < end;) {
       tools.pairs.clear();
-      for (; v < end && tools.pairs.size() < many; v += std::min(step, end - v)) {
+      for (; v < end && tools.pairs.size() < many; v += (std::min)(step, end - v)) {
         if (step > 1)
           prefetch(v, end, step, [](Index w) { return w; });
         else
@@ -90,7 +91,7 @@ private:
 
   // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
   template <class VertexAt>
-  [[gnu::always_inline]] void prefetch(Index i, Index end, Index step, VertexAt vertex_at) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index i, Index end, Index step, VertexAt vertex_at) const {
     const Index left = end - i;
     if (12 * step < left) {
       complex_.prefetch(vertex_at(i + 12 * step));
@@ -101,13 +102,13 @@ private:
     if (6 * step < left)
       complex_.prefetch_faces(vertex_at(i + 6 * step));
     if (3 * step < left)
-      complex_.for_each_next(
-          vertex_at(i + 3 * step), [&](Index w)
-                                       __attribute__((always_inline)) { evaluator_.prefetch(w); });
+      complex_.for_each_next(vertex_at(i + 3 * step), [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+        evaluator_.prefetch(w);
+      });
   }
 
   // The same of vertices side by side: what surrounds them has mostly been read before them.
-  [[gnu::always_inline]] void prefetch_next(Index v, Index end) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch_next(Index v, Index end) const {
     if (96 >= end - v)
       return;
     evaluator_.prefetch(v + 96);

@@ -64,7 +64,7 @@ public:
 
   /// How many faces the end with more of them has before.
   std::size_t highest_degree() const {
-    return std::max(first_faces_.size(), second_faces_.size()) + shared_;
+    return (std::max)(first_faces_.size(), second_faces_.size()) + shared_;
   }
 
   /// Would a face be folded like the middle of a letter Z, as it is not now? Then it is turned by

@@ -30,8 +30,8 @@ struct Box {
         continue;
       is_empty = false;
       for (std::size_t i = 0; i < N; ++i) {
-        least[i] = std::min(least[i], positions[v][i]);
-        greatest[i] = std::max(greatest[i], positions[v][i]);
+        least[i] = (std::min)(least[i], positions[v][i]);
+        greatest[i] = (std::max)(greatest[i], positions[v][i]);
       }
     }
     if (!is_empty)
@@ -43,7 +43,7 @@ struct Box {
   /// At most the greatest double.
   double diagonal() const {
     const double half = std::hypot(half_extent(0), half_extent(1), half_extent(2));
-    return 2 * std::min(half, std::numeric_limits<double>::max() / 2);
+    return 2 * (std::min)(half, (std::numeric_limits<double>::max)() / 2);
   }
 };
 

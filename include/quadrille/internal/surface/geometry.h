@@ -53,7 +53,7 @@ public:
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
         for (Index w : {f.second, f.third})
-          reach = std::max(reach, squared_length_of(event.kept, w));
+          reach = (std::max)(reach, squared_length_of(event.kept, w));
     squared_reach_[event.kept] = reach;
   }
 
@@ -69,7 +69,7 @@ private:
                   rp = squared_length_of(r, p);
       const auto reaches = [&](Index v, float a, float b) {
         if (range.contains(v))
-          squared_reach_[v] = std::max({squared_reach_[v], a, b});
+          squared_reach_[v] = (std::max)({squared_reach_[v], a, b});
       };
       reaches(p, pq, rp);
       reaches(q, pq, qr);

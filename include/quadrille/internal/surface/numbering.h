@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_NUMBERING_H
 #define QUADRILLE_INTERNAL_SURFACE_NUMBERING_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -76,7 +77,7 @@ public:
   void after(const Event& event) {
     merge(event.kept, event.gone);
   }
-  [[gnu::always_inline]] void prefetch(Index v) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     internal::prefetch(&merged_into_[is_by_input_ ? vertices[v] : v]);
   }
 

@@ -27,7 +27,7 @@ public:
   Scale(const Box<N>& box, bool is_scale_free) : diagonal_(box.diagonal()) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      extent = std::max(extent, box.half_extent(i));
+      extent = (std::max)(extent, box.half_extent(i));
     if (extent > 0)
       exponent_ = size_exponent - std::ilogb(extent);
     if (is_scale_free) {

@@ -54,7 +54,7 @@ private:
   static bool is_coherent(const Array<Triangle>& triangles) {
     constexpr std::size_t samples = 1024;
     constexpr std::int64_t near = 1024;
-    const std::size_t step = std::max<std::size_t>(1, triangles.size() / samples);
+    const std::size_t step = (std::max<std::size_t>)(1, triangles.size() / samples);
     std::size_t far = 0, seen = 0;
     for (std::size_t f = 0; f < triangles.size(); f += step, ++seen)
       far += std::abs(std::int64_t{triangles[f][0]} - std::int64_t{triangles[f][1]}) > near;
@@ -66,7 +66,7 @@ private:
                                            Threads threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      extent = std::max(extent, box.half_extent(i));
+      extent = (std::max)(extent, box.half_extent(i));
     Array<KeyedVertex> vertices(positions.size(), positions.get_allocator());
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
       for (Index v = range.begin; v < range.end; ++v) {
@@ -125,7 +125,7 @@ private:
   template <std::size_t N, class Threads>
   static void sort_faces(SurfaceInput<N>& surface, Threads threads) {
     constexpr unsigned part_bits = 12;
-    const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
+    const auto lowest = [](const Triangle& t) { return (std::min)({t[0], t[1], t[2]}); };
     Array<Triangle>& triangles = surface.triangles;
     const std::size_t parts = (surface.positions.size() >> part_bits) + 1;
     std::vector<Index> begin(parts + 1);
