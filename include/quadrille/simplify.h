@@ -21,6 +21,7 @@
 #include <quadrille/stop.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/topology.h>
+#include <quadrille/version.h>
 #include <quadrille/visitor.h>
 
 namespace quadrille {
