@@ -3,7 +3,8 @@
 #   sh compile_fail.sh SOURCE REGEX... -- COMPILER FLAG...
 # Each line of SOURCE that ends in "// mistake" must begin an error, and every extended regular
 # expression must be found in what the compiler says of it, up to the next error. Only a static
-# assertion may lie in the library: then the line and the expressions must be found anywhere.
+# assertion may lie in the library: then the line and the expressions must be found anywhere. The
+# first expression must be found within 20 lines: nobody reads on for the mistake.
 # With -DREMEDY, SOURCE must compile: it is wrong in nothing but what it is there to show.
 set -u
 source=$1
@@ -44,6 +45,8 @@ for line in $lines; do
       inside')
     [ "$said" ] || fail "line $line is no error"
   fi
+  printf '%s\n' "$said" | head -n 20 | grep -E -q -e "$(printf '%s' "$regexes" | head -n 1)" ||
+    fail "the first 20 lines of what is said of line $line do not name the mistake"
   printf '%s' "$regexes" | while IFS= read -r regex; do
     printf '%s\n' "$said" | grep -E -q -e "$regex" ||
       fail "what is said of line $line does not match: $regex"

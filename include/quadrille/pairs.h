@@ -31,6 +31,8 @@ struct EdgePairs {
   void operator()(const SurfaceView& /*surface*/, const EmitPair& /*emit*/) const {}
 };
 
+class ThresholdPairs; // is in <quadrille/threshold_pairs.h>: include that to use it
+
 } // namespace quadrille
 
 #endif // QUADRILLE_PAIRS_H

@@ -9,6 +9,7 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/call/arguments.h>
+#include <quadrille/internal/call/diagnostics.h>
 #include <quadrille/internal/call/meshes.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
@@ -20,6 +21,7 @@
 #include <quadrille/stop.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/topology.h>
+#include <quadrille/version.h>
 #include <quadrille/visitor.h>
 
 namespace quadrille {
@@ -75,11 +77,14 @@ inline namespace QUADRILLE_THREADING {
 /// count as garbage.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
-requires internal::Fitting<Cost, Placement, Arguments...> && internal::FaceGraph<Mesh>
-    Report simplify(Mesh& mesh, const Arguments&... arguments) {
-  const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
-  const auto named = internal::pick_named(arguments...);
-  return internal::simplify_face_graph(mesh, policies, named);
+requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
+  if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto named = internal::pick_named(arguments...);
+    return internal::simplify_face_graph(mesh, policies, named);
+  } else {
+    return internal::refuse<2, void(Mesh&), Cost, Placement, Arguments...>();
+  }
 }
 
 /// The same with nothing but defaults. It is here because CGAL::simplify(x), which is found beside
@@ -100,18 +105,19 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
 /// edges, and no duplicates. Otherwise as above.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
-requires internal::Fitting<Cost, Placement, Arguments...> && internal::PointContainer<Points> &&
-    internal::TriangleContainer<Triangles>
-        Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
-  const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
-  const auto named = internal::pick_named(arguments...);
-  return internal::simplify_soup(points, triangles, policies, named);
+requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
+    Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
+  if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto named = internal::pick_named(arguments...);
+    return internal::simplify_soup(points, triangles, policies, named);
+  } else {
+    return internal::refuse<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
+  }
 }
 
 } // namespace QUADRILLE_THREADING
 
 } // namespace quadrille
-
-#include <quadrille/internal/call/diagnostics.h>
 
 #endif // QUADRILLE_SIMPLIFY_H

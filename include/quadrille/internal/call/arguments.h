@@ -5,6 +5,7 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
 #include <quadrille/order.h>
@@ -20,7 +21,6 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
-#include <ranges>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -50,6 +50,14 @@ concept LooksLikeCost = requires {
   T::dimension;
 };
 
+/// Is a type meant to be a placement? What it gives for a pair is something, if not a position.
+template <class T, class Cost>
+concept LooksLikePlacement = requires(const T placement,
+                                      const typename SeenByPlacement<T, Cost>::Costs cost,
+                                      const typename SeenByPlacement<T, Cost>::Pair pair) {
+  requires !std::is_void_v<decltype(placement(cost, pair))>;
+};
+
 /// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
 /// kind before it: to ask what a call results in instantiates the body of a user's function. An
 /// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
@@ -69,8 +77,8 @@ constexpr Kind kind_of() {
     return Kind::stop;
   else if constexpr (std::same_as<T, OptimalPlacement>)
     return Kind::placement;
-  else if constexpr (PlacementPolicy<T, Cost>)
-    return Kind::placement;
+  else if constexpr (LooksLikePlacement<T, Cost>)
+    return PlacementPolicy<T, Cost> ? Kind::placement : Kind::unknown;
   else if constexpr (PairPolicy<T>)
     return Kind::pairs;
   else
@@ -127,17 +135,22 @@ auto pick_filters(const Arguments&... arguments) {
     return std::tuple_cat(std::tuple(NormalFlip{}), given);
 }
 
-/// The first argument of no kind, or NoArgument. The triangles of a soup are a range, and no
-/// policy.
+/// An argument of no kind, as compilers name it: `position` counts all arguments of the call
+/// from 1.
+template <std::size_t position, class Argument>
+struct ArgumentIsNoPolicy : std::type_identity<Argument> {};
+
+/// The first argument of no kind, where the policies begin at a position; else NoArgument.
 struct NoArgument {};
-template <class Cost, class... Arguments>
+template <std::size_t position, class Cost, class... Arguments>
 struct FirstUnknown : std::type_identity<NoArgument> {};
-template <class Cost, class First, class... Rest>
-struct FirstUnknown<Cost, First, Rest...>
-    : std::conditional_t<!std::ranges::range<First> && kind_of<First, Cost>() == Kind::unknown,
-                         std::type_identity<First>, FirstUnknown<Cost, Rest...>> {};
-template <class Cost, class... Arguments>
-using Unknown = typename FirstUnknown<CostOf<Cost, Arguments...>, Arguments...>::type;
+template <std::size_t position, class Cost, class First, class... Rest>
+struct FirstUnknown<position, Cost, First, Rest...>
+    : std::conditional_t<kind_of<First, Cost>() == Kind::unknown,
+                         std::type_identity<ArgumentIsNoPolicy<position, First>>,
+                         FirstUnknown<position + 1, Cost, Rest...>> {};
+template <std::size_t position, class Cost, class... Arguments>
+using Unknown = typename FirstUnknown<position, CostOf<Cost, Arguments...>, Arguments...>::type;
 
 /// The placement that a call uses; for OptimalPlacement, of which pick_policies tells more, one
 /// that fits every cost.
@@ -152,14 +165,14 @@ template <class Cost, class Placement, class... Arguments>
 using PlacementOf =
     typename PlacementFor<CostOf<Cost, Arguments...>, Placement, Arguments...>::type;
 
-template <class Argument>
-concept ArgumentOfSimplify = std::is_same_v<Argument, NoArgument>;
+template <class UnknownArgument>
+concept AllAreKnown = std::is_same_v<UnknownArgument, NoArgument>;
 
 /// What `simplify` asks of its arguments: there is none that it does not know, and the placement
 /// fits the cost.
 template <class Cost, class Placement, class... Arguments>
 concept Fitting =
-    CostPolicy<CostOf<Cost, Arguments...>> && ArgumentOfSimplify<Unknown<Cost, Arguments...>> &&
+    CostPolicy<CostOf<Cost, Arguments...>> && AllAreKnown<Unknown<0, Cost, Arguments...>> &&
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
 template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,

@@ -3,39 +3,75 @@
 
 #include <quadrille/concepts.h>
 #include <quadrille/internal/call/arguments.h>
+#include <quadrille/internal/call/meshes.h>
+#include <quadrille/report.h>
 
-/// Overloads of `simplify` that are never chosen. Where an argument is none that `simplify` knows,
-/// the compiler tells for each of them which concept the argument does not model, and what it
-/// lacks.
+#include <cstddef>
+#include <type_traits>
+
+/// What a compiler says of a call of `simplify` that is wrong. `simplify` takes arguments of any
+/// type, so that it is told here, in a sentence and before all else, what is wrong with them; and
+/// it is declared, but deleted, for surfaces that cannot be changed.
+
+namespace quadrille::internal {
+
+/// Does not compile, since an argument is of no kind, and says what it lacks to be of each.
+template <class Cost, class UnknownArgument, class Call>
+void refuse_argument() {
+  static_assert(AllAreKnown<UnknownArgument>,
+                "An argument of this call is no cost, placement, pairs, stop, order or filter: its "
+                "position and its type are those of ArgumentIsNoPolicy<position, type>.");
+  using Argument = typename UnknownArgument::type;
+  if constexpr (LooksLikeCost<Argument>) {
+    static_assert(CostPolicy<Argument>, "It is no cost.");
+  } else if constexpr (LooksLikePlacement<Argument, Cost>) {
+    static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
+  } else if constexpr (std::is_class_v<Argument>) {
+    static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
+    static_assert(PairPolicy<Argument>, "It is no pair policy.");
+    static_assert(StopPolicy<Argument>, "It is no stop policy.");
+    static_assert(FilterPolicy<Argument, Cost>, "It is no filter.");
+    static_assert(CostPolicy<Argument>, "It is no cost.");
+  }
+}
+
+/// Does not compile, for arguments that are not Fitting. `position` is that of the first policy
+/// among all arguments, counted from 1; each Call is refused anew.
+template <std::size_t position, class Call, class Cost, class Placement, class... Arguments>
+Report refuse() {
+  using UsedCost = CostOf<Cost, Arguments...>;
+  if constexpr (!CostPolicy<UsedCost>)
+    static_assert(CostPolicy<UsedCost>,
+                  "The cost of this call is no CostPolicy: see <quadrille/concepts.h>.");
+  else if constexpr (!AllAreKnown<Unknown<position, Cost, Arguments...>>)
+    refuse_argument<UsedCost, Unknown<position, Cost, Arguments...>, Call>();
+  else
+    static_assert(PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, UsedCost>,
+                  "The placement of this call is no PlacementPolicy for its cost: see "
+                  "<quadrille/concepts.h>.");
+  return {};
+}
+
+} // namespace quadrille::internal
 
 namespace quadrille {
 
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
-          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
-requires PlacementPolicy<Argument, internal::CostOf<Cost, Arguments...>>
-void simplify(Surface&, const Arguments&...) = delete;
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
+          class... Arguments>
+requires internal::ReadableGraph<Mesh>
+void simplify(const Mesh&, // what is constant or temporary cannot be simplified
+              const Arguments&...) = delete;
 
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
-          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
-requires PairPolicy<Argument>
-void simplify(Surface&, const Arguments&...) = delete;
-
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
-          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
-requires StopPolicy<Argument>
-void simplify(Surface&, const Arguments&...) = delete;
-
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Surface,
-          class... Arguments, class Argument = internal::Unknown<Cost, Arguments...>>
-requires FilterPolicy<Argument, internal::CostOf<Cost, Arguments...>>
-void simplify(Surface&, const Arguments&...) = delete;
-
-/// A constant mesh would otherwise be taken by CGAL::simplify(x), which is found beside ours.
+/// The same with nothing but defaults, lest it be taken by CGAL::simplify(x).
 template <class Mesh>
-requires requires(const Mesh& mesh) {
-  halfedges(mesh);
-}
-void simplify(const Mesh&) = delete; // a constant mesh cannot be simplified
+requires internal::ReadableGraph<Mesh>
+void simplify(const Mesh&) = delete; // what is constant or temporary cannot be simplified
+
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
+void simplify(const Points&, const Triangles&, // what is constant or temporary cannot be simplified
+              const Arguments&...) = delete;
 
 } // namespace quadrille
 
