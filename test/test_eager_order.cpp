@@ -28,7 +28,7 @@ template <class Surface>
 bool contract_cheapest(Surface& surface) {
   std::vector<std::tuple<float, Index, Index>> pairs;
   surface.pairs().for_each_above(
-      surface.scratch(), 0, static_cast<Index>(surface.vertex_capacity()), 1,
+      surface.scratch(), 0, static_cast<Index>(surface.complex().vertex_capacity()), 1,
       [&](Index v, Index w, float cost) { pairs.emplace_back(cost, v, w); });
   std::sort(pairs.begin(), pairs.end());
   return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
@@ -41,7 +41,7 @@ bool contract_cheapest(Surface& surface) {
 template <class Surface>
 std::vector<test::Position> points_left(const Surface& surface) {
   std::vector<test::Position> points;
-  for (Index v = 0; v < surface.vertex_capacity(); ++v)
+  for (Index v = 0; v < surface.complex().vertex_capacity(); ++v)
     if (surface.complex().has_faces(v))
       points.push_back(test::position(surface, v));
   return points;

@@ -23,7 +23,7 @@ using test::Soup;
 template <class Surface>
 Soup soup_of(const Surface& surface) {
   Soup soup;
-  for (Index v = 0; v < surface.vertex_capacity(); ++v)
+  for (Index v = 0; v < surface.complex().vertex_capacity(); ++v)
     soup.points.push_back(test::position(surface, v));
   for (Index face = 0; face < surface.complex().face_capacity(); ++face)
     if (!surface.complex().is_removed(face))
@@ -82,7 +82,7 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
   std::size_t contractions = 0;
   for (int step = 0; step < steps; ++step) {
     const Soup soup = soup_of(surface);
-    for (Index v = 0; v < surface.vertex_capacity(); ++v) {
+    for (Index v = 0; v < surface.complex().vertex_capacity(); ++v) {
       if (!surface.complex().has_faces(v))
         continue;
       for (const auto& [w, listed_cost] : pairs_of(surface, v)) {
@@ -150,7 +150,7 @@ TEST_CASE("A vertex forgets what few faces have said when it gets many") {
                                                                             policies);
   Index pole = 0;
   const auto faces_at = [&](Index v) { return surface.complex().degree_bound(v); };
-  for (Index v = 0; v < surface.vertex_capacity(); ++v)
+  for (Index v = 0; v < surface.complex().vertex_capacity(); ++v)
     if (faces_at(v) > faces_at(pole))
       pole = v;
   REQUIRE(faces_at(pole) == 14);
@@ -174,7 +174,7 @@ TEST_CASE("Local terms follow in passes, but for vertices that these have contra
   const auto arrays = test::input_of(test::large(input));
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(arrays, arrays.box(),
                                                                             policies);
-  std::vector<bool> is_touched(surface.vertex_capacity());
+  std::vector<bool> is_touched(surface.complex().vertex_capacity());
   std::size_t contractions = 0, compared = 0;
   for (Index face = 0; face < surface.complex().face_capacity(); face += 7) {
     const auto [a, b, c] = surface.complex().vertices(face);

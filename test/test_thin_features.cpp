@@ -160,7 +160,7 @@ TEST_CASE("A loss is what the squared distances to remembered planes grow by, be
         REQUIRE(cost == Approx(expected).epsilon(1e-5));
         pairs.push_back({v, w});
       };
-      for (Index v = 0; v < surface->vertex_capacity(); ++v)
+      for (Index v = 0; v < surface->complex().vertex_capacity(); ++v)
         surface->pairs().for_each(surface->scratch(), v, [&](Index w, float listed_cost) {
           if (v < w)
             compare(v, w, listed_cost);

@@ -276,7 +276,7 @@ TEST_CASE("The pairs at a vertex are the union of those of the vertices that wen
     std::set<std::set<Index>> found;
     for (Index v = 0; v < vertices; ++v) {
       std::set<Index> partners;
-      lists.for_each_partner(v, [&](Index w) {
+      lists.prune_partners(v, [&](Index w) {
         CHECK(w != v);
         found.insert({v, w});
         return partners.insert(w).second; // a pair that has become the same as another is dropped

@@ -62,7 +62,7 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
     return StopReason::cancelled;
   if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
     report.seconds.prepare = watch.lap();
-    if (!RelaxedPasses<Policies>(surface, surface.policies().order).run())
+    if (!RelaxedPasses<Policies>(surface).run())
       return StopReason::cancelled;
     if (surface.progress().is_enough())
       return surface.target_rules().reason_of_stop(surface.status());
@@ -80,11 +80,8 @@ simplify_input(Input input, const Box& box, const Policies& policies, bool keeps
                Report& report, StopWatch& watch) {
   WorkingSurface<Policies> surface(std::move(input), box, policies);
   report.stop = contract(surface, report, watch);
-  const bool is_cancelled = surface.progress().is_cancelled();
-  if (is_cancelled && surface.status().contractions == 0)
+  if (surface.progress().is_cancelled() && surface.status().contractions == 0)
     return std::nullopt;
-  if (!is_cancelled)
-    surface.progress().tell_end();
   return std::move(surface).finish(keeps_memories, report);
 }
 
@@ -125,9 +122,9 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
       simplify_input(std::move(input), box, policies, Tell::asks_for_memories, report, watch);
   if (!finished)
     return untouched(report);
-  const Result result(*std::move(finished));
   report.seconds.contract = watch.lap();
 
+  const Result result(*std::move(finished));
   report.duplicated_vertices = adapter.write(result, tell);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();

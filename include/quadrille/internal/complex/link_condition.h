@@ -45,7 +45,7 @@ public:
     constexpr Index in_first = 0, in_both = 1;
     labels.clear(2);
     for (const StarFace& f : star.shared)
-      labels.set(f.second == b ? f.third : f.second, in_first);
+      labels.set(f.other_than(b), in_first);
     for_each_neighbour(star.first, a, [&](Index v) { labels.set(v, in_first); });
     std::size_t common = 0;
     const auto count_common = [&](Index v) {
@@ -56,7 +56,7 @@ public:
     };
     for_each_neighbour(star.second, b, count_common);
     for (const StarFace& f : star.shared)
-      count_common(f.second == b ? f.third : f.second);
+      count_common(f.other_than(b));
     if (common != star.shared.size())
       return false; // a common neighbour that is not opposite to the edge, or a duplicate face
     for (const StarFace& f : star.first)
@@ -114,7 +114,7 @@ private:
     if (star.shared.size() != 1 || (kind_[a] == Kind::singular && kind_[b] == Kind::singular))
       return false;
     const StarFace& f = star.shared.front();
-    const Index opposite = f.second == b ? f.third : f.second;
+    const Index opposite = f.other_than(b);
     return has_vertex(star.first, opposite) || has_vertex(star.second, opposite);
   }
 
@@ -136,8 +136,7 @@ private:
   }
 
   static bool has_vertex(const AppendBuffer<StarFace>& star, Index v) {
-    return std::any_of(star.begin(), star.end(),
-                       [&](const StarFace& f) { return f.second == v || f.third == v; });
+    return std::any_of(star.begin(), star.end(), [&](const StarFace& f) { return f.has(v); });
   }
 
   Array<Kind> kind_;

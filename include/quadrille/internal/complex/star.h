@@ -46,6 +46,14 @@ struct PairStar {
     shared.add(both_count);
     second.add(their_count);
   }
+
+  /// Calls visit(face) for each face that a contraction changes.
+  template <class Visit>
+  void for_each_changed(Visit visit) const {
+    for (const auto* faces : {&first, &second})
+      for (const StarFace& f : *faces)
+        visit(f);
+  }
 };
 
 } // namespace quadrille::internal

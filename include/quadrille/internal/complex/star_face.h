@@ -12,6 +12,10 @@ struct StarFace {
   StarFace() {} // a new one is not written to before it is used
   StarFace(Index f, Index s, Index t) : face(f), second(s), third(t) {}
 
+  bool has(Index v) const { return second == v || third == v; }
+  /// Of its other two vertices, the one that is not v.
+  Index other_than(Index v) const { return second == v ? third : second; }
+
   // Part by part: see PairQueue::append.
   void set(const StarFace& f) { face = f.face, second = f.second, third = f.third; }
 };

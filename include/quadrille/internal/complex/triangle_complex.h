@@ -110,7 +110,7 @@ public:
     });
   }
 
-  /// Calls visit(vertices) for each live face that has a vertex in a range.
+  /// Calls visit(vertices) for each face that has a vertex in a range.
   template <class R, class Visit>
   void for_each_face_at(const R& range, Visit visit) const {
     const auto is_in_range = [&](Index v) { return range.contains(v); };
@@ -121,8 +121,8 @@ public:
 
   void remove_face(Index face) { faces_[face] = {none, none, none}; }
 
-  /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces die
-  /// whose vertices are asked about: in new lists a vertex that has lost its last face has none.
+  /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces
+  /// are removed whose vertices are asked about: in new lists these may have none.
   void reserve_for_merge(Index kept, Index gone) {
     reserve_corners(lists_[kept].size + lists_[gone].size);
   }

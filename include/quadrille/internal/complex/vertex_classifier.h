@@ -35,7 +35,7 @@ public:
 
 private:
   // The usual case: each face of the star follows just one other, all round. A vertex of the link
-  // is marked with the face that begins at it.
+  // is labelled with the face that begins at it.
   bool is_oriented_cycle(const VertexLabels& labels) const {
     const Index faces = static_cast<Index>(star_.size());
     Index face = 0;

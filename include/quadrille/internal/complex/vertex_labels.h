@@ -29,13 +29,13 @@ public:
 
   bool is_labelled(Index vertex) const { return label_[vertex] >= base_; }
   bool has_label(Index vertex, Index number) const { return label_[vertex] == base_ + number; }
-  /// VertexLabels a vertex with 0; false if it was marked before.
+  /// Labels a vertex with 0; false if it had a label before.
   bool insert(Index vertex) {
     const bool is_new = label_[vertex] < base_;
     label_[vertex] = (std::max)(label_[vertex], base_);
     return is_new;
   }
-  Index operator[](Index vertex) const { return label_[vertex] - base_; } ///< of a marked vertex
+  Index operator[](Index vertex) const { return label_[vertex] - base_; } ///< of a labelled vertex
   void set(Index vertex, Index number = 0) { label_[vertex] = base_ + number; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&label_[vertex]); }

@@ -13,17 +13,22 @@
 
 namespace quadrille::internal {
 
-/// Does the predicate hold of a vertex that no face of the star of the pair (a, b) has but those
-/// that vanish with its contraction?
-template <class Predicate>
-bool any_cut_off(const PairStar& star, Index b, Predicate predicate) {
-  const auto is_at = [](Index v) {
-    return [v](const StarFace& f) { return f.second == v || f.third == v; };
-  };
+/// Calls visit(v) for each vertex that no face of the star of the pair (a, b) has but those that
+/// vanish with its contraction, and ends when it returns true. Returns whether it did.
+template <class Visit>
+bool any_cut_off(const PairStar& star, Index b, Visit visit) {
+  const auto is_at = [](Index v) { return [v](const StarFace& f) { return f.has(v); }; };
   return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
-    const Index v = f.second == b ? f.third : f.second;
+    const Index v = f.other_than(b);
     return std::none_of(star.first.begin(), star.first.end(), is_at(v)) &&
-           std::none_of(star.second.begin(), star.second.end(), is_at(v)) && predicate(v);
+           std::none_of(star.second.begin(), star.second.end(), is_at(v)) && visit(v);
+  });
+}
+template <class Visit>
+void for_each_cut_off(const PairStar& star, Index b, Visit visit) {
+  any_cut_off(star, b, [&](Index v) {
+    visit(v);
+    return false;
   });
 }
 
@@ -72,10 +77,7 @@ public:
   /// of a vertex that has been contracted is not up to date, none of these may be cut off.
   void remove_isolated_vertices(Index b) {
     const PairStar& star = scratch_.star;
-    any_cut_off(star, b, [&](Index v) {
-      remove_if_isolated(v);
-      return false;
-    });
+    for_each_cut_off(star, b, [&](Index v) { remove_if_isolated(v); });
     scratch_.tally.vertices += star.first.empty() && star.second.empty();
   }
 
@@ -85,10 +87,7 @@ public:
     Loss loss{star.shared.size(), 1};
     gather_changed();
     for_each_duplicate([&](Index) { ++loss.faces; });
-    any_cut_off(star, b, [&](Index v) {
-      loss.vertices += !has_others(v);
-      return false;
-    });
+    for_each_cut_off(star, b, [&](Index v) { loss.vertices += !has_others(v); });
     loss.vertices += star.first.empty() && star.second.empty();
     return loss;
   }
@@ -122,7 +121,7 @@ private:
         visit(faces[i].face);
   }
 
-  // Than those that vanish.
+  // Has a vertex other faces than those that vanish?
   bool has_others(Index v) {
     bool has = false;
     complex_.prune_corners(v, [&](Index face, Index) {

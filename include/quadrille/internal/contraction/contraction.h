@@ -9,29 +9,43 @@
 #include <quadrille/internal/cost/candidate.h>
 #include <quadrille/internal/policy/policies.h>
 
+#include <tuple>
 #include <vector>
 
 namespace quadrille::internal {
 
+/// The star of a pair, in the memory of a scratch: the next one that is gathered takes its place.
+class GatheredStar {
+public:
+  GatheredStar(TriangleComplex& complex, Index first, Index second, Scratch& scratch)
+      : scratch_(scratch) {
+    scratch.star.gather(complex, first, second);
+  }
+
+  const PairStar& operator*() const { return scratch_.star; }
+  Scratch& scratch() const { return scratch_; }
+
+private:
+  Scratch& scratch_;
+};
+
 /// A contraction: a candidate with the star of its pair. It is made of both, checked, and applied
-/// to the surface; checks may move the candidate to another place. The next one that is made with
-/// the same scratch takes its star.
+/// to the surface; checks may move the candidate to another place.
 template <class Cost>
 class Contraction {
 public:
   using Candidate = internal::Candidate<Cost>;
   using Position = typename Candidate::Position;
 
-  Contraction(Candidate& candidate, TriangleComplex& complex, Scratch& scratch)
-      : candidate_(candidate), scratch_(scratch) {
-    scratch.star.gather(complex, candidate.first, candidate.second);
-  }
+  Contraction(Candidate& candidate, const GatheredStar& star)
+      : candidate_(candidate), scratch_(star.scratch()) {}
 
   Index first() const { return candidate_.first; }
   Index second() const { return candidate_.second; }
   const PairOf<Cost>& pair() const { return candidate_.pair; }
   const Position& target() const { return candidate_.target; }
   double cost() const { return candidate_.cost; }
+  double key() const { return candidate_.key; }
   double error() const { return candidate_.error; }
   const PairStar& star() const { return scratch_.star; }
   /// Of the faces that change, in the order of the star: how far they will be from the input at
@@ -71,7 +85,9 @@ InPass(MayWriteTo) -> InPass<MayWriteTo>;
 /// and which is gone.
 ///
 /// An observer is a part of the surface that has something to keep up to date. It has a function
-/// before(event), or after(event), or both; what it has not costs nothing.
+/// before(event), or after(event), or both; what it has not costs nothing. In a pass several
+/// threads tell an observer at a time, each of another contraction: it may write to nothing but
+/// what belongs to the two ends, to the faces of the star, and to vertices that the mode allows.
 template <class Cost, class Mode>
 struct ContractionEvent {
   static constexpr bool is_in_pass = Mode::is_in_pass;
@@ -81,14 +97,34 @@ struct ContractionEvent {
   Index kept, gone;
 };
 
+/// An observer as a tuple, or none.
+template <bool is_there, class Observer>
+auto tie_if([[maybe_unused]] Observer& observer) {
+  if constexpr (is_there)
+    return std::tie(observer);
+  else
+    return std::tie();
+}
+
+template <class Observer, class Event>
+concept HearsBefore = requires(Observer& observer, const Event& event) {
+  observer.before(event);
+};
+template <class Observer, class Event>
+concept HearsAfter = requires(Observer& observer, const Event& event) {
+  observer.after(event);
+};
+
 template <class Observer, class Event>
 QUADRILLE_ALWAYS_INLINE inline void tell_before(Observer& observer, const Event& event) {
-  if constexpr (requires { observer.before(event); })
+  static_assert(HearsBefore<Observer, Event> || HearsAfter<Observer, Event>,
+                "quadrille: an observer of contractions has before(event) or after(event)");
+  if constexpr (HearsBefore<Observer, Event>)
     observer.before(event);
 }
 template <class Observer, class Event>
 QUADRILLE_ALWAYS_INLINE inline void tell_after(Observer& observer, const Event& event) {
-  if constexpr (requires { observer.after(event); })
+  if constexpr (HearsAfter<Observer, Event>)
     observer.after(event);
 }
 

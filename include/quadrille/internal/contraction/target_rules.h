@@ -24,7 +24,6 @@ template <class Policies>
 class TargetRules {
 public:
   using Cost = typename Policies::Cost;
-  using Candidate = internal::Candidate<Cost>;
   using Contraction = internal::Contraction<Cost>;
 
   TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
@@ -34,7 +33,7 @@ public:
         link_condition_(link_condition), is_topology_kept_(is_topology_kept) {}
 
   /// Would the contraction go beyond the target, where another one might not?
-  bool overshoots(const Contraction& contraction, const Status& status) const {
+  bool overshoots(const Contraction& contraction, const Status& status) {
     if (link_condition_.is_closed())
       return false; // each contraction takes two faces
     const PairStar& star = contraction.star();
@@ -54,9 +53,10 @@ public:
   /// Would the contraction spoil the shape of what is around it: is its error more than a tenth of
   /// the distance to the farthest neighbour? An edge of a cube of twelve faces is, a corner of a
   /// sheet of two. Only a cost that tells its error as a distance to the surface can say so.
-  bool is_destructive(const Candidate& candidate) const {
-    if constexpr (requires { policies_.cost.squared_error(candidate.pair, 0.0); })
-      return candidate.error > 0.1 * scale_.length_of_mesh(std::sqrt(candidate.pair.squared_reach));
+  bool is_destructive(const Contraction& contraction) const {
+    const auto& pair = contraction.pair();
+    if constexpr (requires { policies_.cost.squared_error(pair, 0.0); })
+      return contraction.error() > 0.1 * scale_.length_of_mesh(std::sqrt(pair.squared_reach));
     else
       return false;
   }

@@ -8,7 +8,7 @@
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/contraction_quota.h>
+#include <quadrille/internal/contraction/contraction_count.h>
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
@@ -32,6 +32,7 @@
 #include <quadrille/order.h>
 #include <quadrille/report.h>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <tuple>
@@ -47,8 +48,6 @@ class WorkingSurface {
 public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
-  using Position = Vector<dimension>;
-  using Candidate = internal::Candidate<Cost>;
   using Contraction = internal::Contraction<Cost>;
 
   WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
@@ -80,7 +79,7 @@ public:
       return;
     remember();
     if constexpr (Progress<Policies>::has_visitor)
-      progress_.expect(ContractionQuota(is_topology_kept_).contractions(policies.stop, status()));
+      progress_.expect(ContractionCount(is_topology_kept_).contractions(policies.stop, status()));
   }
   WorkingSurface(const WorkingSurface&) = delete; // its parts refer to each other
   WorkingSurface& operator=(const WorkingSurface&) = delete;
@@ -88,7 +87,6 @@ public:
   const Policies& policies() const { return policies_; }
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
-  std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
   bool is_topology_kept() const { return is_topology_kept_; }
   /// One for each thread.
   std::vector<Scratch>& scratches() { return scratches_; }
@@ -98,7 +96,7 @@ public:
   const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
   const Checks<Policies>& checks() const { return checks_; }
   const DistanceCheck<Policies>& distance_check() const { return distance_check_; }
-  const TargetRules<Policies>& target_rules() const { return target_rules_; }
+  TargetRules<Policies>& target_rules() { return target_rules_; }
   Progress<Policies>& progress() { return progress_; }
   const Status& status() const { return progress_.status(); }
 
@@ -140,10 +138,11 @@ public:
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
   /// enough of them are gone, those that are left get new numbers, in the same order.
   void end_pass(bool refresh) {
-    if (status().faces > 0 && pairs_.are_edges() && 4 * status().vertices < 3 * vertex_capacity())
+    if (status().faces > 0 && pairs_.are_edges() &&
+        4 * status().vertices < 3 * complex_.vertex_capacity())
       pack();
     else
-      complex_.build_lists(threads());
+      complex_.build_lists(policies_.threads);
     if (refresh) {
       creases_.follow(numbering_);
       remember();
@@ -160,6 +159,8 @@ public:
       report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
     count_topology(complex_, scratch().labels).tell(report);
     report.components_before = is_topology_kept_ ? report.components_after : initial_components_;
+    if (!progress_.is_cancelled())
+      progress_.tell_end();
     return {scale_,
             link_condition_.is_closed(),
             std::move(complex_),
@@ -172,13 +173,13 @@ public:
 private:
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
 
-  // All that keeps up with contractions. Who looks at the surface as it is comes last.
+  // All that keeps up with contractions. The order matters: who compares old and new places comes
+  // before the geometry, and who looks at the surface as it is comes last.
   auto observers() {
-    if constexpr (asks_for_distance)
-      return std::tie(bounds_, pairs_, numbering_, moved_, memories_, geometry_, link_condition_,
-                      terms_);
-    else
-      return std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_, terms_);
+    return std::tuple_cat(
+        tie_if<asks_for_distance>(bounds_),
+        std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
+        tie_if<has_local_terms<Cost>>(terms_));
   }
 
   // Passes merge nothing before few faces are left.
@@ -190,14 +191,12 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
-  typename Policies::Threads threads() const { return policies_.threads; }
-
   void classify(const Box<dimension>& box) {
     if (is_topology_kept_)
       link_condition_ = LinkCondition(
           complex_,
           [this](std::size_t worker) -> VertexLabels& { return scratches_[worker].labels; },
-          threads());
+          policies_.threads);
     else
       initial_components_ = count_components(complex_);
     if constexpr (asks_for_distance) {
@@ -210,7 +209,7 @@ private:
     const auto is_interior = [this](Index v) { return link_condition_.is_interior(v); };
     VertexLabels& labels = scratch().labels;
     memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
-                       creases_.left(numbering_), is_interior, threads());
+                       creases_.left(numbering_), is_interior, policies_.threads);
     terms_.sum_up(labels);
   }
 
@@ -220,7 +219,7 @@ private:
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
     numbering_.faces.pack_if(is_left);
     bounds_.pack_if(is_left);
-    parallel_for(threads(), 2, [&](std::size_t part, std::size_t) {
+    parallel_for(policies_.threads, 2, [&](std::size_t part, std::size_t) {
       if (part == 0) {
         complex_.pack(vertices);
         return;
@@ -230,14 +229,15 @@ private:
       pack_columns(link_condition_, vertices);
       pack_columns(moved_, vertices);
     });
-    complex_.fill_lists(threads());
+    complex_.fill_lists(policies_.threads);
     numbering_.vertices.pack(std::move(vertices));
   }
 
   // Which end is kept, and which is gone.
   std::pair<Index, Index> choose(const Contraction& contraction) const {
     const Index a = contraction.first(), b = contraction.second();
-    const auto& [pair, target] = std::tie(contraction.pair(), contraction.target());
+    const auto& pair = contraction.pair();
+    const auto& target = contraction.target();
     const bool b_stays = !geometry_.is_fixed(a) &&
                          (geometry_.is_fixed(b) || (target == pair.second && target != pair.first));
     return b_stays ? std::pair(b, a) : std::pair(a, b);
@@ -268,7 +268,7 @@ private:
   }
 
   void remove_duplicate_faces() {
-    for (Index v = 0; v < vertex_capacity(); ++v)
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
       Cleanup(complex_, scratch()).remove_duplicate_faces(v);
     scratch().tally = {};
   }

@@ -24,13 +24,13 @@ class InitialMemories {
 public:
   using Memory = typename Cost::Memory;
   using Position = Vector<Cost::dimension>;
-  using VertexPair = std::array<Index, 2>;
+  using Edge = std::array<Index, 2>;
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
   template <class IsInterior, class Threads>
   static void compute(UninitializedArray<Memory>& result, const Cost& cost,
                       const Array<Position>& positions, TriangleComplex& complex,
-                      VertexLabels& labels, const std::vector<VertexPair>& creases,
+                      VertexLabels& labels, const std::vector<Edge>& creases,
                       IsInterior is_interior, Threads threads) {
     result.resize(positions.size());
     InitialMemories memories(cost, positions, complex, result);
@@ -123,9 +123,9 @@ private:
   void add_crease(Index v, Index w) {
     complex_.prune_corners(v, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex_, face, i);
-      if (f.second != w && f.third != w)
+      if (!f.has(w))
         return;
-      const Index opposite = f.second == w ? f.third : f.second;
+      const Index opposite = f.other_than(w);
       memories_[v] += cost_.crease(positions_[v], positions_[w], positions_[opposite]);
       memories_[w] += cost_.crease(positions_[w], positions_[v], positions_[opposite]);
     });

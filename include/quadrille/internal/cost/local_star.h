@@ -135,7 +135,7 @@ private:
 
   Index v_;
   VertexLabels& labels_;
-  std::vector<SharedTerms<Cost>> shared_; // by the mark
+  std::vector<SharedTerms<Cost>> shared_; // by the label
 };
 
 } // namespace quadrille::internal

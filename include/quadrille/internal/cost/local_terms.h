@@ -44,8 +44,8 @@ public:
     SharedTerms<Cost> shared;
     complex_.for_each_corner(a, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex_, face, i);
-      if (f.second == b || f.third == b)
-        shared.add(term(a, f), f.second == b ? f.third : f.second);
+      if (f.has(b))
+        shared.add(term(a, f), f.other_than(b));
     });
     return shared.sum(a, b, cost_, geometry_.positions());
   }
@@ -56,7 +56,8 @@ public:
   /// Looks at all faces anew.
   void sum_up(VertexLabels& labels) {
     last_star_.clear();
-    terms_.assign(geometry_.positions().size(), Current());
+    terms_ = Array<Current>(terms_.get_allocator()); // gives memory back where vertices are gone
+    terms_.resize(geometry_.positions().size());
     for (Index face = 0; face < complex_.face_capacity(); ++face) {
       if (complex_.is_removed(face))
         continue;
@@ -97,8 +98,10 @@ public:
   void after(const Event& event) {
     if constexpr (Event::is_in_pass)
       add_star(event.contraction.star(), event.kept, event.mode);
-    else
-      add_contracted(event.kept), renew_boundary(event);
+    else {
+      add_contracted(event.kept);
+      renew_boundary(event);
+    }
   }
 
 private:
@@ -109,15 +112,14 @@ private:
 
   template <class Mode>
   void add_star(const PairStar& star, Index kept, const Mode& mode) {
-    for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces) {
-        if (complex_.is_removed(f.face))
-          continue;
-        const Current now = term(kept, f);
-        for (Index v : {f.second, f.third})
-          if (mode.may_write_to(v))
-            terms_[v] += now;
-      }
+    star.for_each_changed([&](const StarFace& f) {
+      if (complex_.is_removed(f.face))
+        return;
+      const Current now = term(kept, f);
+      for (Index v : {f.second, f.third})
+        if (mode.may_write_to(v))
+          terms_[v] += now;
+    });
   }
 
   void add_contracted(Index kept) {
@@ -187,7 +189,8 @@ private:
 
 /// For a cost that does not ask.
 struct NoLocalTerms {
-  NoLocalTerms(const auto&...) {}
+  template <class Cost, class Geometry>
+  NoLocalTerms(const Cost&, const Geometry&, const TriangleComplex&, const LinkCondition&) {}
   double unevenness(Index) const { return 0; }
   void sum_up(VertexLabels&) {}
   static auto vertex_columns(auto&) { return std::tuple<>(); }

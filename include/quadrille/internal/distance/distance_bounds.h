@@ -86,11 +86,9 @@ public:
   /// The faces that a contraction has changed have the bounds that were measured for it.
   template <class Event>
   void after(const Event& event) {
-    const PairStar& star = event.contraction.star();
     auto bound = event.contraction.bounds().begin();
-    for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces)
-        of_face_[f.face] = *bound++;
+    event.contraction.star().for_each_changed(
+        [&](const StarFace& f) { of_face_[f.face] = *bound++; });
   }
 
   /// Leaves out those of faces for which is_left(face) is false.

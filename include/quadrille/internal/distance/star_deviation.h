@@ -18,6 +18,18 @@
 
 namespace quadrille::internal {
 
+/// An old face of a star, and in which sheet it is: see StarDeviation.
+struct FaceOfStar {
+  std::array<Vector<3>, 3> corners; // an end of the pair comes first
+  Vector<3> area;
+  Index second, third;
+  double bound;
+  std::size_t end;
+  bool is_shared;
+  bool is_open = true, is_in_sheet = false; // not yet in a sheet; in the one at hand
+  FlatTriangle flat = {};
+};
+
 /// How far a contraction takes the faces around a pair away from those that were there, at most.
 ///
 /// A new face is compared with the face that it was: the distance to a triangle is convex, so it is
@@ -44,9 +56,16 @@ public:
     ends_ = {at(a), at(b)};
     b_ = b;
     faces_.clear();
+    extent_ = 0;
+    const auto see = [&](const Vector<3>& p) {
+      for (std::size_t i = 0; i < 3; ++i)
+        extent_ = (std::max)(extent_, std::abs(p[i] - ends_[0][i]));
+    };
+    see(x), see(ends_[1]);
     const auto add = [&](const StarFace& f, std::size_t end, bool is_shared) {
       const std::array<Vector<3>, 3> corners{ends_[end], at(f.second), at(f.third)};
       const Vector<3> area = double_area_vector(corners[0], corners[1], corners[2]);
+      see(corners[1]), see(corners[2]);
       faces_.push_back({corners, area, f.second, f.third, bound_of(f.face), end, is_shared});
     };
     if (!is_unchanged(0))
@@ -58,7 +77,6 @@ public:
     changed_ = faces_.size();
     for (const StarFace& f : star.shared)
       add(f, 0, true);
-    measure_extent();
   }
 
   /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
@@ -94,7 +112,7 @@ public:
         least = deviation;
       if (f.is_shared)
         continue;
-      if (is_large() && is_too_far(deviation.from_input))
+      if (changed_ > most_faces && is_too_far(deviation.from_input))
         return deviation;
       deviations_.push_back(deviation);
     }
@@ -124,7 +142,7 @@ public:
   /// Compares them by pieces. Once a face is too far either way, returns how far that is.
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_sheets(IsTooFar is_too_far) {
-    if (is_large())
+    if (changed_ > most_faces)
       return std::nullopt;
     for (int sheets = 0; sheets < most_sheets && find_sheet(sheets == 0); ++sheets)
       if (const auto beyond = measure_sheet(is_too_far))
@@ -133,16 +151,7 @@ public:
   }
 
 private:
-  struct Face {
-    std::array<Vector<3>, 3> corners; // an end of the pair comes first
-    Vector<3> area;
-    Index second, third;
-    double bound;
-    std::size_t end;
-    bool is_shared;
-    bool is_open = true, is_in_sheet = false; // not yet in a sheet; in the one at hand
-    FlatTriangle flat = {};
-  };
+  using Face = FaceOfStar;
 
   static constexpr int most_sheets = 4;
   static constexpr double steepest = 0x1p-3; // of a new face: cosine of its angle to the plane
@@ -173,20 +182,6 @@ private:
       f.is_open &= !f.is_in_sheet && &f != seed;
     return true;
   }
-
-  void measure_extent() {
-    extent_ = 0;
-    const auto see = [&](const Vector<3>& p) {
-      for (std::size_t i = 0; i < 3; ++i)
-        extent_ = (std::max)(extent_, std::abs(p[i] - ends_[0][i]));
-    };
-    see(x_.point);
-    see(ends_[1]);
-    for (const Face& f : faces_)
-      see(f.corners[1]), see(f.corners[2]);
-  }
-
-  bool is_large() const { return changed_ > most_faces; }
 
   // Takes new faces that are turned over, or are nearly, out of the sheet. False if there are any
   // and none may be.

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,7 +20,7 @@
 
 namespace quadrille::internal {
 
-/// Leaves out all vertices but those of a list, and gives the others the numbers 0, 1, ….
+/// Leaves out all vertices but those of a list, which get the numbers 0, 1, ….
 template <class Part>
 void pack_columns(Part& part, const Array<Index>& left) {
   std::apply([&](auto&... column) { (pack(column, left), ...); }, Part::vertex_columns(part));
@@ -34,12 +33,17 @@ QUADRILLE_ALWAYS_INLINE inline void prefetch_value(const Column& column, Index v
   prefetch(&column[v]);
 }
 
+// By index, since std::apply need not be inlined, and what only prefetches is left out else.
+template <class Columns, std::size_t... I>
+QUADRILLE_ALWAYS_INLINE inline void prefetch_each(const Columns& columns, [[maybe_unused]] Index v,
+                                                  std::index_sequence<I...>) {
+  (prefetch_value(std::get<I>(columns), v), ...);
+}
 /// Asks for all that a part holds of a vertex.
 template <class Part>
 QUADRILLE_ALWAYS_INLINE inline void prefetch_columns(const Part& part, Index v) {
-  std::apply([v](const auto&... column)
-                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (prefetch_value(column, v), ...); },
-             Part::vertex_columns(part));
+  const auto columns = Part::vertex_columns(part);
+  prefetch_each(columns, v, std::make_index_sequence<std::tuple_size_v<decltype(columns)>>());
 }
 
 template <class Column>

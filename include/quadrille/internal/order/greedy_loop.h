@@ -10,7 +10,7 @@
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
-#include <quadrille/internal/order/pair_stamps.h>
+#include <quadrille/internal/order/stamped_queue.h>
 #include <quadrille/internal/order/waiting_pairs.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
@@ -36,11 +36,11 @@ class GreedyLoop {
 public:
   explicit GreedyLoop(WorkingSurface<Policies>& surface)
       : surface_(surface), scratch_(surface.scratch()),
-        stamps_(surface.vertex_capacity(), surface.complex().workspace()),
-        queue_(expected_pairs(surface.pairs().count(surface.status().faces),
-                              surface.vertex_capacity()),
+        queue_(surface.complex().vertex_capacity(),
+               expected_pairs(surface.pairs().count(surface.status().faces),
+                              surface.complex().vertex_capacity()),
                surface.complex().workspace()),
-        waiting_(surface.complex()), refresh_(surface, stamps_) {
+        waiting_(surface.complex()), refresh_(surface, queue_.stamps()) {
     fill_queue();
   }
 
@@ -72,7 +72,7 @@ private:
         return StopReason::cancelled;
       Candidate candidate = surface_.evaluator().evaluate(next->first, next->second);
       if (has_become_dearer(candidate, *next)) {
-        push(next->first, next->second, static_cast<float>(candidate.key));
+        queue_.push(next->first, next->second, static_cast<float>(candidate.key));
         continue;
       }
       surface_.progress().announce(candidate.error);
@@ -80,17 +80,18 @@ private:
         refuse(*next, Rejection::distance);
         continue;
       }
-      Contraction contraction(candidate, surface_.complex(), scratch_);
+      Contraction contraction(
+          candidate, GatheredStar(surface_.complex(), next->first, next->second, scratch_));
       if (const auto cause = surface_.checks().rejection(contraction))
         refuse(*next, *cause);
       else if (is_too_far(contraction))
         refuse(*next, Rejection::distance);
       else if (surface_.progress().is_enough())
         return surface_.target_rules().reason_of_stop(surface_.status());
-      else if (destroys(candidate))
+      else if (destroys(contraction))
         refuse(*next, Rejection::destruction);
       else if (!is_last_resort_ && misses_target(contraction))
-        deferred_.defer(*next, candidate.key);
+        deferred_.defer(*next, contraction.key());
       else
         contract(contraction);
     }
@@ -98,23 +99,17 @@ private:
   }
 
   void fill_queue() {
-    const auto end = static_cast<Index>(surface_.vertex_capacity());
+    const auto end = static_cast<Index>(surface_.complex().vertex_capacity());
     const Index step = Progress<Policies>::has_visitor ? vertices_between_visits : end;
     for (Index v = 0; v < end && surface_.progress().proceed(); v += (std::min)(step, end - v))
       surface_.pairs().for_each_above(scratch_, v, v + (std::min)(step, end - v), 1, push_pair());
   }
 
-  void push(Index v, Index w, float key) {
-    queue_.push(stamps_.pair_now(v, w, key), stamps_.outdated());
-  }
   auto push_pair() {
-    return [this](Index v, Index w, float key) { push(v, w, key); };
+    return [this](Index v, Index w, float key) { queue_.push(v, w, key); };
   }
   auto push_again() {
-    return [this](const QueuedPair& pair) {
-      if (!stamps_.is_outdated(pair))
-        queue_.push(pair, stamps_.outdated());
-    };
+    return [this](const QueuedPair& pair) { queue_.push_again(pair); };
   }
 
   bool has_isolated_end(const QueuedPair& pair) const {
@@ -127,12 +122,13 @@ private:
     look_ahead(
         surface_, [&](std::size_t ahead) { return queue_.peek(ahead); },
         [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA { waiting_.prefetch(w); });
-    std::optional<QueuedPair> next = queue_.pop(stamps_.outdated());
-    while (next ? has_isolated_end(*next) : waiting_.release_rest(stamps_.time(), push_again()))
-      next = queue_.pop(stamps_.outdated());
+    std::optional<QueuedPair> next = queue_.pop();
+    while (next ? has_isolated_end(*next)
+                : waiting_.release_rest(queue_.stamps().time(), push_again()))
+      next = queue_.pop();
     is_last_resort_ = !next;
     return next ? next : deferred_.take([this](const QueuedPair& pair) {
-      return !stamps_.is_outdated(pair) && !has_isolated_end(pair);
+      return !queue_.stamps().is_outdated(pair) && !has_isolated_end(pair);
     });
   }
 
@@ -146,8 +142,8 @@ private:
 
   // Is it for nothing, since the target can't be reached? Asked when the surface has few faces
   // left.
-  bool destroys(const Candidate& candidate) {
-    if (!surface_.target_rules().is_destructive(candidate))
+  bool destroys(const Contraction& contraction) {
+    if (!surface_.target_rules().is_destructive(contraction))
       return false;
     if (!is_target_reachable_)
       is_target_reachable_ = surface_.target_rules().is_reachable(surface_.status());
@@ -156,7 +152,7 @@ private:
 
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
   // costs too much more than the first that would have had its turn?
-  bool misses_target(const Contraction& contraction) const {
+  bool misses_target(const Contraction& contraction) {
     return deferred_.is_too_dear(contraction.cost()) ||
            surface_.target_rules().overshoots(contraction, surface_.status());
   }
@@ -208,10 +204,10 @@ private:
   void contract(const Contraction& contraction) {
     const Index kept = surface_.apply(contraction, AtOnce{});
     surface_.progress().count(scratch_.tally);
-    stamps_.advance();
+    queue_.stamps().advance();
     for (Index end : {contraction.first(), contraction.second()})
-      stamps_.retire(end), waiting_.forget(end);
-    stamps_.renew(kept);
+      queue_.stamps().retire(end), waiting_.forget(end);
+    queue_.stamps().renew(kept);
     release_around(contraction.star());
     if (!surface_.complex().has_faces(kept))
       return;
@@ -240,7 +236,7 @@ private:
   void push_all(Index v) {
     const bool are_edges = surface_.pairs().are_edges();
     surface_.pairs().for_each(scratch_, v, [&](Index partner, float key) {
-      push(v, partner, key);
+      queue_.push(v, partner, key);
       if (are_edges)
         waiting_.release(partner, push_again());
       refresh_.look_at(partner);
@@ -260,10 +256,10 @@ private:
     std::sort(new_pairs_.begin(), new_pairs_.end());
     const std::size_t pushed = (std::min)(waiting_.most_pairs(v), new_pairs_.size());
     for (std::size_t i = 0; i < pushed; ++i)
-      push(v, new_pairs_[i].second, new_pairs_[i].first);
+      queue_.push(v, new_pairs_[i].second, new_pairs_[i].first);
     for (std::size_t i = pushed; i < new_pairs_.size(); ++i)
-      waiting_.add(stamps_.pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
-    waiting_.add_rest_of(v);
+      waiting_.add(queue_.stamps().pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
+    waiting_.note_left_behind(v);
   }
 
   bool is_cancelled() {
@@ -272,8 +268,7 @@ private:
 
   WorkingSurface<Policies>& surface_;
   Scratch& scratch_;
-  PairStamps stamps_;
-  PairQueue queue_;
+  StampedQueue queue_;
   WaitingPairs waiting_;
   DeferredPairs deferred_;
   CostRefresh<Policies> refresh_;

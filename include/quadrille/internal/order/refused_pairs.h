@@ -55,6 +55,11 @@ public:
     return last == none;
   }
 
+  /// Empties the list of a vertex.
+  void forget(Index vertex) {
+    release(vertex, ~std::size_t{0}, [](const QueuedPair&) {});
+  }
+
   std::size_t size() const { return size_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {

@@ -4,7 +4,7 @@
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/contraction_quota.h>
+#include <quadrille/internal/contraction/contraction_count.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/block_stars.h>
 #include <quadrille/internal/order/pass_plan.h>
@@ -25,8 +25,8 @@ namespace quadrille::internal {
 template <class Policies>
 class RelaxedPasses {
 public:
-  RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), quota_(surface.is_topology_kept()),
+  explicit RelaxedPasses(WorkingSurface<Policies>& surface)
+      : surface_(surface), count_(surface.is_topology_kept()),
         stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())
@@ -39,7 +39,7 @@ public:
     for (;;) {
       const Status before = surface_.status();
       const std::size_t least = (std::max)(least_contractions, before.vertices / least_part);
-      const std::size_t quota = quota_.contractions(surface_.policies().stop, before);
+      const std::size_t quota = count_.contractions(surface_.policies().stop, before);
       if (quota < least)
         return true;
       pass(quota);
@@ -76,7 +76,7 @@ private:
   // What a block needs is loaded once: it is contracted right after its costs are known.
   void pass(std::size_t quota) {
     divide();
-    const PassPlan plan = PassPlan::make(samples(), order_.share, quota);
+    const PassPlan plan = PassPlan::make(samples(), surface_.policies().order.share, quota);
     for (std::size_t i = 0; i < blocks_.size(); ++i)
       blocks_[i].quota = plan.quotas[i];
     for_each_block([&](Block& block, Worker& worker) {
@@ -97,7 +97,7 @@ private:
     contract_between(workers_.front());
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
-    surface_.end_pass(order_.refresh);
+    surface_.end_pass(surface_.policies().order.refresh);
   }
 
   template <class Task>
@@ -112,7 +112,7 @@ private:
 
   // One more of the last bits of their numbers where half of the vertices are gone.
   void divide() {
-    const std::size_t capacity = surface_.vertex_capacity();
+    const std::size_t capacity = surface_.complex().vertex_capacity();
     const std::size_t sparsity = std::bit_floor(capacity / surface_.status().vertices);
     const std::size_t size = (std::min)(block_size * sparsity, std::size_t{1} << 31);
     blocks_.clear();
@@ -159,18 +159,17 @@ private:
     });
   }
 
-  // Unless it is refused. False if the quota is too small for it.
+  // Contracts a pair unless it is refused. False if the quota is too small for it.
   bool contract_within(std::size_t& quota, const Proposal& proposal, Worker& worker) {
     if (quota == 0)
       return false;
-    Candidate candidate = surface_.evaluator().evaluate(proposal.first, proposal.second);
-    Contraction contraction(candidate, surface_.complex(), worker.scratch);
-    if (quota_.most_used(contraction.star()) > quota)
+    const GatheredStar star = gather(proposal, worker);
+    if (count_.most_used(*star) > quota)
       return false;
     const Tally& tally = worker.scratch.tally;
     const std::size_t faces = tally.faces, vertices = tally.vertices;
-    contract(contraction);
-    quota -= quota_.used(tally.faces - faces, tally.vertices - vertices);
+    contract(proposal, star);
+    quota -= count_.used(tally.faces - faces, tally.vertices - vertices);
     return true;
   }
 
@@ -199,12 +198,9 @@ private:
       proposals.take(block.rest);
     proposals.sort();
     for (std::size_t i = 0; i < proposals.size() && !surface_.progress().is_enough(); ++i) {
-      const auto [cost, first, second] = proposals[i];
-      if (is_over(first) || is_over(second))
+      if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
-      Candidate candidate = surface_.evaluator().evaluate(first, second);
-      Contraction contraction(candidate, surface_.complex(), worker.scratch);
-      contract(contraction);
+      contract(proposals[i], gather(proposals[i], worker));
       surface_.progress().count(worker.scratch.tally);
     }
   }
@@ -215,8 +211,14 @@ private:
            (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
   }
 
-  // Unless it is refused.
-  void contract(Contraction& contraction) {
+  GatheredStar gather(const Proposal& proposal, Worker& worker) {
+    return {surface_.complex(), proposal.first, proposal.second, worker.scratch};
+  }
+
+  // Contracts a pair unless it is refused.
+  void contract(const Proposal& proposal, const GatheredStar& star) {
+    Candidate candidate = surface_.evaluator().evaluate(proposal.first, proposal.second);
+    Contraction contraction(candidate, star);
     if (const auto cause = surface_.checks().rejection(contraction)) {
       contraction.scratch().tally.reject(*cause);
       return;
@@ -230,10 +232,10 @@ private:
     stars_.touch(contraction.second());
   }
 
-  bool is_left_to_greedy_order(Contraction& contraction) const {
-    const TargetRules<Policies>& rules = surface_.target_rules();
+  bool is_left_to_greedy_order(Contraction& contraction) {
+    TargetRules<Policies>& rules = surface_.target_rules();
     return is_stop(contraction) || rules.overshoots(contraction, surface_.status()) ||
-           rules.is_destructive(contraction.candidate()) || cuts_off_touched(contraction);
+           rules.is_destructive(contraction) || cuts_off_touched(contraction);
   }
 
   bool cuts_off_touched(const Contraction& contraction) const {
@@ -255,8 +257,7 @@ private:
   }
 
   WorkingSurface<Policies>& surface_;
-  RelaxedOrder order_;
-  ContractionQuota quota_;
+  ContractionCount count_;
   std::vector<Block> blocks_;
   BlockStars stars_;
   std::vector<Worker> workers_;

@@ -28,8 +28,8 @@ public:
       : complex_(complex), refused_(complex.vertex_capacity(), complex.workspace()) {}
 
   void add(const QueuedPair& pair) { refused_.add(pair); }
-  /// The same of a vertex of many faces that has other pairs in the queue.
-  void add_rest_of(Index v) { left_behind_.push_back(v); }
+  /// Some pairs of a vertex of many faces have been added, and others are in the queue.
+  void note_left_behind(Index v) { left_behind_.push_back(v); }
   bool empty() const { return refused_.size() == 0; }
 
   /// So many pairs of a vertex look at few² faces together; all of them where there are few.
@@ -39,9 +39,7 @@ public:
   }
 
   /// All pairs of a vertex are outdated.
-  void forget(Index v) {
-    refused_.release(v, all, [](const QueuedPair&) {});
-  }
+  void forget(Index v) { refused_.forget(v); }
 
   /// The surroundings of a vertex have changed, so the answer of a filter may. Calls push(pair) for
   /// pairs that are to be looked at once more.

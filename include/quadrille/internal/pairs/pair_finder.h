@@ -163,7 +163,7 @@ private:
     for (std::size_t i = begin; i < tools.pairs.size(); ++i)
       labels.set(tools.pairs[i].second, by_edge);
     labels.set(v, by_list);
-    listed_.for_each_partner(v, [&](Index w) {
+    listed_.prune_partners(v, [&](Index w) {
       if (!complex_.has_faces(w) || labels.has_label(w, by_list))
         return false; // a leftover, or a pair that has become the same as another
       tools.pairs.add_if(!labels.is_labelled(w) && w >= least, {v, w});

@@ -32,9 +32,9 @@ public:
 
   std::size_t size() const { return ends_.size() / 2; }
 
-  /// Calls visit(w) for each partner w of v. Drops the pair if it returns false.
+  /// Calls visit(w) for each partner w of v, and drops the pair if it returns false.
   template <class Visit>
-  void for_each_partner(Index v, Visit visit) {
+  void prune_partners(Index v, Visit visit) {
     Index previous = none;
     for (Index end = head_[v]; end != none;) {
       const Index next = ends_[end].next;

@@ -49,11 +49,10 @@ public:
   void after(const Event& event) {
     positions_[event.kept] = event.contraction.target();
     float reach = 0;
-    const PairStar& star = event.contraction.star();
-    for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces)
-        for (Index w : {f.second, f.third})
-          reach = (std::max)(reach, squared_length_of(event.kept, w));
+    event.contraction.star().for_each_changed([&](const StarFace& f) {
+      for (Index w : {f.second, f.third})
+        reach = (std::max)(reach, squared_length_of(event.kept, w));
+    });
     squared_reach_[event.kept] = reach;
   }
 

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_QUOTA_H
-#define QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_QUOTA_H
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_COUNT_H
+#define QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_COUNT_H
 
 #include <quadrille/concepts.h>
 #include <quadrille/internal/complex/star.h>
@@ -14,9 +14,9 @@ namespace quadrille::internal {
 /// How many contractions a pass may do without asking the stop policy, and what each counts as.
 /// Where topology is free, duplicate faces go too, and all faces at an edge, and what is isolated
 /// then: such a contraction counts as several.
-class ContractionQuota {
+class ContractionCount {
 public:
-  explicit ContractionQuota(bool is_topology_kept) : is_topology_kept_(is_topology_kept) {}
+  explicit ContractionCount(bool is_topology_kept) : is_topology_kept_(is_topology_kept) {}
 
   /// As many as `stop`, asked before each, would let pass in a row from `now` on.
   template <StopPolicy Stop>
@@ -58,4 +58,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_QUOTA_H
+#endif // QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_COUNT_H
