@@ -28,7 +28,8 @@ inline quadrille::internal::SurfaceInput<3> input_of(const Soup& soup) {
 template <class Surface>
 bool contract(Surface& surface, quadrille::internal::Index a, quadrille::internal::Index b) {
   auto candidate = surface.evaluator().evaluate(a, b);
-  typename Surface::Contraction contraction(candidate, surface.complex(), surface.scratch());
+  const quadrille::internal::GatheredStar star(surface.complex(), a, b, surface.scratch());
+  typename Surface::Contraction contraction(candidate, star);
   if (surface.checks().rejection(contraction))
     return false;
   surface.apply(contraction, quadrille::internal::AtOnce{});

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Builds and runs all tests. Debian packages that are missing are installed first.
-#   sh test/run.sh [CMAKE_ARGUMENT...]   for instance -DQUADRILLE_WERROR=ON
+# Builds and runs all tests, or the quick ones. Debian packages that are missing are installed
+# first.
+#   sh test/run.sh [--quick] [CMAKE_ARGUMENT...]   for instance -DQUADRILLE_WERROR=ON
 set -eu
 export LC_ALL=C
 
@@ -9,10 +10,18 @@ sh .ci/install_packages.sh cmake g++ clang libc++-dev ninja-build libcgal-dev li
   libboost-dev catch2 libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev \
   libmeshoptimizer-dev gnuplot-nox
 
+target=all
+labels=
+if [ "${1:-}" = --quick ]; then
+  shift
+  target=quick_tests
+  labels="-L quick"
+fi
+
 jobs=$(nproc)
 cmake --preset test "$@"
 # A test that does not compile must not keep the others from running.
 built=0
-cmake --build --preset test --parallel "$jobs" -- -k 0 || built=$?
-ctest --preset test --parallel "$jobs"
+cmake --build --preset test --parallel "$jobs" --target $target -- -k 0 || built=$?
+ctest --preset test --parallel "$jobs" $labels
 exit "$built"

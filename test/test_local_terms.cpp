@@ -181,7 +181,8 @@ TEST_CASE("Local terms follow in passes, but for vertices that these have contra
     if (surface.complex().is_removed(face) || is_touched[a] || is_touched[b])
       continue;
     auto candidate = surface.evaluator().evaluate(a, b);
-    internal::Contraction contraction(candidate, surface.complex(), surface.scratch());
+    const internal::GatheredStar star(surface.complex(), a, b, surface.scratch());
+    internal::Contraction contraction(candidate, star);
     if (surface.checks().rejection(contraction))
       continue;
     surface.apply(contraction, internal::InPass{[&](Index v) { return !is_touched[v]; }});
