@@ -176,7 +176,7 @@ void corner_lists_merge(benchmark::State& state) {
       complex.for_each_corner(v, [&](Index face, Index) {
         for (Index w : complex.vertices(face))
           if (w == v + 1)
-            return complex.kill(face);
+            return complex.remove_face(face);
       });
       complex.merge(v, v + 1);
     }

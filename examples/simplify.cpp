@@ -9,6 +9,7 @@
 #include "mesh_attributes.h"
 #include "mesh_io.h"
 
+#include <quadrille/compiled.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
@@ -16,6 +17,8 @@
 #include <CGAL/property_map.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +44,7 @@ struct Target {
   std::variant<quadrille::FaceRatio, quadrille::FaceCount, quadrille::VertexCount,
                quadrille::ErrorLimit>
       chosen;
+  double distance = 0; // of an error limit
 
   bool operator()(const quadrille::Status& status) const {
     return std::visit([&](const auto& stop) { return stop(status); }, chosen);
@@ -53,6 +57,16 @@ struct Target {
         return false;
     };
     return std::visit(asked, chosen);
+  }
+  void tell(quadrille::SoupOptions& options) const {
+    if (const auto* stop = std::get_if<quadrille::FaceRatio>(&chosen))
+      options.ratio = stop->ratio;
+    if (const auto* stop = std::get_if<quadrille::FaceCount>(&chosen))
+      options.faces = stop->faces;
+    if (const auto* stop = std::get_if<quadrille::VertexCount>(&chosen))
+      options.vertices = stop->vertices;
+    if (std::holds_alternative<quadrille::ErrorLimit>(chosen))
+      options.error = distance;
   }
   /// An error limit is kept also if there is nothing more to contract. A target that was passed by
   /// a face or so counts as met: the report tells.
@@ -118,7 +132,10 @@ void add_target(CLI::App& app, Target& target) {
   const auto stop_at_faces = [&](std::size_t n) { target.chosen = quadrille::FaceCount{n}; };
   const auto stop_at_ratio = [&](double ratio) { target.chosen = quadrille::FaceRatio{ratio}; };
   const auto stop_at_vertices = [&](std::size_t n) { target.chosen = quadrille::VertexCount{n}; };
-  const auto stop_at_error = [&](double error) { target.chosen = quadrille::ErrorLimit(error); };
+  const auto stop_at_error = [&](double error) {
+    target.chosen = quadrille::ErrorLimit(error);
+    target.distance = error;
+  };
   CLI::Option_group* const group = app.add_option_group("Target", "half of the faces by default");
   group->require_option(0, 1);
   group->add_option_function<std::size_t>("--faces", stop_at_faces, "stop at so many faces")
@@ -275,13 +292,43 @@ quadrille::Report simplify_by_attributes(const MeshAttributes& attributes, Index
   return simplify_with<6>(attributes, mesh, options, attribute_quadric<6>(options));
 }
 
-/// With a cost that looks at positions only. Attributes, if there are any, are carried along.
-quadrille::Report simplify_in_space(const MeshAttributes& attributes, IndexedMesh& mesh,
+/// With a cost that looks at positions only, along which attributes are carried.
+quadrille::Report simplify_carrying(const MeshAttributes& attributes, IndexedMesh& mesh,
                                     const Options& options, const auto& cost) {
-  if (attributes.size() > 0)
-    return simplify_with<6>(attributes, mesh, options,
-                            CarryingCost<std::remove_cvref_t<decltype(cost)>, 6>(cost));
-  const quadrille::Report report = simplify(mesh, options, cost);
+  return simplify_with<6>(attributes, mesh, options,
+                          CarryingCost<std::remove_cvref_t<decltype(cost)>, 6>(cost));
+}
+
+quadrille::SoupOptions soup_options(const Options& options) {
+  using Cost = quadrille::SoupOptions::Cost;
+  quadrille::SoupOptions result;
+  options.target.tell(result);
+  result.cost = options.cost == "length"          ? Cost::edge_length
+                : options.cost == "memoryless"    ? Cost::memoryless_quadric
+                : options.cost == "thin-features" ? Cost::thin_feature_quadric
+                                                  : Cost::quadric;
+  result.boundary_weight = options.boundary_weight;
+  if (options.placement == "endpoint")
+    result.placement = quadrille::SoupOptions::Placement::endpoint;
+  if (options.placement == "midpoint")
+    result.placement = quadrille::SoupOptions::Placement::midpoint;
+  result.pairs_closer_than = options.pairs_closer_than;
+  result.topology = topology(options);
+  return result;
+}
+
+/// Without attributes that vary.
+quadrille::Report simplify_positions(const MeshAttributes& attributes, IndexedMesh& mesh,
+                                     const Options& options) {
+  quadrille::SoupPoints points(mesh.points.size());
+  std::transform(mesh.points.begin(), mesh.points.end(), points.begin(), [](const Point& p) {
+    return std::array{p.x(), p.y(), p.z()};
+  });
+  const quadrille::Report report =
+      quadrille::simplify_soup(points, mesh.triangles, soup_options(options));
+  mesh.points.resize(points.size());
+  std::transform(points.begin(), points.end(), mesh.points.begin(),
+                 [](const auto& p) { return Point(p[0], p[1], p[2]); });
   attributes.restore(mesh);
   return report;
 }
@@ -300,18 +347,20 @@ Importance importance(const Options& options) {
 
 quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
   const MeshAttributes attributes(mesh, importance(options));
-  const auto in_space = [&](const auto& cost) {
-    return simplify_in_space(attributes, mesh, options, cost);
+  if (attributes.size() == 0)
+    return simplify_positions(attributes, mesh, options);
+  const auto carrying = [&](const auto& cost) {
+    return simplify_carrying(attributes, mesh, options, cost);
   };
   if (options.cost == "length")
-    return in_space(quadrille::EdgeLength{});
+    return carrying(quadrille::EdgeLength{});
   if (options.cost == "memoryless")
-    return in_space(with_boundary_weight(quadrille::MemorylessQuadric{}, options));
+    return carrying(with_boundary_weight(quadrille::MemorylessQuadric{}, options));
   if (options.cost == "thin-features")
-    return in_space(with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
-  if (options.cost != "quadric" && attributes.size() > 0)
+    return carrying(with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
+  if (options.cost != "quadric")
     return simplify_by_attributes(attributes, mesh, options);
-  return in_space(with_boundary_weight(quadrille::Quadric{}, options));
+  return carrying(with_boundary_weight(quadrille::Quadric{}, options));
 }
 
 /// Whatever of the file the result will not have, and what a user may not expect.

@@ -27,13 +27,19 @@ inline quadrille::internal::SurfaceInput<3> input_of(const Soup& soup) {
 /// Contracts the pair a < b. False if it is refused.
 template <class Surface>
 bool contract(Surface& surface, quadrille::internal::Index a, quadrille::internal::Index b) {
-  auto candidate = surface.evaluate(a, b);
-  surface.gather(surface.scratch(), a, b);
-  if (surface.rejection(surface.scratch(), a, b, candidate))
+  auto candidate = surface.evaluator().evaluate(a, b);
+  typename Surface::Contraction contraction(candidate, surface.complex(), surface.scratch());
+  if (surface.checks().rejection(contraction))
     return false;
-  surface.contract(surface.scratch(), a, b, candidate);
-  surface.count(surface.scratch().tally);
+  surface.apply(contraction, quadrille::internal::AtOnce{});
+  surface.progress().count(surface.scratch().tally);
   return true;
+}
+
+/// In the engine's units, which are those of a large surface.
+template <class Surface>
+const Position& position(const Surface& surface, quadrille::internal::Index v) {
+  return surface.evaluator().geometry().position(v);
 }
 
 } // namespace test

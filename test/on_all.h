@@ -109,7 +109,7 @@ struct OnSoup {
   }
 };
 
-/// Neither degenerate nor doubled faces, no point without a face, all finite.
+/// Neither degenerate nor duplicate faces, no point without a face, all finite.
 inline bool is_clean(const Soup& soup) {
   std::set<Triangle> seen;
   std::set<std::uint32_t> used;

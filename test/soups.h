@@ -342,7 +342,7 @@ struct SoupTopology {
   std::size_t border_loops = 0; ///< if it is manifold
   bool is_manifold = true;      ///< at most two faces an edge, a path or a cycle round each vertex
   bool is_oriented = true;      ///< faces at an edge run along it in opposite directions
-  bool has_doubled_faces = false;
+  bool has_duplicate_faces = false;
   bool has_collapsed_faces = false; ///< with two equal corners
 
   bool is_closed() const { return border_edges == 0; }
@@ -361,7 +361,7 @@ struct SoupTopology {
                << t.components << " components, " << t.border_edges << " border edges in "
                << t.border_loops << " loops" << (t.is_manifold ? "" : ", not manifold")
                << (t.is_oriented ? "" : ", not oriented")
-               << (t.has_doubled_faces ? ", doubled faces" : "")
+               << (t.has_duplicate_faces ? ", duplicate faces" : "")
                << (t.has_collapsed_faces ? ", collapsed faces" : "");
   }
 };
@@ -423,7 +423,7 @@ inline SoupTopology topology_of(const Soup& soup) {
     }
     Triangle sorted = t;
     std::sort(sorted.begin(), sorted.end());
-    result.has_doubled_faces |= !seen.insert(sorted).second;
+    result.has_duplicate_faces |= !seen.insert(sorted).second;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t v = t[i], p = t[(i + 1) % 3], q = t[(i + 2) % 3];
       edges[{std::min(v, p), std::max(v, p)}].push_back(v < p);

@@ -80,7 +80,7 @@ void require_kept(const Model& model, const SoupTopology& before, std::size_t ta
   INFO(after);
   REQUIRE(after.is_manifold);
   REQUIRE(after.is_oriented);
-  REQUIRE_FALSE(after.has_doubled_faces);
+  REQUIRE_FALSE(after.has_duplicate_faces);
   REQUIRE(is_same_topology(before, after));
   REQUIRE(report.faces_after == mesh.number_of_faces());
   const std::size_t faces = mesh.number_of_faces();

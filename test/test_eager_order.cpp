@@ -43,7 +43,7 @@ std::vector<test::Position> points_left(const Surface& surface) {
   std::vector<test::Position> points;
   for (Index v = 0; v < surface.vertex_capacity(); ++v)
     if (surface.complex().has_faces(v))
-      points.push_back(surface.position(v));
+      points.push_back(test::position(surface, v));
   return points;
 }
 
@@ -73,7 +73,7 @@ int compare_with_brute_force(const Soup& input, const Cost& cost, const Pairs&..
   const Soup soup = test::large(input);
   const auto policies = internal::pick_policies<Cost, OptimalPlacement>(Topology::kept, pairs...);
   const auto surface_input = test::input_of(soup);
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(
+  internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(
       surface_input, surface_input.box(), policies);
   int others = 0;
   for (std::size_t contractions = 1; contract_cheapest(surface); ++contractions) {

@@ -385,12 +385,12 @@ TEST_CASE("Bounds stay with their faces when these get new numbers") {
     star.first.add_if(true, f);
   bounds.set(star, {0.25f, 2.0f});
   CHECK(bounds.greatest(complex) == 2);
-  complex.kill(0);
-  complex.kill(2);
-  bounds.pack_if([&](Index face) { return !complex.is_dead(face); });
+  complex.remove_face(0);
+  complex.remove_face(2);
+  bounds.pack_if([&](Index face) { return !complex.is_removed(face); });
   complex.pack({1, 2, 3, 4, 5});
   CHECK(bounds.greatest(complex) == 2);
-  complex.kill(1);
+  complex.remove_face(1);
   CHECK(bounds.greatest(complex) == 0.25);
 }
 

@@ -40,7 +40,7 @@ void require_consistent(const Mesh& mesh, const Report& report) {
   REQUIRE(report.vertices_after == mesh.number_of_vertices());
   REQUIRE(test::is_finite(test::to_soup(mesh)));
   const test::SoupTopology topology = test::topology_of(test::to_soup(mesh));
-  REQUIRE_FALSE(topology.has_doubled_faces);
+  REQUIRE_FALSE(topology.has_duplicate_faces);
   REQUIRE_FALSE(topology.has_collapsed_faces);
 }
 

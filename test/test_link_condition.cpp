@@ -7,7 +7,6 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/contraction/scratch.h>
 
 #include <catch2/catch.hpp>
 
@@ -21,12 +20,11 @@ namespace {
 
 using quadrille::internal::Index;
 using quadrille::internal::LinkCondition;
-using quadrille::internal::Marks;
 using quadrille::internal::PairStar;
-using quadrille::internal::Scratch;
 using quadrille::internal::TriangleComplex;
 using quadrille::internal::VertexClassifier;
 using quadrille::internal::VertexKind;
+using quadrille::internal::VertexLabels;
 using test::Soup;
 using test::Triangle;
 
@@ -39,21 +37,20 @@ std::size_t vertex_count(const std::vector<Triangle>& triangles) {
 
 bool holds(const std::vector<Triangle>& triangles, Index a, Index b) {
   TriangleComplex complex(vertex_count(triangles), test::array_of(triangles));
-  std::vector<Scratch> scratches(1, Scratch(complex.vertex_capacity()));
-  Marks& marks = scratches.front().marks;
-  const LinkCondition condition(complex, scratches);
+  VertexLabels labels(complex.vertex_capacity());
+  const LinkCondition condition(complex, [&](std::size_t) -> VertexLabels& { return labels; });
   PairStar star;
   star.gather(complex, a, b);
-  const bool result = condition.holds(star, a, b, marks);
+  const bool result = condition.holds(star, a, b, labels);
   star.gather(complex, b, a);
-  CHECK(condition.holds(star, b, a, marks) == result); // whichever end comes first
+  CHECK(condition.holds(star, b, a, labels) == result); // whichever end comes first
   return result;
 }
 
 VertexKind kind(const std::vector<Triangle>& triangles, Index v) {
   TriangleComplex complex(vertex_count(triangles), test::array_of(triangles));
-  Marks marks(complex.vertex_capacity());
-  return VertexClassifier()(complex, v, marks);
+  VertexLabels labels(complex.vertex_capacity());
+  return VertexClassifier()(complex, v, labels);
 }
 
 } // namespace
@@ -207,7 +204,7 @@ TEST_CASE("Two singular vertices are never contracted") {
   CHECK(holds({{0, 3, 2}, {0, 6, 1}, {1, 6, 7}}, 6, 7)); // far from the pinched vertex
 }
 
-TEST_CASE("A doubled face is not contracted") {
+TEST_CASE("A duplicate face is not contracted") {
   CHECK_FALSE(holds({{0, 1, 2}, {0, 2, 1}}, 0, 1));
   CHECK_FALSE(holds({{0, 1, 2}, {0, 1, 2}, {0, 2, 3}}, 0, 1));
 }
@@ -219,9 +216,8 @@ TEST_CASE(
   const Soup soup = seed < 4 ? test::random_closed(seed) : test::random_with_borders(seed);
   const test::SoupTopology before = test::topology_of(soup);
   TriangleComplex complex(soup.points.size(), test::array_of(soup.triangles));
-  std::vector<Scratch> scratches(1, Scratch(complex.vertex_capacity()));
-  Marks& marks = scratches.front().marks;
-  const LinkCondition condition(complex, scratches);
+  VertexLabels labels(complex.vertex_capacity());
+  const LinkCondition condition(complex, [&](std::size_t) -> VertexLabels& { return labels; });
   CHECK(condition.is_closed() == before.is_closed());
   std::set<std::pair<Index, Index>> edges;
   for (const Triangle& t : soup.triangles)
@@ -240,11 +236,11 @@ TEST_CASE(
     // One vertex less, not two: the interior edge that cuts off the only face of a vertex takes
     // that vertex with it. The border would lose an edge and the surface an ear, but it stays a
     // disc.
-    const bool is_kept = is_same_topology(before, after) && !after.has_doubled_faces &&
+    const bool is_kept = is_same_topology(before, after) && !after.has_duplicate_faces &&
                          after.vertices + 1 == before.vertices;
     star.gather(complex, a, b);
     CAPTURE(a, b);
-    REQUIRE(condition.holds(star, a, b, marks) == is_kept);
+    REQUIRE(condition.holds(star, a, b, labels) == is_kept);
     refused += !is_kept;
   }
   CHECK(refused > 0); // or nothing was tried

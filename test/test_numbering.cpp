@@ -14,18 +14,18 @@ using namespace quadrille::internal;
 
 namespace {
 
-Numbering numbering(Index vertices, bool by_origins) {
+Numbering numbering(Index vertices, bool by_input) {
   Array<Index> origins(vertices);
   std::iota(origins.rbegin(), origins.rend(), Index{0}); // v comes from vertices - 1 - v
-  return {{vertices, std::move(origins)}, {0, {}}, by_origins};
+  return {{vertices, std::move(origins)}, {0, {}}, by_input};
 }
 
 } // namespace
 
 TEST_CASE("The image of an origin is where its merges end, in whatever order one asks") {
   constexpr Index vertices = 500;
-  for (bool by_origins : {false, true}) {
-    Numbering numbers = numbering(vertices, by_origins);
+  for (bool by_input : {false, true}) {
+    Numbering numbers = numbering(vertices, by_input);
     std::vector<Index> left(vertices), ends(vertices); // ends: of each number
     std::iota(left.begin(), left.end(), Index{0});
     std::iota(ends.begin(), ends.end(), Index{0});
@@ -40,7 +40,7 @@ TEST_CASE("The image of an origin is where its merges end, in whatever order one
         if (end == gone)
           end = kept;
     }
-    numbers.use_origins();
+    numbers.use_input_indices();
     for (std::size_t question = 0; question < 5000; ++question) {
       const auto v = static_cast<Index>(random.below(vertices));
       REQUIRE(numbers.image(vertices - 1 - v) == vertices - 1 - ends[v]);

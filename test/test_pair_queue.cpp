@@ -1,10 +1,10 @@
-// The queue gives the order of a plain priority queue, in bounded memory; the parked pairs come
+// The queue gives the order of a plain priority queue, in bounded memory; the refused pairs come
 // back.
 
 #include "soups.h"
 
-#include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/pair_queue.h>
+#include <quadrille/internal/order/refused_pairs.h>
 
 #include <catch2/catch.hpp>
 
@@ -49,8 +49,8 @@ std::size_t allocated_bytes = 0; // by this program so far
 namespace {
 
 using quadrille::internal::PairQueue;
-using quadrille::internal::ParkedPairs;
 using quadrille::internal::QueuedPair;
+using quadrille::internal::RefusedPairs;
 constexpr std::size_t all = ~std::size_t{0};
 using test::Random;
 
@@ -214,60 +214,60 @@ TEST_CASE("A look ahead shows pairs of the open bucket in order") {
   CHECK(queue.peek(3) == nullptr);
 }
 
-TEST_CASE("A parked pair comes back once, from whichever end is released first") {
-  ParkedPairs parked(4);
+TEST_CASE("A refused pair comes back once, from whichever end is released first") {
+  RefusedPairs refused(4);
   std::vector<QueuedPair> released;
   const auto keep = [&](const QueuedPair& p) { released.push_back(p); };
-  parked.park({1, 0, 1, 5});
-  parked.park({2, 1, 2, 6});
-  CHECK(parked.size() == 2);
-  parked.release(3, all, keep);
+  refused.add({1, 0, 1, 5});
+  refused.add({2, 1, 2, 6});
+  CHECK(refused.size() == 2);
+  refused.release(3, all, keep);
   CHECK(released.empty());
-  parked.release(2, all, keep);
+  refused.release(2, all, keep);
   REQUIRE(released.size() == 1);
   CHECK(released[0].cost == 2);
   CHECK(released[0].stamp == 6);
-  parked.release(1, all, keep);
+  refused.release(1, all, keep);
   REQUIRE(released.size() == 2);
   CHECK(released[1].cost == 1);
-  parked.release(0, all, keep);
-  parked.release(1, all, keep);
+  refused.release(0, all, keep);
+  refused.release(1, all, keep);
   CHECK(released.size() == 2);
-  CHECK(parked.size() == 0);
+  CHECK(refused.size() == 0);
 }
 
-TEST_CASE("Parked pairs come back in their order, and no more than are asked for") {
-  ParkedPairs parked(7);
+TEST_CASE("Refused pairs come back in their order, and no more than are asked for") {
+  RefusedPairs refused(7);
   std::vector<std::uint32_t> partners;
   const auto keep = [&](const QueuedPair& p) { partners.push_back(p.second); };
   for (std::uint32_t w = 1; w < 7; ++w)
-    parked.park({1, 0, w, 0});
-  parked.release(2, all, [](const QueuedPair&) {}); // forgotten at 0 when its turn comes
-  CHECK_FALSE(parked.release(0, 3, keep));
+    refused.add({1, 0, w, 0});
+  refused.release(2, all, [](const QueuedPair&) {}); // forgotten at 0 when its turn comes
+  CHECK_FALSE(refused.release(0, 3, keep));
   CHECK(partners == std::vector<std::uint32_t>{1, 3, 4});
-  CHECK(parked.size() == 2);
-  parked.park({1, 0, 1, 0});
-  CHECK_FALSE(parked.release(0, 2, keep));
+  CHECK(refused.size() == 2);
+  refused.add({1, 0, 1, 0});
+  CHECK_FALSE(refused.release(0, 2, keep));
   CHECK(partners == std::vector<std::uint32_t>{1, 3, 4, 5, 6});
-  CHECK(parked.release(0, 1, keep));
+  CHECK(refused.release(0, 1, keep));
   CHECK(partners == std::vector<std::uint32_t>{1, 3, 4, 5, 6, 1});
-  CHECK(parked.release(0, 1, keep));
+  CHECK(refused.release(0, 1, keep));
 }
 
-TEST_CASE("Parked pairs are those of a plain set") {
+TEST_CASE("Refused pairs are those of a plain set") {
   Random random(9);
   const std::uint32_t vertices = 12;
-  ParkedPairs parked(vertices);
+  RefusedPairs refused(vertices);
   std::map<std::pair<std::uint32_t, std::uint32_t>, float> expected;
   for (int i = 0; i < 5000; ++i) {
     const std::uint32_t v = random.below(vertices), w = random.below(vertices);
     if (random.below(4) > 0) {
       if (v < w && expected.insert({{v, w}, static_cast<float>(i)}).second)
-        parked.park({static_cast<float>(i), v, w, 0});
+        refused.add({static_cast<float>(i), v, w, 0});
       continue;
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, float> released;
-    parked.release(v, all, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
+    refused.release(v, all, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
     for (const auto& [pair, cost] : released) {
       const auto found = expected.find(pair);
       REQUIRE(found != expected.end());
@@ -276,6 +276,6 @@ TEST_CASE("Parked pairs are those of a plain set") {
     }
     for (const auto& [pair, cost] : expected)
       REQUIRE((pair.first != v && pair.second != v));
-    REQUIRE(parked.size() == expected.size());
+    REQUIRE(refused.size() == expected.size());
   }
 }

@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("Passes keep the topology, meet the target and turn no face",
         REQUIRE(test::is_valid_triangle_mesh(mesh));
         const SoupTopology after = test::topology_of(test::to_soup(mesh));
         REQUIRE(after.is_manifold);
-        REQUIRE_FALSE(after.has_doubled_faces);
+        REQUIRE_FALSE(after.has_duplicate_faces);
         REQUIRE(is_same_topology(before, after));
         REQUIRE(turned == 0);
         REQUIRE(report.faces_after == mesh.number_of_faces());
@@ -243,7 +243,7 @@ TEST_CASE("Passes join the parts of a soup, and leave nothing degenerate") {
   for (const test::Point& p : points)
     soup.points.push_back(test::to_position(p));
   CHECK(test::count_degenerate_faces(soup) == 0);
-  CHECK_FALSE(test::topology_of(soup).has_doubled_faces);
+  CHECK_FALSE(test::topology_of(soup).has_duplicate_faces);
 }
 
 TEST_CASE("Passes meet targets where a contraction takes many faces, or vertices") {

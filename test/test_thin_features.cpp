@@ -93,16 +93,16 @@ private:
 template <class Policies>
 auto surface_of(const Soup& soup, const Policies& policies) {
   const auto input = test::input_of(soup);
-  return std::make_unique<internal::PairContraction<Policies>>(input, input.box(), policies);
+  return std::make_unique<internal::WorkingSurface<Policies>>(input, input.box(), policies);
 }
 
 // Beyond the tolerance; not above 0 where there is none.
 template <class Surface>
 double excess(Surface& surface, const Remembered& remembered, Index v, Index w, double tolerance) {
-  const auto target = surface.evaluate(v, w).target;
+  const auto target = surface.evaluator().evaluate(v, w).target;
   const double growth = remembered.value(v, target) + remembered.value(w, target) -
-                        remembered.value(v, surface.position(v)) -
-                        remembered.value(w, surface.position(w));
+                        remembered.value(v, test::position(surface, v)) -
+                        remembered.value(w, test::position(surface, w));
   return growth - 3 * std::pow(tolerance * (remembered.area(v) + remembered.area(w)), 2);
 }
 
@@ -150,12 +150,13 @@ TEST_CASE("A loss is what the squared distances to remembered planes grow by, be
       std::vector<std::array<Index, 2>> pairs;
       const auto compare = [&](Index v, Index w, float listed_cost) {
         CAPTURE(seed, step, v, w);
-        const auto candidate = surface->evaluate(v, w);
+        const auto candidate = surface->evaluator().evaluate(v, w);
         REQUIRE(listed_cost == Approx(candidate.key).epsilon(1e-5));
         const double cost = candidate.cost;
         const double loss = excess(*surface, remembered, v, w, tolerance);
         ++(loss > 0 ? losses : others);
-        const double expected = without->evaluate(v, w).cost + weight * std::max(0.0, loss);
+        const double expected =
+            without->evaluator().evaluate(v, w).cost + weight * std::max(0.0, loss);
         REQUIRE(cost == Approx(expected).epsilon(1e-5));
         pairs.push_back({v, w});
       };

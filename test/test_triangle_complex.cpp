@@ -21,12 +21,12 @@
 namespace {
 
 using quadrille::internal::Index;
-using quadrille::internal::Marks;
+using quadrille::internal::InputIndices;
 using quadrille::internal::none;
 using quadrille::internal::Numbering;
-using quadrille::internal::Origins;
 using quadrille::internal::PairLists;
 using quadrille::internal::TriangleComplex;
+using quadrille::internal::VertexLabels;
 using test::Random;
 using test::Triangle;
 
@@ -34,7 +34,7 @@ using Corners = std::set<std::pair<Index, Index>>; // face and place
 
 Corners corners_at(TriangleComplex& complex, Index v) {
   Corners corners;
-  complex.for_each_corner(v, [&](Index face, Index i) {
+  complex.prune_corners(v, [&](Index face, Index i) {
     CHECK(complex.vertices(face)[i] == v);
     CHECK(corners.insert({face, i}).second); // each once
   });
@@ -78,7 +78,7 @@ Model model_of(const std::vector<Triangle>& triangles) {
 TEST_CASE("A complex lists the corners at each vertex") {
   const auto soup = test::tetrahedron();
   TriangleComplex complex(6, test::array_of(soup.triangles)); // with two isolated vertices
-  CHECK(complex.live_faces() == 4);
+  CHECK(complex.count_faces() == 4);
   for (Index v = 0; v < 4; ++v)
     CHECK(corners_at(complex, v).size() == 3);
   CHECK_FALSE(complex.has_faces(4));
@@ -87,8 +87,8 @@ TEST_CASE("A complex lists the corners at each vertex") {
 
 TEST_CASE("A triangle with two equal vertices is dead from the beginning") {
   TriangleComplex complex(3, {{0, 1, 1}, {0, 1, 2}, {2, 2, 2}, {0, 1, 0}});
-  CHECK(complex.live_faces() == 1);
-  CHECK(complex.is_dead(0));
+  CHECK(complex.count_faces() == 1);
+  CHECK(complex.is_removed(0));
   CHECK(corners_at(complex, 0) == Corners{{1, 0}});
   CHECK(corners_at(complex, 1) == Corners{{1, 1}});
   CHECK(corners_at(complex, 2) == Corners{{1, 2}});
@@ -109,9 +109,9 @@ TEST_CASE("Merging takes all corners along, from and to vertices without any") {
 
 TEST_CASE("A vertex of which all faces have died has none after the next walk") {
   TriangleComplex complex(4, {{0, 1, 2}, {0, 2, 3}});
-  complex.kill(0);
-  complex.kill(1);
-  CHECK(complex.live_faces() == 0);
+  complex.remove_face(0);
+  complex.remove_face(1);
+  CHECK(complex.count_faces() == 0);
   for (Index v = 0; v < 4; ++v) {
     CHECK(corners_at(complex, v).empty());
     CHECK_FALSE(complex.has_faces(v));
@@ -125,23 +125,23 @@ TEST_CASE("Random merges and deaths leave the same corners as in plain sets") {
   const std::vector<Triangle> triangles = random_triangles(random, vertices);
   TriangleComplex complex(vertices, test::array_of(triangles));
   Model model = model_of(triangles);
-  const auto kill = [&](Index face) {
-    complex.kill(face);
+  const auto remove_face = [&](Index face) {
+    complex.remove_face(face);
     model.erase(face);
   };
   while (!model.empty()) {
     if (random.below(3) == 0)
-      kill(std::next(model.begin(), random.below(model.size()))->first);
+      remove_face(std::next(model.begin(), random.below(model.size()))->first);
     const Index kept = random.below(vertices), gone = random.below(vertices);
     if (kept != gone) {
       for (const auto& [face, place] : corners_at(complex, gone))
         if (const auto& t = complex.vertices(face); std::find(t.begin(), t.end(), kept) != t.end())
-          kill(face);
+          remove_face(face);
       complex.merge(kept, gone);
       for (auto& [face, t] : model)
         std::replace(t.begin(), t.end(), gone, kept);
     }
-    REQUIRE(complex.live_faces() == model.size());
+    REQUIRE(complex.count_faces() == model.size());
     // Some lists are left unwalked for a while, with their dead faces.
     for (Index v = random.below(2); v < vertices; v += 1 + random.below(2)) {
       REQUIRE(corners_at(complex, v) == corners_at(model, v));
@@ -157,60 +157,60 @@ TEST_CASE("What is left gets new numbers in the same order, and its origins are 
   const std::vector<Triangle> triangles = random_triangles(random, vertices);
   TriangleComplex complex(vertices, test::array_of(triangles));
   Model model = model_of(triangles); // by first numbers
-  Origins vertex_origins(vertices, {}), face_origins(complex.face_capacity(), {});
+  InputIndices input_vertices(vertices, {}), input_faces(complex.face_capacity(), {});
   for (int round = 0; round < 3; ++round) {
     for (Index f = 0; f < complex.face_capacity(); ++f)
-      if (!complex.is_dead(f) && random.below(3) == 0) {
-        complex.kill(f);
-        model.erase(face_origins[f]);
+      if (!complex.is_removed(f) && random.below(3) == 0) {
+        complex.remove_face(f);
+        model.erase(input_faces[f]);
       }
     for (Index v = 0; v < complex.vertex_capacity(); ++v)
-      complex.for_each_corner(v, [](Index, Index) {}); // drops corners of faces that are gone
+      complex.prune_corners(v);
     const auto left_vertices = complex.left_vertices();
-    face_origins.pack_if([&](Index face) { return !complex.is_dead(face); });
+    input_faces.pack_if([&](Index face) { return !complex.is_removed(face); });
     complex.pack(left_vertices);
     complex.fill_lists();
-    vertex_origins.pack(left_vertices);
+    input_vertices.pack(left_vertices);
     REQUIRE(complex.face_capacity() == model.size());
     std::set<Index> named;
     Index number = 0;
     for (const auto& [face, t] : model) {
-      REQUIRE(face_origins[number] == face);
+      REQUIRE(input_faces[number] == face);
       for (Index i = 0; i < 3; ++i)
-        REQUIRE(vertex_origins[complex.vertices(number)[i]] == t[i]);
+        REQUIRE(input_vertices[complex.vertices(number)[i]] == t[i]);
       named.insert(t.begin(), t.end());
       ++number;
     }
     REQUIRE(complex.vertex_capacity() == named.size());
-    const Origins numbers = vertex_origins.inverse();
-    REQUIRE(numbers.first_count() == vertices);
+    const InputIndices numbers = input_vertices.inverse();
+    REQUIRE(numbers.input_count() == vertices);
     for (Index v = 0; v < vertices; ++v)
       REQUIRE((numbers[v] == none) == (named.count(v) == 0));
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-      REQUIRE(numbers[vertex_origins[v]] == v);
-      REQUIRE(corners_at(complex, v).size() == corners_at(model, vertex_origins[v]).size());
+      REQUIRE(numbers[input_vertices[v]] == v);
+      REQUIRE(corners_at(complex, v).size() == corners_at(model, input_vertices[v]).size());
     }
   }
 }
 
 TEST_CASE("Where nothing has been left out, origins are those that were given, or the numbers") {
-  const Origins none_given(20, {});
+  const InputIndices none_given(20, {});
   CHECK(none_given[17] == 17);
   CHECK(none_given.inverse()[17] == 17);
-  const Origins given(3, {2, 0, 1});
+  const InputIndices given(3, {2, 0, 1});
   CHECK(given[0] == 2);
-  const Origins numbers = given.inverse();
+  const InputIndices numbers = given.inverse();
   for (Index i = 0; i < 3; ++i)
     CHECK(numbers[given[i]] == i);
   CHECK(numbers[0] == 1);
 }
 
 TEST_CASE("Images are told by origins, whether merges were or not") {
-  const bool by_origins = GENERATE(false, true);
-  Numbering numbering({4, {3, 1, 0, 2}}, {0, {}}, by_origins);
+  const bool by_input = GENERATE(false, true);
+  Numbering numbering({4, {3, 1, 0, 2}}, {0, {}}, by_input);
   numbering.merge(1, 0); // by origins, 3 into 1
   numbering.merge(2, 1); // 1 into 0
-  numbering.use_origins();
+  numbering.use_input_indices();
   CHECK(numbering.image(3) == 0);
   CHECK(numbering.image(1) == 0);
   CHECK(numbering.image(0) == 0);
@@ -230,22 +230,22 @@ TEST_CASE("More faces or vertices than 32 bits can number are refused with their
   CHECK(4 * (TriangleComplex::max_faces - 1) + 2 < quadrille::internal::none);
 }
 
-TEST_CASE("Marks are forgotten at once, also when their numbers run out") {
-  Marks marks(3);
-  CHECK_FALSE(marks.is_marked(0));
+TEST_CASE("VertexLabels are forgotten at once, also when their numbers run out") {
+  VertexLabels labels(3);
+  CHECK_FALSE(labels.is_labelled(0));
   const Index large = quadrille::internal::none / 4; // the numbers run out after a few rounds
   for (int round = 0; round < 20; ++round) {
-    marks.clear(large + 1);
+    labels.clear(large + 1);
     for (Index v = 0; v < 3; ++v)
-      REQUIRE_FALSE(marks.is_marked(v));
-    marks.set(0);
-    marks.set(1, round % 2 == 0 ? large : 7);
-    REQUIRE(marks.is_marked_with(0, 0));
-    REQUIRE(marks.is_marked_with(1, round % 2 == 0 ? large : 7));
-    REQUIRE(marks[1] == (round % 2 == 0 ? large : 7));
-    REQUIRE_FALSE(marks.is_marked(2));
-    marks.set(1, 3); // again, with a lower number
-    REQUIRE(marks[1] == 3);
+      REQUIRE_FALSE(labels.is_labelled(v));
+    labels.set(0);
+    labels.set(1, round % 2 == 0 ? large : 7);
+    REQUIRE(labels.has_label(0, 0));
+    REQUIRE(labels.has_label(1, round % 2 == 0 ? large : 7));
+    REQUIRE(labels[1] == (round % 2 == 0 ? large : 7));
+    REQUIRE_FALSE(labels.is_labelled(2));
+    labels.set(1, 3); // again, with a lower number
+    REQUIRE(labels[1] == 3);
   }
 }
 

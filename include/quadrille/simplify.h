@@ -73,7 +73,7 @@ inline namespace QUADRILLE_THREADING {
 /// makes no sense, std::length_error above 2³⁰ faces, and what the user's own maps, policies and
 /// visitors throw. If it throws, the mesh is as it was; what it has put into maps is put back, as
 /// far as they let it (but for vertex_quadric_map and vertex_image_map, which nobody else fills),
-/// and vertices that it had added are removed again, which a mesh that marks what is removed may
+/// and vertices that it had added are removed again, which a mesh that labels what is removed may
 /// count as garbage.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>

@@ -89,7 +89,7 @@ private:
   // Counting all pairs could take O(n²): up to a thousand vertices are looked at, in an order that
   // jumps about, until they have met enough others.
   static double estimated_pairs(const internal::ClosePoints& finder, std::size_t points) {
-    const std::size_t samples = std::min<std::size_t>(points, 1000);
+    const std::size_t samples = (std::min<std::size_t>)(points, 1000);
     const std::size_t jump = 1627; // a prime, so that no vertex comes twice
     double count = 0;
     std::size_t n = 0;

@@ -251,7 +251,7 @@ Case make_case(Bytes bytes, int size) {
       if (v >= soup.points.size())
         return result;
   const SoupTopology topology = topology_of(soup);
-  result.is_mesh = topology.is_manifold && topology.is_oriented && !topology.has_doubled_faces &&
+  result.is_mesh = topology.is_manifold && topology.is_oriented && !topology.has_duplicate_faces &&
                    !topology.has_collapsed_faces &&
                    // in some orders of faces CGAL's add_face() loses its way
                    is_valid_triangle_mesh(make_mesh(soup));
@@ -459,8 +459,8 @@ private:
 
   void require_clean() {
     require(!topology_after_.has_collapsed_faces, "a face with two equal corners");
-    require(!topology_after_.has_doubled_faces || report_.duplicated_vertices > 0,
-            "a doubled face");
+    require(!topology_after_.has_duplicate_faces || report_.duplicated_vertices > 0,
+            "a duplicate face");
     require(topology_after_.vertices == after_.points.size(), "a point of no face");
   }
 

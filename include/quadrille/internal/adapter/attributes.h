@@ -3,6 +3,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/internal/base/attribute_values.h>
+#include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/vector.h>
 
@@ -20,24 +21,6 @@
 #include <utility>
 
 namespace quadrille::internal {
-
-/// A position and its attributes as one point, and the attributes of such a point.
-template <std::size_t N>
-Vector<3 + N> join(const Vector<3>& position, const Vector<N>& attributes) {
-  Vector<3 + N> joined;
-  std::copy(position.coordinates.begin(), position.coordinates.end(), joined.coordinates.begin());
-  std::copy(attributes.coordinates.begin(), attributes.coordinates.end(),
-            joined.coordinates.begin() + 3);
-  return joined;
-}
-
-template <std::size_t D>
-Vector<D - 3> attributes_of(const Vector<D>& joined) {
-  Vector<D - 3> attributes;
-  std::copy(joined.coordinates.begin() + 3, joined.coordinates.end(),
-            attributes.coordinates.begin());
-  return attributes;
-}
 
 /// Attributes of the vertices, for a cost that looks at positions only.
 struct NoAttributes {
@@ -112,7 +95,7 @@ public:
 private:
   // Of a value whose type does not tell how many it has.
   static void require_components([[maybe_unused]] const Value& value) {
-    if constexpr (component_count<Value>() == std::numeric_limits<std::size_t>::max() &&
+    if constexpr (component_count<Value>() == (std::numeric_limits<std::size_t>::max)() &&
                   requires { static_cast<std::size_t>(value.size()); })
       if (static_cast<std::size_t>(value.size()) < N)
         throw std::invalid_argument("quadrille::simplify: the attributes of a vertex have " +
@@ -134,9 +117,9 @@ private:
       using Limits = std::numeric_limits<T>; // as a double max() of 64 bits is one too many
       const double rounded = std::round(x);
       if (!(rounded > static_cast<double>(Limits::min())))
-        return Limits::min();
-      if (rounded >= static_cast<double>(Limits::max()))
-        return Limits::max();
+        return (Limits::min)();
+      if (rounded >= static_cast<double>((Limits::max)()))
+        return (Limits::max)();
       return static_cast<T>(rounded);
     } else {
       return to_number<T>(x);

@@ -76,8 +76,8 @@ private:
   // From here on, edges are told by the numbers of the result.
   template <class Result>
   void number_vertices(const Result& result) {
-    left_ = result.vertex_origins();
-    number_ = places(left_, result.first_vertex_count());
+    left_ = result.input_vertices();
+    number_ = places(left_, result.input_vertex_count());
     named_edges_.renumber([&](Index v) { return number_of(v, result); });
   }
 
@@ -90,15 +90,15 @@ private:
   // With the halfedges to their corners, which are in the order of read().
   template <class Result>
   void collect_faces(const Result& result) {
-    const Array<Index> origins = result.face_origins();
-    const Array<Index> places = internal::places(origins, result.first_face_count());
-    const std::size_t left = origins.size();
+    const Array<Index> inputs = result.input_faces();
+    const Array<Index> places = internal::places(inputs, result.input_face_count());
+    const std::size_t left = inputs.size();
     faces_.resize(left + 1);
     doomed_faces_.resize(places.size() - left + 1);
     std::size_t face = 0, found = 0;
     for (Face f : faces(mesh_)) { // without a branch: it is hard to guess
       const Index place = places[face];
-      faces_[std::min<std::size_t>(place, left)] = f;
+      faces_[(std::min<std::size_t>)(place, left)] = f;
       doomed_faces_[face++ - found] = f;
       found += place != none;
     }

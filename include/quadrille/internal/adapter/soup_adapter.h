@@ -40,7 +40,7 @@ public:
   SurfaceInput<dimension> read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
     SurfaceInput<dimension> surface(workspace_);
-    surface.has_doubled_faces = true;
+    surface.has_duplicate_faces = true;
     surface.reserve(std::ranges::size(points_), std::ranges::size(triangles_));
     for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
       surface.positions.push_back(read_position(v));
@@ -67,24 +67,24 @@ public:
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     Points points = empty_like(points_);
-    const Array<Index> origins = result.vertex_origins();
-    const Array<Index> vertices = in_order(origins, result.first_vertex_count());
+    const Array<Index> inputs = result.input_vertices();
+    const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
     const Array<Index> new_index = places(vertices, vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       tell.vertex(i, vertices[i], result);
-      points.push_back(points_[origins[vertices[i]]]);
+      points.push_back(points_[inputs[vertices[i]]]);
     }
     if constexpr (Tell::asks_for_images)
-      tell_images(result, places(origins, result.first_vertex_count()), new_index, tell);
+      tell_images(result, places(inputs, result.input_vertex_count()), new_index, tell);
     Triangles triangles = empty_like(triangles_);
-    const Array<Index> face_origins = result.face_origins();
-    for (Index face : in_order(face_origins, result.first_face_count()))
+    const Array<Index> input_faces = result.input_faces();
+    for (Index face : in_order(input_faces, result.input_face_count()))
       triangles.push_back(
-          renumbered(triangles_[face_origins[face]], result.corners(face), new_index));
+          renumbered(triangles_[input_faces[face]], result.corners(face), new_index));
     Undo undo;
     try {
       move_points(result, vertices, points, undo);
-      write_attributes(result, vertices, origins, undo);
+      write_attributes(result, vertices, inputs, undo);
     } catch (...) {
       undo.run(*this, points);
       throw;
@@ -109,20 +109,20 @@ private:
     }
   };
 
-  // The numbers of the result in the order of their origins, which are below `count`.
-  static Array<Index> in_order(const Array<Index>& origins, std::size_t count) {
-    Array<Index> order = places(origins, count);
+  // The numbers of the result in the order of their inputs, which are below `count`.
+  static Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
+    Array<Index> order = places(inputs, count);
     std::erase(order, none);
     return order;
   }
 
-  // `numbers` are those of the result, by origins.
+  // `numbers` are those of the result, by inputs.
   template <class Result, class Tell>
   static void tell_images(const Result& result, const Array<Index>& numbers,
                           const Array<Index>& new_index, Tell& tell) {
-    for (Index origin = 0; origin < numbers.size(); ++origin) {
-      const Index number = numbers[result.image(origin)];
-      tell.image(std::size_t{origin},
+    for (Index input = 0; input < numbers.size(); ++input) {
+      const Index number = numbers[result.image(input)];
+      tell.image(std::size_t{input},
                  number == none ? parameters::vanished : std::size_t{new_index[number]});
     }
   }
@@ -186,11 +186,11 @@ private:
   // needed.
   template <class Result>
   void write_attributes(const Result& result, const Array<Index>& vertices,
-                        const Array<Index>& origins, Undo& undo) {
+                        const Array<Index>& inputs, Undo& undo) {
     if constexpr (Attributes::size > 0)
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         undo.attributes.push_back(attributes_.raw(i));
-        attributes_.put_raw(i, attributes_.raw(std::size_t{origins[vertices[i]]}));
+        attributes_.put_raw(i, attributes_.raw(std::size_t{inputs[vertices[i]]}));
         if (result.is_moved(vertices[i]))
           attributes_.write(i, attributes_of(result.position(vertices[i])));
       }

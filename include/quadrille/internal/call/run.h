@@ -2,8 +2,10 @@
 #define QUADRILLE_INTERNAL_CALL_RUN_H
 
 #include <quadrille/internal/base/parallel.h>
-#include <quadrille/internal/contraction/pair_contraction.h>
+#include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/result.h>
+#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/order/greedy_loop.h>
 #include <quadrille/internal/order/relaxed_passes.h>
 #include <quadrille/internal/policy/policies.h>
@@ -13,6 +15,7 @@
 
 #include <chrono>
 #include <concepts>
+#include <optional>
 #include <utility>
 
 namespace quadrille::internal {
@@ -33,12 +36,16 @@ private:
 /// Of a surface of so many vertices and faces, most of which will go.
 template <class Policies>
 MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
+  using Cost = typename Policies::Cost;
   constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
-  // Beside what costs look at: its list of corners, its mark, what it has become part of, two
-  // bytes; with a queue, since when its pairs hold, and those that were refused.
-  constexpr std::size_t a_vertex =
-      PairCosts<Policies>::bytes_a_vertex + (has_queue ? 6 : 4) * sizeof(Index) + 2;
-  // Its corners, and room for another one or its origin.
+  constexpr std::size_t columns =
+      bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +
+      bytes_a_vertex<typename LocalTermsOf<Cost>::type> + bytes_a_vertex<LinkCondition> +
+      bytes_a_vertex<MovedVertices<Cost::dimension>>;
+  // Beside these: its list of corners, its label, what it has become part of; with a queue, since
+  // when its pairs hold, and those that were refused.
+  constexpr std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
+  // Its corners, and room for another one or its input index.
   constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 4 * sizeof(Index);
   constexpr std::size_t passes = std::size_t{1} << 18; // proposals
   const std::size_t queue =
@@ -48,25 +55,37 @@ MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
   return {least, 2 * least + few};
 }
 
-/// The loop, in the order that was asked for.
+/// Contracts pairs in the order that was asked for. Returns why that has ended.
 template <class Policies>
-void contract(PairContraction<Policies>& surface, Report& report, StopWatch& watch) {
-  if (surface.is_cancelled()) {
-    report.stop = StopReason::cancelled;
-    return;
-  }
+StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
+  if (surface.progress().is_cancelled())
+    return StopReason::cancelled;
   if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
     report.seconds.prepare = watch.lap();
-    const bool is_cancelled = !RelaxedPasses<Policies>(surface, surface.policies().order).run();
-    if (is_cancelled || surface.is_enough()) {
-      report.stop = is_cancelled ? StopReason::cancelled : surface.reason_of_target();
-      return;
-    }
+    if (!RelaxedPasses<Policies>(surface, surface.policies().order).run())
+      return StopReason::cancelled;
+    if (surface.progress().is_enough())
+      return surface.target_rules().reason_of_stop(surface.status());
   }
   GreedyLoop<Policies> loop(surface);
   if constexpr (std::same_as<typename Policies::Order, GreedyOrder>)
     report.seconds.prepare = watch.lap();
-  report.stop = loop.run();
+  return loop.run();
+}
+
+/// What becomes of a surface; nothing if the visitor cancels before the first contraction.
+template <class Policies, class Input, class Box>
+std::optional<FinishedSurface<typename Policies::Cost>>
+simplify_input(Input input, const Box& box, const Policies& policies, bool keeps_memories,
+               Report& report, StopWatch& watch) {
+  WorkingSurface<Policies> surface(std::move(input), box, policies);
+  report.stop = contract(surface, report, watch);
+  const bool is_cancelled = surface.progress().is_cancelled();
+  if (is_cancelled && surface.status().contractions == 0)
+    return std::nullopt;
+  if (!is_cancelled)
+    surface.progress().tell_end();
+  return std::move(surface).finish(keeps_memories, report);
 }
 
 /// Asks the visitor for the first time.
@@ -86,8 +105,8 @@ inline Report untouched(Report report) {
   return report;
 }
 
-/// Data flows one way: adapter, complex, loop, adapter. `read` gives the input of the adapter; it
-/// calls tell as Teller says.
+/// Data flows one way: adapter, working surface, loop, result, adapter. `read` gives the input of
+/// the adapter; it calls tell as Teller says.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   StopWatch watch;
@@ -102,17 +121,14 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
   const auto box = input.box();
   if constexpr (ignores_indices<typename Policies::Pairs>)
     SpatialOrder::apply(input, box, policies.threads);
-  PairContraction<Policies> surface(std::move(input), box, policies);
-  contract(surface, report, watch);
-  if (surface.is_cancelled() && surface.status().contractions == 0)
+  auto finished =
+      simplify_input(std::move(input), box, policies, Tell::asks_for_memories, report, watch);
+  if (!finished)
     return untouched(report);
-  surface.complete(report);
-  if (!surface.is_cancelled())
-    surface.tell_end();
-  Numbering numbering = surface.release(Tell::asks_for_memories);
+  const Result result(*std::move(finished));
   report.seconds.contract = watch.lap();
 
-  report.duplicated_vertices = adapter.write(Result<Policies>(surface, std::move(numbering)), tell);
+  report.duplicated_vertices = adapter.write(result, tell);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;

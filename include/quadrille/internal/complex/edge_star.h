@@ -21,24 +21,24 @@ struct EdgeAt {
 /// The edges at a vertex, each once, in the order in which they are met.
 class EdgeStar {
 public:
-  const std::vector<EdgeAt>& gather(TriangleComplex& complex, Index v, Marks& marks) {
+  const std::vector<EdgeAt>& gather(TriangleComplex& complex, Index v, VertexLabels& labels) {
     edges_.clear();
-    marks.clear(2 * complex.degree_bound(v));
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
-      add(f.second, f.third, marks);
-      add(f.third, f.second, marks);
+    labels.clear(2 * complex.degree_bound(v));
+    complex.prune_corners(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex, face, i);
+      add(f.second, f.third, labels);
+      add(f.third, f.second, labels);
     });
     return edges_;
   }
 
 private:
-  void add(Index w, Index opposite, Marks& marks) {
-    if (!marks.is_marked(w)) {
-      marks.set(w, static_cast<Index>(edges_.size()));
+  void add(Index w, Index opposite, VertexLabels& labels) {
+    if (!labels.is_labelled(w)) {
+      labels.set(w, static_cast<Index>(edges_.size()));
       edges_.push_back({w});
     }
-    EdgeAt& edge = edges_[marks[w]];
+    EdgeAt& edge = edges_[labels[w]];
     if (edge.faces < 2)
       edge.opposite[edge.faces] = opposite;
     ++edge.faces;

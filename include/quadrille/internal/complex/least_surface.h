@@ -27,10 +27,10 @@ struct PartTally {
   /// 1890). Of another one they are those of a triangle, and a face for every two fixed vertices.
   SurfaceSize least() const {
     if (!is_closed)
-      return {std::max<std::size_t>(1, fixed / 2), std::max<std::size_t>(3, fixed)};
+      return {(std::max<std::size_t>)(1, fixed / 2), (std::max<std::size_t>)(3, fixed)};
     const double euler = static_cast<double>(vertices) - static_cast<double>(faces) / 2;
     const double heawood = std::ceil((7 + std::sqrt(49 - 24 * euler)) / 2);
-    const double most = std::max(heawood, static_cast<double>(fixed));
+    const double most = (std::max)(heawood, static_cast<double>(fixed));
     return {static_cast<std::size_t>(2 * (most - euler)), static_cast<std::size_t>(most)};
   }
 };
@@ -50,7 +50,7 @@ SurfaceSize least_surface(const TriangleComplex& complex, const LinkCondition& l
       part.is_closed &= link_condition.is_interior(v);
     }
   for (Index face = 0; face < complex.face_capacity(); ++face)
-    if (!complex.is_dead(face))
+    if (!complex.is_removed(face))
       ++parts[root[complex.vertices(face)[0]]].faces;
   SurfaceSize size{0, 0, 0};
   for (const PartTally& part : parts)

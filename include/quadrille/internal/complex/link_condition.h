@@ -1,149 +1,18 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_LINK_CONDITION_H
 #define QUADRILLE_INTERNAL_COMPLEX_LINK_CONDITION_H
 
-#include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/complex/vertex_classifier.h>
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/memory/packing.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <tuple>
 
 namespace quadrille::internal {
-
-/// How the faces lie around a vertex: all round and each in the same sense, all round in senses
-/// that differ, along a path, as three pages or more of a book on whose spine the vertex is, or
-/// otherwise.
-enum class VertexKind : std::uint8_t { interior, unoriented, boundary, spine, singular };
-
-/// Classifies vertices by their links: that of an interior vertex is one cycle, that of a boundary
-/// vertex one path, that of a vertex on a spine three paths or more between the same two ends.
-class VertexClassifier {
-public:
-  VertexKind operator()(TriangleComplex& complex, Index v, Marks& marks) {
-    star_.resize(complex.degree_bound(v));
-    Index faces = 0;
-    marks.clear(star_.size());
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = star_[faces] = PairStar::star_face(complex, face, i);
-      marks.set(f.second, faces++);
-    });
-    star_.resize(faces);
-    return is_oriented_cycle(marks) ? VertexKind::interior : classify(marks);
-  }
-
-private:
-  // The usual case: each face of the star follows just one other, all round. A vertex of the link
-  // is marked with the face that begins at it.
-  bool is_oriented_cycle(const Marks& marks) const {
-    const Index faces = static_cast<Index>(star_.size());
-    Index face = 0;
-    for (Index step = 0; step < faces; ++step) {
-      const Index end = star_[face].third;
-      if (!marks.is_marked(end) || marks[end] == 0)
-        return step + 1 == faces && marks.is_marked(end); // round; too early if faces are left
-      face = marks[end];
-    }
-    return false;
-  }
-
-  struct LinkVertex {
-    Index degree = 0;
-    std::array<Index, 2> neighbours{}; // the first two
-
-    void add(Index neighbour) {
-      if (degree < 2)
-        neighbours[degree] = neighbour;
-      ++degree;
-    }
-  };
-
-  VertexKind classify(Marks& marks) {
-    number_link(marks);
-    std::size_t ends = 0;
-    Index start = 0;
-    for (Index i = 0; i < link_.size(); ++i) {
-      if (link_[i].degree > 2)
-        return is_spine(i, marks) ? VertexKind::spine : VertexKind::singular;
-      if (link_[i].degree == 1) {
-        ++ends;
-        start = i;
-      }
-    }
-    if (star_.empty())
-      return VertexKind::interior; // it takes part in nothing
-    if (ends > 2 || walk(start) != star_.size())
-      return VertexKind::singular;
-    return ends == 0 ? VertexKind::unoriented : VertexKind::boundary;
-  }
-
-  void number_link(Marks& marks) {
-    link_.clear();
-    marks.clear(2 * star_.size());
-    const auto number_of = [&](Index v) {
-      if (!marks.is_marked(v)) {
-        marks.set(v, static_cast<Index>(link_.size()));
-        link_.emplace_back();
-      }
-      return marks[v];
-    };
-    for (const StarFace& f : star_) {
-      const Index p = number_of(f.second), q = number_of(f.third);
-      link_[p].add(q);
-      link_[q].add(p);
-    }
-  }
-
-  struct Path {
-    std::size_t edges;
-    Index end;
-  };
-
-  // From `start` over `current` to the other end of that path, or round its cycle.
-  Path follow(Index start, Index current) const {
-    Index previous = start;
-    std::size_t edges = 1;
-    while (current != start && link_[current].degree == 2) {
-      const auto& n = link_[current].neighbours;
-      const Index next = n[0] == previous ? n[1] : n[0];
-      previous = current;
-      current = next;
-      ++edges;
-    }
-    return {edges, current};
-  }
-  std::size_t walk(Index start) const {
-    return link_.empty() ? 0 : follow(start, link_[start].neighbours[0]).edges;
-  }
-
-  // Does every path from an end of pages lead to the same other end, and are there no other edges?
-  bool is_spine(Index first, const Marks& marks) const {
-    Index second = none;
-    std::size_t edges = 0;
-    const auto leads_to_second = [&](Index next) {
-      const Path path = follow(first, next);
-      edges += path.edges;
-      second = second == none ? path.end : second;
-      return path.end == second && path.end != first;
-    };
-    for (const StarFace& f : star_) {
-      const Index p = marks[f.second], q = marks[f.third];
-      if ((p == first && !leads_to_second(q)) || (q == first && !leads_to_second(p)))
-        return false;
-    }
-    return edges == star_.size() && link_[second].degree == link_[first].degree;
-  }
-
-  std::vector<StarFace> star_;
-  std::vector<LinkVertex> link_;
-};
 
 /// Tells whether a contraction keeps the topology of the surface.
 ///
@@ -157,32 +26,31 @@ class LinkCondition {
 public:
   LinkCondition() = default;
 
-  /// Classifies every vertex, in linear time, with a thread for each scratch.
-  template <class Threads = OneThread>
-  LinkCondition(TriangleComplex& complex, std::vector<Scratch>& scratches,
-                Threads threads = Threads())
+  /// Classifies every vertex, in linear time. labels_of(worker) are labels for each thread.
+  template <class LabelsOf, class Threads = OneThread>
+  LinkCondition(TriangleComplex& complex, LabelsOf labels_of, Threads threads = Threads())
       : kind_(complex.vertex_capacity(), complex.workspace()) {
     for_each_range(threads, kind_.size(), [&](const auto& range, std::size_t worker) {
       VertexClassifier classify;
       for (Index v = range.begin; v < range.end; ++v)
-        kind_[v] = classify(complex, v, scratches[worker].marks);
+        kind_[v] = classify(complex, v, labels_of(worker));
     });
     is_closed_ =
         std::all_of(kind_.begin(), kind_.end(), [](Kind kind) { return kind <= Kind::unoriented; });
   }
 
-  bool holds(const PairStar& star, Index a, Index b, Marks& marks) const {
+  bool holds(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
     if (star.shared.empty())
       return false; // not an edge
     constexpr Index in_first = 0, in_both = 1;
-    marks.clear(2);
+    labels.clear(2);
     for (const StarFace& f : star.shared)
-      marks.set(f.second == b ? f.third : f.second, in_first);
-    for_each_neighbour(star.first, a, [&](Index v) { marks.set(v, in_first); });
+      labels.set(f.second == b ? f.third : f.second, in_first);
+    for_each_neighbour(star.first, a, [&](Index v) { labels.set(v, in_first); });
     std::size_t common = 0;
     const auto count_common = [&](Index v) {
-      if (marks.is_marked_with(v, in_first)) {
-        marks.set(v, in_both);
+      if (labels.has_label(v, in_first)) {
+        labels.set(v, in_both);
         ++common;
       }
     };
@@ -190,13 +58,13 @@ public:
     for (const StarFace& f : star.shared)
       count_common(f.second == b ? f.third : f.second);
     if (common != star.shared.size())
-      return false; // a common neighbour that is not opposite to the edge, or a doubled face
+      return false; // a common neighbour that is not opposite to the edge, or a duplicate face
     for (const StarFace& f : star.first)
-      if (marks.is_marked_with(f.second, in_both) && marks.is_marked_with(f.third, in_both) &&
+      if (labels.has_label(f.second, in_both) && labels.has_label(f.third, in_both) &&
           has_link_edge(star.second, f.second, f.third))
-        return false; // a common edge: the two would become a doubled face
-    return std::min(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b) ||
-           is_along_spine(star, a, b, marks);
+        return false; // a common edge: the two would become a duplicate face
+    return (std::min)(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b) ||
+           is_along_spine(star, a, b, labels);
   }
 
   /// Is every vertex known to be inside the surface?
@@ -207,18 +75,22 @@ public:
   /// And is each neighbour the second vertex of just one of its faces?
   bool is_oriented(Index v) const { return !kind_.empty() && kind_[v] == Kind::interior; }
 
-  [[gnu::always_inline]] void prefetch(Index v) const { internal::prefetch(&kind_[v]); }
+  static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
 
-  void pack(const Array<Index>& vertices) { internal::pack(kind_, vertices); }
-
-  void merge(Index kept, Index gone) { kind_[kept] = std::max(kind_[kept], kind_[gone]); }
+  void merge(Index kept, Index gone) { kind_[kept] = (std::max)(kind_[kept], kind_[gone]); }
+  /// A vertex of two kinds is of the one that allows less.
+  template <class Event>
+  void after(const Event& event) {
+    if (!kind_.empty())
+      merge(event.kept, event.gone);
+  }
 
 private:
   using Kind = VertexKind;
 
   // Of an oriented vertex, all neighbours but those of its shared faces are second vertices.
   template <class Visit>
-  void for_each_neighbour(const Room<StarFace>& faces, Index v, Visit visit) const {
+  void for_each_neighbour(const AppendBuffer<StarFace>& faces, Index v, Visit visit) const {
     if (kind_[v] == Kind::interior) {
       for (const StarFace& f : faces)
         visit(f.second);
@@ -230,7 +102,7 @@ private:
     }
   }
 
-  static bool has_link_edge(const Room<StarFace>& star, Index p, Index q) {
+  static bool has_link_edge(const AppendBuffer<StarFace>& star, Index p, Index q) {
     return std::any_of(star.begin(), star.end(), [&](const StarFace& f) {
       return (f.second == p && f.third == q) || (f.second == q && f.third == p);
     });
@@ -248,22 +120,22 @@ private:
 
   // One end lies on a spine, and the other on the same: so must the edge, and nothing may join them
   // behind it. The next vertex on the spine is that of as many faces as the edge has.
-  bool is_along_spine(const PairStar& star, Index a, Index b, Marks& marks) const {
+  bool is_along_spine(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
     if (star.shared.size() < 3 || (kind_[a] != Kind::spine && kind_[b] != Kind::spine))
       return false;
-    const Room<StarFace>& faces = kind_[a] == Kind::spine ? star.first : star.second;
+    const AppendBuffer<StarFace>& faces = kind_[a] == Kind::spine ? star.first : star.second;
     const Index pages = static_cast<Index>(star.shared.size());
-    marks.clear(pages + 1);
+    labels.clear(pages + 1);
     for (const StarFace& f : faces)
       for (Index v : {f.second, f.third}) {
-        marks.set(v, marks.is_marked(v) ? marks[v] + 1 : 1);
-        if (marks[v] == pages)
+        labels.set(v, labels.is_labelled(v) ? labels[v] + 1 : 1);
+        if (labels[v] == pages)
           return !has_vertex(star.shared, v);
       }
     return false;
   }
 
-  static bool has_vertex(const Room<StarFace>& star, Index v) {
+  static bool has_vertex(const AppendBuffer<StarFace>& star, Index v) {
     return std::any_of(star.begin(), star.end(),
                        [&](const StarFace& f) { return f.second == v || f.third == v; });
   }

@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/report.h>
 
 #include <cstddef>
 #include <numeric>
@@ -23,7 +24,7 @@ inline Array<Index> component_roots(const TriangleComplex& complex) {
     return v;
   };
   for (Index face = 0; face < complex.face_capacity(); ++face) {
-    if (complex.is_dead(face))
+    if (complex.is_removed(face))
       continue;
     const auto [a, b, c] = complex.vertices(face);
     parent[root(b)] = root(a);
@@ -45,17 +46,23 @@ inline std::size_t count_components(const TriangleComplex& complex) {
 
 struct TopologyCount {
   std::size_t components = 0, non_manifold_edges = 0, non_manifold_vertices = 0;
+
+  void tell(Report& report) const {
+    report.components_after = components;
+    report.non_manifold_edges = non_manifold_edges;
+    report.non_manifold_vertices = non_manifold_vertices;
+  }
 };
 
-inline TopologyCount count_topology(TriangleComplex& complex, Marks& marks) {
+inline TopologyCount count_topology(TriangleComplex& complex, VertexLabels& labels) {
   TopologyCount count{count_components(complex)};
   VertexClassifier classify;
   EdgeStar star;
   for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-    if (!complex.has_faces(v) || classify(complex, v, marks) < VertexKind::spine)
+    if (!complex.has_faces(v) || classify(complex, v, labels) < VertexKind::spine)
       continue;
     ++count.non_manifold_vertices;
-    for (const EdgeAt& edge : star.gather(complex, v, marks))
+    for (const EdgeAt& edge : star.gather(complex, v, labels))
       count.non_manifold_edges += edge.faces > 2 && v < edge.other;
   }
   return count;

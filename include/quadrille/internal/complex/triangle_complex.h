@@ -23,8 +23,8 @@ namespace quadrille::internal {
 /// lie side by side in no particular order, in one pool for all vertices, so a walk around a vertex
 /// does not wait for one face to learn of the next, and an edge of three faces is nothing special.
 /// Merging two vertices writes their corners to the end of the pool; when that is full, the lists
-/// are built anew. A face that has died stays in the lists of its corners until the next walk along
-/// them drops it.
+/// are built anew. A face that has been removed stays in the lists of its corners until the next
+/// walk along them drops it.
 class TriangleComplex {
 public:
   static constexpr std::size_t max_faces = std::size_t{1} << 30;
@@ -35,7 +35,7 @@ public:
   TriangleComplex() = default;
 
   /// Builds the lists in linear time; if `will_merge`, with room for as many more corners as there
-  /// are faces. A triangle with two equal vertices is dead from the beginning.
+  /// are faces. A triangle with two equal vertices is removed from the beginning.
   TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge = false)
       : TriangleComplex(vertex_count, std::move(triangles), will_merge, OneThread()) {}
   template <class Threads>
@@ -55,49 +55,50 @@ public:
 
   std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
-  /// Counts those that are not dead.
-  std::size_t live_faces() const {
+  /// Counts those that have not been removed.
+  std::size_t count_faces() const {
     return static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(),
                                                   [](const Triangle& f) { return f[0] != none; }));
   }
   /// Counts those that have faces.
-  std::size_t live_vertices() const {
+  std::size_t count_vertices() const {
     return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(), has_corners));
   }
 
-  bool is_dead(Index face) const { return faces_[face][0] == none; }
+  bool is_removed(Index face) const { return faces_[face][0] == none; }
   const Triangle& vertices(Index face) const { return faces_[face]; }
   /// At most this many faces are at a vertex.
   std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
-  /// A face that has died counts until a walk drops it.
+  /// A face that has been removed counts until a walk drops it.
   bool has_faces(Index vertex) const { return has_corners(lists_[vertex]); }
 
-  /// Calls visit(face, i) for each live face at `vertex`, i being the place of the vertex in the
-  /// face. Drops the corners of dead faces on its way, so its cost is repaid by the faces that
-  /// died.
-  template <class Visit>
-  void for_each_corner(Index vertex, Visit visit) {
-    List& list = lists_[vertex];
-    Index* const corners = pool_.data() + list.begin;
-    const Index size = list.size;
-    Index live = 0;
-    for (Index i = 0; i < size; ++i) {
-      const Index corner = corners[i];
-      if (is_dead(corner >> 2))
-        continue;
-      corners[live++] = corner;
-      visit(corner >> 2, corner & 3);
-    }
-    list.size = live;
-  }
-
-  /// The same without dropping anything.
+  /// Calls visit(face, i) for each face at `vertex`, i being the place of the vertex in the face.
   template <class Visit>
   void for_each_corner(Index vertex, Visit visit) const {
     const List& list = lists_[vertex];
     for (Index i = 0; i < list.size; ++i)
-      if (const Index corner = pool_[list.begin + i]; !is_dead(corner >> 2))
+      if (const Index corner = pool_[list.begin + i]; !is_removed(corner >> 2))
         visit(corner >> 2, corner & 3);
+  }
+  /// The same, and drops the corners of removed faces on its way, so that its cost is repaid by the
+  /// faces that were removed.
+  template <class Visit>
+  void prune_corners(Index vertex, Visit visit) {
+    List& list = lists_[vertex];
+    Index* const corners = pool_.data() + list.begin;
+    const Index size = list.size;
+    Index left = 0;
+    for (Index i = 0; i < size; ++i) {
+      const Index corner = corners[i];
+      if (is_removed(corner >> 2))
+        continue;
+      corners[left++] = corner;
+      visit(corner >> 2, corner & 3);
+    }
+    list.size = left;
+  }
+  void prune_corners(Index vertex) {
+    prune_corners(vertex, [](Index, Index) {});
   }
 
   /// Does is(face, i) hold for any of them? Asks no further then.
@@ -105,7 +106,7 @@ public:
   bool any_corner(Index vertex, Is is) const {
     const Index* const corners = pool_.data() + lists_[vertex].begin;
     return std::any_of(corners, corners + lists_[vertex].size, [&](Index corner) {
-      return !is_dead(corner >> 2) && is(corner >> 2, corner & 3);
+      return !is_removed(corner >> 2) && is(corner >> 2, corner & 3);
     });
   }
 
@@ -118,17 +119,17 @@ public:
         visit(face);
   }
 
-  void kill(Index face) { faces_[face] = {none, none, none}; }
+  void remove_face(Index face) { faces_[face] = {none, none, none}; }
 
   /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces die
   /// whose vertices are asked about: in new lists a vertex that has lost its last face has none.
-  void make_room_to_merge(Index kept, Index gone) {
-    make_room(lists_[kept].size + lists_[gone].size);
+  void reserve_for_merge(Index kept, Index gone) {
+    reserve_corners(lists_[kept].size + lists_[gone].size);
   }
-  /// Moves all faces of `gone` to `kept`, whose list is then free of dead ones. Faces that hold
-  /// both must be dead already.
+  /// Moves all faces of `gone` to `kept`, whose list is then free of removed ones. Faces that hold
+  /// both must have been removed already.
   void merge(Index kept, Index gone) {
-    make_room_to_merge(kept, gone); // no walk may see the pool move
+    reserve_for_merge(kept, gone); // no walk may see the pool move
     const std::size_t most = lists_[kept].size + lists_[gone].size;
     const std::size_t begin = pool_.size();
     pool_.resize(begin + most);
@@ -137,8 +138,8 @@ public:
       for (Index i = 0; i < lists_[vertex].size; ++i) {
         const Index corner = *end = pool_[lists_[vertex].begin + i];
         const Index face = corner >> 2;
-        faces_[face][corner & 3] = is_dead(face) ? none : kept;
-        end += !is_dead(face);
+        faces_[face][corner & 3] = is_removed(face) ? none : kept;
+        end += !is_removed(face);
       }
     };
     append(kept);
@@ -151,7 +152,7 @@ public:
   /// The same, but the faces do not come into the list of `kept` before build_lists() is called.
   /// Writes to nothing but these faces and the list of `gone`.
   void relabel(Index kept, Index gone) {
-    for_each_corner(gone, [&](Index face, Index i) { faces_[face][i] = kept; });
+    prune_corners(gone, [&](Index face, Index i) { faces_[face][i] = kept; });
     lists_[gone].size = 0;
   }
 
@@ -162,12 +163,12 @@ public:
   /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
   /// is told.
   Array<Index> left_vertices() const { return indices_of(lists_, has_corners); }
-  /// The faces that are not dead.
+  /// The faces that have not been removed.
   Array<Index> left_faces() const {
     return indices_of(faces_, [](const Triangle& face) { return face[0] != none; });
   }
-  /// Leaves out all others, and the faces that have died, and numbers what is left anew, 0, 1, ….
-  /// No walk is possible before fill_lists() is called.
+  /// Leaves out all others, and the faces that have been removed, and numbers what is left anew, 0,
+  /// 1, …. No walk is possible before fill_lists() is called.
   void pack(const Array<Index>& vertices);
   /// Fills the lists, of which the sizes are known, each in the order of its faces.
   template <class Threads = OneThread>
@@ -189,7 +190,7 @@ public:
   }
   QUADRILLE_ALWAYS_INLINE void prefetch_faces(Index vertex) const {
     const List& list = lists_[vertex];
-    const Index size = std::min(list.size, most_prefetched);
+    const Index size = (std::min)(list.size, most_prefetched);
     for (Index i = 0; i < size; ++i) // few lie in two lines: to ask for both takes longer
       internal::prefetch(&faces_[pool_[list.begin + i] >> 2].front());
   }
@@ -198,11 +199,11 @@ public:
   template <class Visit>
   QUADRILLE_ALWAYS_INLINE void for_each_next(Index vertex, Visit visit) const {
     const List& list = lists_[vertex];
-    const Index size = std::min(list.size, most_prefetched);
+    const Index size = (std::min)(list.size, most_prefetched);
     for (Index i = 0; i < size; ++i) {
       const Index corner = pool_[list.begin + i];
       const Index w = faces_[corner >> 2][(corner & 3) == 2 ? 0 : (corner & 3) + 1];
-      if (w != none) // else the face is dead
+      if (w != none) // else the face has been removed
         visit(w);
     }
   }
@@ -215,11 +216,11 @@ private:
   static constexpr auto has_corners = [](const List& list) { return list.size != 0; };
 
   // At the end of the pool; if need be, for many a merge more, which repay the new lists.
-  void make_room(std::size_t corners) {
+  void reserve_corners(std::size_t corners) {
     if (pool_.size() + corners <= pool_.capacity())
       return;
     build_lists();
-    pool_.reserve(pool_.size() + std::max(corners, faces_.size() / 2));
+    pool_.reserve(pool_.size() + (std::max)(corners, faces_.size() / 2));
   }
 
   Array<Triangle> faces_;
@@ -236,7 +237,7 @@ TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> trian
   for (Index face = 0; face < faces_.size(); ++face) {
     const auto [a, b, c] = faces_[face];
     if (a == b || b == c || c == a)
-      kill(face);
+      remove_face(face);
   }
   pool_.reserve((will_merge ? 4 : 3) * faces_.size());
   build_lists(threads);
@@ -266,7 +267,7 @@ void TriangleComplex::fill_lists(Threads threads) {
   pool_.resize(all);
   for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
     for (Index face = 0; face < faces_.size(); ++face)
-      if (!is_dead(face))
+      if (!is_removed(face))
         for (Index i = 0; i < 3; ++i)
           if (const Index v = faces_[face][i]; range.contains(v)) {
             List& list = lists_[v];
@@ -280,7 +281,7 @@ inline void TriangleComplex::pack(const Array<Index>& vertices) {
     list.size = 0;
   for (Index v = 0; v < vertices.size(); ++v)
     lists_[vertices[v]].begin = v; // until fill_lists()
-  pack_if(faces_, [this](Index face) { return !is_dead(face); });
+  pack_if(faces_, [this](Index face) { return !is_removed(face); });
   for (Triangle& face : faces_)
     for (Index& v : face) {
       v = lists_[v].begin;

@@ -12,36 +12,36 @@
 namespace quadrille::internal {
 
 /// A small number for each vertex that can be forgotten for all vertices at once, in constant time.
-class Marks {
+class VertexLabels {
 public:
-  explicit Marks(std::size_t vertices, Workspace* workspace = nullptr)
-      : mark_(vertices, 0, workspace) {}
+  explicit VertexLabels(std::size_t vertices, Workspace* workspace = nullptr)
+      : label_(vertices, 0, workspace) {}
 
-  /// Forgets all marks. The next ones are below `numbers`, at most 2³¹.
+  /// Forgets all labels. The next ones are below `numbers`, at most 2³¹.
   void clear(std::size_t numbers = 1) {
     base_ = end_;
     if (base_ > none / 2) {
-      std::fill(mark_.begin(), mark_.end(), 0);
+      std::fill(label_.begin(), label_.end(), 0);
       base_ = 1;
     }
     end_ = base_ + static_cast<Index>(numbers);
   }
 
-  bool is_marked(Index vertex) const { return mark_[vertex] >= base_; }
-  bool is_marked_with(Index vertex, Index number) const { return mark_[vertex] == base_ + number; }
-  /// Marks a vertex with 0; false if it was marked before.
+  bool is_labelled(Index vertex) const { return label_[vertex] >= base_; }
+  bool has_label(Index vertex, Index number) const { return label_[vertex] == base_ + number; }
+  /// VertexLabels a vertex with 0; false if it was marked before.
   bool insert(Index vertex) {
-    const bool is_new = mark_[vertex] < base_;
-    mark_[vertex] = std::max(mark_[vertex], base_);
+    const bool is_new = label_[vertex] < base_;
+    label_[vertex] = (std::max)(label_[vertex], base_);
     return is_new;
   }
-  Index operator[](Index vertex) const { return mark_[vertex] - base_; } ///< of a marked vertex
-  void set(Index vertex, Index number = 0) { mark_[vertex] = base_ + number; }
+  Index operator[](Index vertex) const { return label_[vertex] - base_; } ///< of a marked vertex
+  void set(Index vertex, Index number = 0) { label_[vertex] = base_ + number; }
 
-  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&mark_[vertex]); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const { internal::prefetch(&label_[vertex]); }
 
 private:
-  Array<Index> mark_;
+  Array<Index> label_;
   Index base_ = 1, end_ = 1;
 };
 

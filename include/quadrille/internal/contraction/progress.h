@@ -9,37 +9,81 @@
 
 namespace quadrille::internal {
 
-/// How far a simplification has come, for stop policies and for the report.
-struct Progress {
-  Status status;
-  Tally total;
+/// How far a simplification has come: what stop policies, the visitor and the report are told.
+template <class Policies>
+class Progress {
+public:
+  static constexpr bool has_visitor = Policies::Visitor::is_given;
+
+  explicit Progress(const Policies& policies) : policies_(policies) {}
 
   void start(std::size_t faces, std::size_t vertices, double diagonal) {
-    status.faces = status.initial_faces = faces;
-    status.vertices = status.initial_vertices = vertices;
-    status.diagonal = diagonal;
+    status_.faces = status_.initial_faces = faces;
+    status_.vertices = status_.initial_vertices = vertices;
+    status_.diagonal = diagonal;
   }
+  /// How many contractions there will be, as a rule.
+  void expect(std::size_t contractions) { expected_contractions_ = contractions; }
+
+  const Status& status() const { return status_; }
 
   /// Adds what contractions have changed, and forgets it.
   void count(Tally& tally) {
-    status.faces -= tally.faces;
-    status.vertices -= tally.vertices;
-    status.contractions += tally.contractions;
-    total.non_edge_contractions += tally.non_edge_contractions;
-    total.error = std::max(total.error, tally.error);
+    status_.faces -= tally.faces;
+    status_.vertices -= tally.vertices;
+    status_.contractions += tally.contractions;
+    total_.non_edge_contractions += tally.non_edge_contractions;
+    total_.error = (std::max)(total_.error, tally.error);
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
-      total.rejections[cause] += tally.rejections[cause];
+      total_.rejections[cause] += tally.rejections[cause];
     tally = {};
   }
 
+  /// Tells the error of the contraction that comes next, and the distance to which it would lead.
+  void announce(double error) { status_.next_error = error; }
+  void announce_distance(double distance) { status_.next_distance = distance; }
+  /// Does the stop policy stop?
+  bool is_enough() const { return policies_.stop(status_); }
+
+  /// Asks the visitor, which may cancel the simplification, and does until now.
+  bool proceed() { return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(part_done())); }
+  /// Tells it that nothing more is to come.
+  void tell_end() const { ask_visitor(1); }
+  bool is_cancelled() const { return is_cancelled_; }
+
   void tell(Report& report) const {
-    report.faces_after = status.faces;
-    report.vertices_after = status.vertices;
-    report.contractions = status.contractions;
-    report.non_edge_contractions = total.non_edge_contractions;
-    report.rejections = total.rejections;
-    report.error = total.error;
+    report.faces_after = status_.faces;
+    report.vertices_after = status_.vertices;
+    report.contractions = status_.contractions;
+    report.non_edge_contractions = total_.non_edge_contractions;
+    report.rejections = total_.rejections;
+    report.error = total_.error;
   }
+
+private:
+  bool ask_visitor([[maybe_unused]] double progress) const {
+    if constexpr (has_visitor) {
+      Status now = status_;
+      now.progress = progress;
+      return policies_.visitor.proceed(now);
+    } else {
+      return true;
+    }
+  }
+
+  // Less than all: something may always come.
+  double part_done() const {
+    const auto done = static_cast<double>(status_.contractions);
+    const auto all = static_cast<double>(std::max<std::size_t>(expected_contractions_, 1));
+    return (std::min)(done / all, most_part_done);
+  }
+  static constexpr double most_part_done = 0.999;
+
+  const Policies& policies_;
+  Status status_;
+  Tally total_;
+  std::size_t expected_contractions_ = 0;
+  bool is_cancelled_ = false;
 };
 
 } // namespace quadrille::internal

@@ -2,10 +2,9 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_SCRATCH_H
 
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
-#include <quadrille/internal/memory/append_buffer.h>
+#include <quadrille/internal/pairs/pair_tools.h>
 #include <quadrille/report.h>
 
 #include <array>
@@ -20,26 +19,20 @@ struct Tally {
   std::size_t contractions = 0, non_edge_contractions = 0;
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0; // the greatest
+
+  void reject(Rejection cause) { ++rejections[static_cast<std::size_t>(cause)]; }
 };
 
-struct VertexPair {
-  Index first, second;
-};
-
-/// What the steps of a contraction need beside the surface. Threads that work on parts of a surface
+/// Memory that contractions share, one after the other. Threads that work on parts of a surface
 /// with no vertex in common have one each.
-struct Scratch {
-  explicit Scratch(std::size_t vertices, Workspace* workspace = nullptr)
-      : marks(vertices, workspace) {}
+struct Scratch : PairTools {
+  using PairTools::PairTools;
 
-  Marks marks;
-  PairStar star; // of the pair that was gathered last
+  PairStar star; // of the contraction at hand
   std::vector<StarFace> faces;
   StarDeviation deviation;
   RecentFaces faces_too_far;
   std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
-  Room<VertexPair> pairs;
-  Room<float> costs; // of these
   Tally tally;
 };
 

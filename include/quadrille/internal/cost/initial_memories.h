@@ -29,9 +29,9 @@ public:
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
   template <class IsInterior, class Threads>
   static void compute(UninitializedArray<Memory>& result, const Cost& cost,
-                      const Array<Position>& positions, TriangleComplex& complex, Marks& marks,
-                      const std::vector<VertexPair>& creases, IsInterior is_interior,
-                      Threads threads) {
+                      const Array<Position>& positions, TriangleComplex& complex,
+                      VertexLabels& labels, const std::vector<VertexPair>& creases,
+                      IsInterior is_interior, Threads threads) {
     result.resize(positions.size());
     InitialMemories memories(cost, positions, complex, result);
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
@@ -39,7 +39,7 @@ public:
       memories.add_faces(range);
     });
     if constexpr (has_boundaries || has_creases)
-      memories.add_edges(marks, is_interior);
+      memories.add_edges(labels, is_interior);
     if constexpr (has_creases)
       for (const auto& [v, w] : creases)
         memories.add_crease(v, w);
@@ -85,12 +85,12 @@ private:
 
   // Each end of a boundary edge meets it once; of a crease, the lower end takes care.
   template <class IsInterior>
-  void add_edges(Marks& marks, IsInterior is_interior) {
+  void add_edges(VertexLabels& labels, IsInterior is_interior) {
     EdgeStar star;
     for (Index v = 0; v < positions_.size(); ++v) {
       if (!finds_creases() && is_interior(v))
         continue;
-      for (const EdgeAt& edge : star.gather(complex_, v, marks)) {
+      for (const EdgeAt& edge : star.gather(complex_, v, labels)) {
         if constexpr (has_boundaries)
           if (edge.faces == 1)
             memories_[v] +=
@@ -121,8 +121,8 @@ private:
 
   // Each face of a crease leaves a plane, at both of its ends.
   void add_crease(Index v, Index w) {
-    complex_.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex_, face, i);
+    complex_.prune_corners(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex_, face, i);
       if (f.second != w && f.third != w)
         return;
       const Index opposite = f.second == w ? f.third : f.second;

@@ -6,282 +6,201 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/cost/local_star.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/vector.h>
+#include <quadrille/internal/surface/geometry.h>
 
-#include <array>
 #include <cstddef>
-#include <new>
-#include <type_traits>
-#include <vector>
+#include <tuple>
 
 namespace quadrille::internal {
 
-/// What both ends of a pair see, about the first: the faces of the edge, and the edge itself if it
-/// is on the boundary.
-template <class Cost>
-class SharedCurrent {
-public:
-  void add(const typename Cost::Current& face, Index opposite) {
-    sum_ += face;
-    opposite_ = opposite;
-    ++faces_;
-  }
-
-  template <class Positions>
-  typename Cost::Current sum(Index a, Index b, const Cost& cost, const Positions& positions) const {
-    if (faces_ != 1)
-      return sum_;
-    auto sum = cost.current_boundary(positions[a], positions[b], positions[opposite_]);
-    return sum += sum_;
-  }
-
-private:
-  typename Cost::Current sum_{};
-  std::size_t faces_ = 0;
-  Index opposite_ = none;
-};
-
-/// What the faces of a vertex say, if they are few, and what it shares with each of its neighbours.
-template <class Cost>
-class CurrentStar {
-public:
-  using Current = typename Cost::Current;
-  static_assert(std::is_trivially_copyable_v<Current>,
-                "quadrille: Cost::Current is no plain value");
-  static constexpr std::size_t most_faces = 16;
-
-  CurrentStar() {} // of no vertex
-
-  template <class Positions>
-  CurrentStar(Index v, const Cost& cost, const Positions& positions,
-              const TriangleComplex& complex) {
-    gather(v, cost, positions, complex);
-  }
-
-  void clear() { v_ = none; }
-
-  template <class Positions, class Complex>
-  void gather(Index v, const Cost& cost, const Positions& positions, Complex& complex) {
-    v_ = v;
-    size_ = 0;
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
-      second_[size_] = f.second;
-      third_[size_] = f.third;
-      ::new (&faces_[size_++]) // in its place: a copy would wait until all of it has been written
-          Current(cost.current_face(positions[v], positions[f.second], positions[f.third]));
-    });
-  }
-
-  Index vertex() const { return v_; }
-
-  /// Calls visit(second, third, current) for each face.
-  template <class Visit>
-  void for_each_face(Visit visit) const {
-    for (std::size_t i = 0; i < size_; ++i)
-      visit(second_[i], third_[i], faces_[i]);
-  }
-
-  /// See SharedCurrent.
-  template <class Positions>
-  Current shared_with(Index w, const Cost& cost, const Positions& positions) const {
-    SharedCurrent<Cost> shared;
-    for (std::size_t i = 0; i < size_; ++i)
-      if (second_[i] == w || third_[i] == w)
-        shared.add(faces_[i], second_[i] == w ? third_[i] : second_[i]);
-    return shared.sum(v_, w, cost, positions);
-  }
-
-private:
-  Index v_ = none;
-  std::size_t size_ = 0;
-  std::array<Index, most_faces> second_, third_;
-  union { // so that it is not filled before it is used
-    std::array<Current, most_faces> faces_;
-  };
-};
-
-/// The same for any number of faces. It marks the neighbours.
-template <class Cost>
-class CurrentHub {
-public:
-  template <class Positions>
-  CurrentHub(Index v, const Cost& cost, const Positions& positions, const TriangleComplex& complex,
-             Marks& marks)
-      : v_(v), marks_(marks) {
-    marks.clear(2 * complex.degree_bound(v));
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
-      const auto now = cost.current_face(positions[v], positions[f.second], positions[f.third]);
-      at(f.second).add(now, f.third);
-      at(f.third).add(now, f.second);
-    });
-  }
-
-  template <class Positions>
-  typename Cost::Current shared_with(Index w, const Cost& cost, const Positions& positions) const {
-    if (!marks_.is_marked(w))
-      return {}; // no edge
-    return shared_[marks_[w]].sum(v_, w, cost, positions);
-  }
-
-private:
-  SharedCurrent<Cost>& at(Index w) {
-    if (!marks_.is_marked(w)) {
-      marks_.set(w, static_cast<Index>(shared_.size()));
-      shared_.emplace_back();
-    }
-    return shared_[marks_[w]];
-  }
-
-  Index v_;
-  Marks& marks_;
-  std::vector<SharedCurrent<Cost>> shared_; // by the mark
-};
-
-/// What each vertex knows of the surface as it is now, for a cost that asks for that: the sum over
+/// The local terms of each vertex, for a cost that looks at the surface as it is now: the sum over
 /// its faces and boundary edges, kept up to date through contractions.
 template <class Cost>
-class CurrentMemories {
+class LocalTerms {
 public:
-  using Position = Vector<Cost::dimension>;
-  using Positions = Array<Position>;
+  using Geometry = internal::Geometry<Cost::dimension>;
   using Current = typename Cost::Current;
 
-  CurrentMemories() = default;
-  /// is_interior(v) tells of vertices that have no boundary edge for certain.
-  template <class IsInterior>
-  CurrentMemories(const Cost& cost, const Positions& positions, TriangleComplex& complex,
-                  Marks& marks, IsInterior is_interior)
-      : current_(positions.size(), positions.get_allocator()) {
-    for (Index face = 0; face < complex.face_capacity(); ++face) {
-      if (complex.is_dead(face))
-        continue;
-      const auto [p, q, r] = complex.vertices(face);
-      const Current now = cost.current_face(positions[p], positions[q], positions[r]);
-      for (Index v : {p, q, r})
-        current_[v] += now;
-    }
-    for (Index v = 0; v < positions.size(); ++v)
-      if (!is_interior(v))
-        add_boundary(v, cost, positions, complex, marks);
+  LocalTerms(const Cost& cost, const Geometry& geometry, TriangleComplex& complex,
+             const LinkCondition& link_condition)
+      : cost_(cost), geometry_(geometry), complex_(complex), link_condition_(link_condition),
+        terms_(complex.workspace()) {}
+
+  const Current& operator[](Index v) const { return terms_[v]; }
+
+  /// Of the faces around a vertex as they are now; 0 if the cost does not tell.
+  double unevenness(Index v) const {
+    if constexpr (tells_unevenness<Cost>)
+      return cost_.unevenness(terms_[v]);
+    else
+      return 0;
   }
 
-  const Current& operator[](Index v) const { return current_[v]; }
-
-  /// See SharedCurrent.
-  static Current shared(Index a, Index b, const Cost& cost, const Positions& positions,
-                        const TriangleComplex& complex) {
-    SharedCurrent<Cost> shared;
-    complex.for_each_corner(a, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
+  /// See SharedTerms.
+  Current shared(Index a, Index b) const {
+    SharedTerms<Cost> shared;
+    complex_.for_each_corner(a, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex_, face, i);
       if (f.second == b || f.third == b)
-        shared.add(cost.current_face(positions[a], positions[f.second], positions[f.third]),
-                   f.second == b ? f.third : f.second);
+        shared.add(term(a, f), f.second == b ? f.third : f.second);
     });
-    return shared.sum(a, b, cost, positions);
+    return shared.sum(a, b, cost_, geometry_.positions());
   }
 
-  /// Takes the faces that a contraction changes or removes out of the vertices around it for which
-  /// is_wanted(v) holds.
-  template <class IsWanted>
-  void forget(const PairStar& star, Index a, Index b, const Cost& cost, const Positions& positions,
-              IsWanted is_wanted) {
-    const auto forget_all = [&](const Room<StarFace>& faces, Index corner) {
+  /// Of the vertex that was contracted last, if its faces are few: as they are now.
+  const LocalStar<Cost>& last_star() const { return last_star_; }
+
+  /// Looks at all faces anew.
+  void sum_up(VertexLabels& labels) {
+    last_star_.clear();
+    terms_.assign(geometry_.positions().size(), Current());
+    for (Index face = 0; face < complex_.face_capacity(); ++face) {
+      if (complex_.is_removed(face))
+        continue;
+      const auto [p, q, r] = complex_.vertices(face);
+      const auto& positions = geometry_.positions();
+      const Current now = cost_.current_face(positions[p], positions[q], positions[r]);
+      for (Index v : {p, q, r})
+        terms_[v] += now;
+    }
+    for (Index v = 0; v < terms_.size(); ++v)
+      if (!link_condition_.is_interior(v))
+        add_boundary(v, labels);
+  }
+
+  static auto vertex_columns(auto& self) { return std::tie(self.terms_); }
+
+  /// Takes the faces that a contraction changes or removes out of the vertices around it that may
+  /// be written to.
+  template <class Event>
+  void before(const Event& event) {
+    const auto take_out = [&](const AppendBuffer<StarFace>& faces, Index corner) {
       for (const StarFace& f : faces) {
-        const Current old =
-            cost.current_face(positions[corner], positions[f.second], positions[f.third]);
+        const Current old = term(corner, f);
         for (Index v : {f.second, f.third})
-          if (is_wanted(v))
-            current_[v] -= old;
+          if (event.mode.may_write_to(v))
+            terms_[v] -= old;
       }
     };
-    forget_all(star.first, a);
-    forget_all(star.second, b);
-    forget_all(star.shared, a);
+    const auto& contraction = event.contraction;
+    take_out(contraction.star().first, contraction.first());
+    take_out(contraction.star().second, contraction.second());
+    take_out(contraction.star().shared, contraction.first());
   }
 
-  /// Puts the faces that a contraction has left into its vertex and those around it.
-  void learn(Index kept, const Cost& cost, const Positions& positions, TriangleComplex& complex) {
+  /// Puts in the faces that the contraction has left. In a pass the vertex that is left takes part
+  /// in nothing more until all is summed up anew.
+  template <class Event>
+  void after(const Event& event) {
+    if constexpr (Event::is_in_pass)
+      add_star(event.contraction.star(), event.kept, event.mode);
+    else
+      add_contracted(event.kept), renew_boundary(event);
+  }
+
+private:
+  Current term(Index corner, const StarFace& f) const {
+    return cost_.current_face(geometry_.position(corner), geometry_.position(f.second),
+                              geometry_.position(f.third));
+  }
+
+  template <class Mode>
+  void add_star(const PairStar& star, Index kept, const Mode& mode) {
+    for (const auto* faces : {&star.first, &star.second})
+      for (const StarFace& f : *faces) {
+        if (complex_.is_removed(f.face))
+          continue;
+        const Current now = term(kept, f);
+        for (Index v : {f.second, f.third})
+          if (mode.may_write_to(v))
+            terms_[v] += now;
+      }
+  }
+
+  void add_contracted(Index kept) {
     Current sum{};
     const auto add = [&](Index second, Index third, const Current& now) {
       sum += now;
-      current_[second] += now;
-      current_[third] += now;
+      terms_[second] += now;
+      terms_[third] += now;
     };
-    if (complex.degree_bound(kept) <= CurrentStar<Cost>::most_faces) {
-      learned_.gather(kept, cost, positions, complex);
-      learned_.for_each_face(add);
+    if (complex_.degree_bound(kept) <= LocalStar<Cost>::most_faces) {
+      last_star_.clear(kept);
+      complex_.prune_corners(kept, [&](Index face, Index i) {
+        last_star_.add(star_face_at(complex_, face, i), cost_, geometry_.positions());
+      });
+      last_star_.for_each_face(add);
     } else {
-      learned_.clear();
-      complex.for_each_corner(kept, [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex, face, i);
-        add(f.second, f.third,
-            cost.current_face(positions[kept], positions[f.second], positions[f.third]));
+      last_star_.clear();
+      complex_.prune_corners(kept, [&](Index face, Index i) {
+        const StarFace f = star_face_at(complex_, face, i);
+        add(f.second, f.third, term(kept, f));
       });
     }
-    current_[kept] = sum;
+    terms_[kept] = sum;
   }
 
-  /// Puts the faces that a contraction in a pass has left into the vertices around it for which
-  /// is_wanted(v) holds.
-  template <class IsWanted>
-  void learn_around(const PairStar& star, Index kept, const Cost& cost, const Positions& positions,
-                    const TriangleComplex& complex, IsWanted is_wanted) {
-    for (const auto* faces : {&star.first, &star.second})
-      for (const StarFace& f : *faces) {
-        if (complex.is_dead(f.face))
-          continue;
-        const Current now =
-            cost.current_face(positions[kept], positions[f.second], positions[f.third]);
+  // Inside the surface the faces of the star are exchanged one by one. What boundary edges add
+  // leans on faces, so vertices that may have any are summed up anew.
+  template <class Event>
+  void renew_boundary(const Event& event) {
+    if (link_condition_.is_closed())
+      return;
+    VertexLabels& labels = event.contraction.scratch().labels;
+    renew(event.kept, labels);
+    const PairStar& star = event.contraction.star();
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
+      for (const StarFace& f : *faces)
         for (Index v : {f.second, f.third})
-          if (is_wanted(v))
-            current_[v] += now;
-      }
+          if (complex_.has_faces(v))
+            renew(v, labels);
   }
 
-  /// Of the vertex that was learned last, if its faces are few: as they are now.
-  const CurrentStar<Cost>& learned() const { return learned_; }
-
-  void recompute(Index v, const Cost& cost, const Positions& positions, TriangleComplex& complex,
-                 Marks& marks) {
-    Current& sum = current_[v] = {};
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = PairStar::star_face(complex, face, i);
-      sum += cost.current_face(positions[v], positions[f.second], positions[f.third]);
-    });
-    add_boundary(v, cost, positions, complex, marks);
+  void renew(Index v, VertexLabels& labels) {
+    if (link_condition_.is_interior(v))
+      return;
+    Current& sum = terms_[v] = {};
+    complex_.prune_corners(
+        v, [&](Index face, Index i) { sum += term(v, star_face_at(complex_, face, i)); });
+    add_boundary(v, labels);
   }
 
-private:
-  void add_boundary(Index v, const Cost& cost, const Positions& positions, TriangleComplex& complex,
-                    Marks& marks) {
-    for (const EdgeAt& edge : edges_.gather(complex, v, marks))
+  void add_boundary(Index v, VertexLabels& labels) {
+    const auto& positions = geometry_.positions();
+    for (const EdgeAt& edge : edges_.gather(complex_, v, labels))
       if (edge.faces == 1)
-        current_[v] +=
-            cost.current_boundary(positions[v], positions[edge.other], positions[edge.opposite[0]]);
+        terms_[v] += cost_.current_boundary(positions[v], positions[edge.other],
+                                            positions[edge.opposite[0]]);
   }
 
-  Array<Current> current_;
-  CurrentStar<Cost> learned_;
+  const Cost& cost_;
+  const Geometry& geometry_;
+  TriangleComplex& complex_;
+  const LinkCondition& link_condition_;
+  Array<Current> terms_;
+  LocalStar<Cost> last_star_;
   EdgeStar edges_;
 };
 
 /// For a cost that does not ask.
-struct NoCurrentMemories {};
+struct NoLocalTerms {
+  NoLocalTerms(const auto&...) {}
+  double unevenness(Index) const { return 0; }
+  void sum_up(VertexLabels&) {}
+  static auto vertex_columns(auto&) { return std::tuple<>(); }
+};
 
 template <class Cost>
-struct CurrentMemoriesOf {
-  using type = NoCurrentMemories;
-  static constexpr std::size_t bytes_a_vertex = 0;
+struct LocalTermsOf {
+  using type = NoLocalTerms;
 };
 template <class Cost>
-requires asks_for_current<Cost>
-struct CurrentMemoriesOf<Cost> {
-  using type = CurrentMemories<Cost>;
-  static constexpr std::size_t bytes_a_vertex = sizeof(typename Cost::Current);
+requires has_local_terms<Cost>
+struct LocalTermsOf<Cost> {
+  using type = LocalTerms<Cost>;
 };
 
 } // namespace quadrille::internal

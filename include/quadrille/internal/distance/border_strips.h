@@ -18,6 +18,11 @@ namespace quadrille::internal {
 /// How far a point of a new face may be from the input, and from the faces before the contraction.
 struct FaceDeviation {
   double from_input = 0, from_star = 0;
+
+  void raise_to(const FaceDeviation& other) {
+    from_input = (std::max)(from_input, other.from_input);
+    from_star = (std::max)(from_star, other.from_star);
+  }
 };
 
 /// The border of some faces around the pair ab, but for the link: its edges at a or b, called

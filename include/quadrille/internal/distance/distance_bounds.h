@@ -31,9 +31,9 @@ public:
   /// star; and the greatest of these. Once is_too_far(distance) says so nothing else is looked at:
   /// then only the distance that is too far is told. What is too far stays so at any greater one.
   template <std::size_t N, class IsTooFar>
-  FaceDeviation after(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
-                      const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
-                      std::vector<float>& bounds, IsTooFar is_too_far) const {
+  FaceDeviation measure(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
+                        const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
+                        std::vector<float>& bounds, IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
     const auto bound = [&](double distance) {
       return static_cast<double>(rounded_up(distance + deviation.rounding()));
@@ -64,7 +64,7 @@ public:
       if (complex.degree_bound(end) <= 2 * StarDeviation::most_faces || at(end) == x)
         return false;
       const auto is_face_beyond = [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex, face, i);
+        const StarFace f = star_face_at(complex, face, i);
         if (f.second == other || f.third == other)
           return false;
         const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
@@ -83,9 +83,11 @@ public:
     return is_beyond(a, b) || is_beyond(b, a);
   }
 
-  /// The contraction has been done.
-  void set(const PairStar& star, const std::vector<float>& bounds) {
-    auto bound = bounds.begin();
+  /// The faces that a contraction has changed have the bounds that were measured for it.
+  template <class Event>
+  void after(const Event& event) {
+    const PairStar& star = event.contraction.star();
+    auto bound = event.contraction.bounds().begin();
     for (const auto* faces : {&star.first, &star.second})
       for (const StarFace& f : *faces)
         of_face_[f.face] = *bound++;
@@ -101,8 +103,8 @@ public:
   double greatest(const TriangleComplex& complex) const {
     float greatest = 0;
     for (Index face = 0; face < complex.face_capacity(); ++face)
-      if (!complex.is_dead(face))
-        greatest = std::max(greatest, of_face_[face]);
+      if (!complex.is_removed(face))
+        greatest = (std::max)(greatest, of_face_[face]);
     return static_cast<double>(greatest);
   }
 
@@ -113,13 +115,13 @@ private:
     bounds.clear();
     std::size_t changed = 0;
     float greatest = 0;
-    const auto take = [&](const Room<StarFace>& faces, std::size_t end) {
+    const auto take = [&](const AppendBuffer<StarFace>& faces, std::size_t end) {
       for (const StarFace& f : faces)
         if (deviation.is_unchanged(end)) {
           bounds.push_back(of_face_[f.face]);
         } else {
           bounds.push_back(rounded_up(deviation[changed++].from_input + deviation.rounding()));
-          greatest = std::max(greatest, bounds.back());
+          greatest = (std::max)(greatest, bounds.back());
         }
     };
     take(star.first, 0);

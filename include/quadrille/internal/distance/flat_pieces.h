@@ -27,6 +27,20 @@ inline double flat_area(const FlatTriangle& t) {
   return flat_area(t[0], t[1], t[2]);
 }
 
+/// Is all of a triangle on the far side of an edge of the other? Both run to the left.
+inline bool lies_beside(const FlatTriangle& t, const FlatTriangle& other) {
+  const auto is_outside = [](const FlatTriangle& inner, const FlatTriangle& outer) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const FlatPoint &p = inner[i], &q = inner[i == 2 ? 0 : i + 1];
+      if (flat_area(p, q, outer[0]) < 0 && flat_area(p, q, outer[1]) < 0 &&
+          flat_area(p, q, outer[2]) < 0)
+        return true;
+    }
+    return false;
+  };
+  return is_outside(t, other) || is_outside(other, t);
+}
+
 /// The point at `t` between two others.
 inline Vector<3> between(const Vector<3>& p, const Vector<3>& q, double t) {
   return p + t * (q - p);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/distance/border_strips.h>
 #include <quadrille/internal/distance/flat_pieces.h>
+#include <quadrille/internal/distance/projection_plane.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/vector.h>
 
@@ -46,8 +47,7 @@ public:
     const auto add = [&](const StarFace& f, std::size_t end, bool is_shared) {
       const std::array<Vector<3>, 3> corners{ends_[end], at(f.second), at(f.third)};
       const Vector<3> area = double_area_vector(corners[0], corners[1], corners[2]);
-      const auto bound = static_cast<double>(bound_of(f.face));
-      faces_.push_back({corners, area, f.second, f.third, bound, end, is_shared});
+      faces_.push_back({corners, area, f.second, f.third, bound_of(f.face), end, is_shared});
     };
     if (!is_unchanged(0))
       for (const StarFace& f : star.first)
@@ -70,10 +70,8 @@ public:
   /// The greatest of each kind, of all faces.
   FaceDeviation greatest() const {
     FaceDeviation greatest;
-    for (const FaceDeviation& d : deviations_) {
-      greatest.from_input = (std::max)(greatest.from_input, d.from_input);
-      greatest.from_star = (std::max)(greatest.from_star, d.from_star);
-    }
+    for (const FaceDeviation& d : deviations_)
+      greatest.raise_to(d);
     return greatest;
   }
 
@@ -118,10 +116,8 @@ public:
     if (is_too_far(moved.from_input))
       return moved;
     for (std::size_t i = 0; i < changed_; ++i)
-      if (border_.has(faces_[i].second) || border_.has(faces_[i].third)) {
-        deviations_[i].from_input = (std::max)(deviations_[i].from_input, moved.from_input);
-        deviations_[i].from_star = (std::max)(deviations_[i].from_star, moved.from_star);
-      }
+      if (border_.has(faces_[i].second) || border_.has(faces_[i].third))
+        deviations_[i].raise_to(moved);
     return std::nullopt;
   }
 
@@ -170,7 +166,7 @@ private:
       if (f.is_in_sheet)
         normal += f.area;
     }
-    const bool is_whole = choose_plane(normal) && leave_steep_ones(is_first);
+    const bool is_whole = plane_.look_along(normal) && leave_steep_ones(is_first);
     if (is_first && !is_whole)
       return find_sheet(false);
     for (Face& f : faces_)
@@ -192,36 +188,16 @@ private:
 
   bool is_large() const { return changed_ > most_faces; }
 
-  bool choose_plane(const Vector<3>& normal) {
-    const double length = std::sqrt(squared_length(normal));
-    if (!(length > 0))
-      return false;
-    const Vector<3> n = (1 / length) * normal;
-    const std::size_t least = std::abs(n[0]) < std::abs(n[1])
-                                  ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
-                                  : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
-    Vector<3> axis;
-    axis[least] = 1;
-    u_ = cross(axis, n);
-    u_ = (1 / std::sqrt(squared_length(u_))) * u_;
-    v_ = cross(n, u_);
-    return true;
-  }
-
-  FlatPoint flatten(const Vector<3>& p) const {
-    const Vector<3> d = p - ends_[0];
-    return {p, dot(d, u_), dot(d, v_)};
-  }
-
   // Takes new faces that are turned over, or are nearly, out of the sheet. False if there are any
   // and none may be.
   bool leave_steep_ones(bool is_whole) {
-    x_ = flatten(x_.point);
+    plane_.pass_through(ends_[0]);
+    x_ = plane_.flat(x_.point);
     for (Face& f : faces_) {
       if (!f.is_in_sheet)
         continue;
       for (std::size_t i = 0; i < 3; ++i)
-        f.flat[i] = flatten(f.corners[i]);
+        f.flat[i] = plane_.flat(f.corners[i]);
       if (f.is_shared)
         continue;
       const double flat = flat_area(x_, f.flat[1], f.flat[2]);
@@ -241,7 +217,7 @@ private:
         add_spokes(f);
     border_.sum_up();
     const auto& strips =
-        border_.strips(ends_, x_, [this](const Vector<3>& p) { return flatten(p); });
+        border_.strips(ends_, x_, [this](const Vector<3>& p) { return plane_.flat(p); });
     for (std::size_t i = 0; i < changed_; ++i) {
       FaceDeviation& known = deviations_[i];
       if (!faces_[i].is_in_sheet)
@@ -291,8 +267,7 @@ private:
         most = (std::max)(most, squared(y));
       covered += piece.area();
       const double distance = std::sqrt(most);
-      deviation.from_star = (std::max)(deviation.from_star, distance);
-      deviation.from_input = (std::max)(deviation.from_input, bound + distance);
+      deviation.raise_to({bound + distance, distance});
     };
     for (const Face& f : faces_)
       if (f.is_in_sheet && deviation.from_input < known && flat_area(f.flat) > 0)
@@ -307,20 +282,6 @@ private:
     return deviation;
   }
 
-  // Is all of a triangle on the far side of an edge of the other? Both run to the left.
-  static bool lies_beside(const FlatTriangle& t, const FlatTriangle& other) {
-    const auto is_outside = [](const FlatTriangle& inner, const FlatTriangle& outer) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const FlatPoint &p = inner[i], &q = inner[i == 2 ? 0 : i + 1];
-        if (flat_area(p, q, outer[0]) < 0 && flat_area(p, q, outer[1]) < 0 &&
-            flat_area(p, q, outer[2]) < 0)
-          return true;
-      }
-      return false;
-    };
-    return is_outside(t, other) || is_outside(other, t);
-  }
-
   FlatPoint x_{};
   std::array<Vector<3>, 2> ends_;
   Index b_ = 0;
@@ -328,7 +289,7 @@ private:
   std::vector<FaceDeviation> deviations_;
   std::size_t changed_ = 0;
   double extent_ = 0;
-  Vector<3> u_, v_;
+  ProjectionPlane plane_;
   BorderStrips border_;
 };
 

@@ -12,9 +12,9 @@ namespace quadrille::internal {
 /// A list whose length is set without a look at its values: what is written by loops that can't
 /// afford to branch.
 template <class T>
-class Room {
+class AppendBuffer {
 public:
-  explicit Room(Workspace* workspace = nullptr) : values_(workspace) {}
+  explicit AppendBuffer(Workspace* workspace = nullptr) : values_(workspace) {}
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }

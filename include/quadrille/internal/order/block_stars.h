@@ -34,7 +34,7 @@ public:
         if (joins > 0)
           for (Index v : corners)
             if (range.contains(v))
-              joins_needed_[v] = std::max(joins_needed_[v], static_cast<unsigned char>(joins));
+              joins_needed_[v] = (std::max)(joins_needed_[v], static_cast<unsigned char>(joins));
       });
     });
   }
@@ -44,7 +44,7 @@ public:
   bool is_inside(Index v) const { return joins_needed_[v] <= joins_; }
   /// Are the stars of both ends of a pair inside of one block, the same? Not if one is touched.
   bool are_inside(Index v, Index w) const {
-    return std::max(joins_needed_[v], joins_needed_[w]) <= joins_;
+    return (std::max)(joins_needed_[v], joins_needed_[w]) <= joins_;
   }
 
   void touch(Index v) { joins_needed_[v] = touched; } ///< it has been contracted

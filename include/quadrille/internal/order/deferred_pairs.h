@@ -1,100 +1,45 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_DEFERRED_PAIRS_H
 #define QUADRILLE_INTERNAL_ORDER_DEFERRED_PAIRS_H
 
-#include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/base/prefetch.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/order/pair_queue.h>
 
-#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// Pairs that were refused, each listed at both of its ends until the neighbourhood of one changes.
-/// Those that came first leave first.
-class ParkedPairs {
+/// Pairs that would go beyond the target of the stop policy, put aside while others may meet it
+/// exactly. They come back in the order in which they were put aside, which is that of their costs.
+class DeferredPairs {
 public:
-  explicit ParkedPairs(std::size_t vertices, Workspace* workspace = nullptr)
-      : last_entry_(vertices, none, workspace) {}
+  bool empty() const { return next_ == pairs_.size(); }
 
-  void park(const QueuedPair& pair) {
-    const Index slot = new_slot();
-    slots_[slot] = {pair, {none, none}, 2};
-    link(pair.first, slot, 0);
-    link(pair.second, slot, 1);
-    ++size_;
+  /// Puts a pair with this key aside.
+  void defer(const QueuedPair& pair, double key) {
+    if (empty())
+      highest_cost_ = dearest_exact_pair * key;
+    pairs_.push_back(pair);
   }
+  /// Is that more than meeting the target exactly is worth? It is worth a small multiple of what
+  /// the first of the pairs here costs: a little error, and no more.
+  bool is_too_dear(double cost) const { return !empty() && cost > highest_cost_; }
 
-  bool has(Index vertex) const { return last_entry_[vertex] != none; } ///< any, perhaps forgotten
-
-  /// Empties the list of a vertex and calls visit(pair) for each pair that was still parked; or
-  /// stops behind the first `most` of these. Returns whether the list is empty.
-  template <class Visit>
-  bool release(Index vertex, std::size_t most, Visit visit) {
-    Index& last = last_entry_[vertex];
-    while (last != none && most > 0) {
-      const Index entry = next(last);
-      if (entry == last)
-        last = none;
-      else
-        next(last) = next(entry);
-      Slot& slot = slots_[entry / 2];
-      if (--slot.lists == 1) {
-        --size_;
-        --most;
-        visit(slot.pair); // the other list forgets it later
-      } else {
-        free_.push_back(entry / 2);
-      }
-    }
-    return last == none;
-  }
-
-  std::size_t size() const { return size_; }
-
-  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
-    internal::prefetch(&last_entry_[vertex]);
+  /// Takes out the first for which is_left(pair) holds.
+  template <class IsLeft>
+  std::optional<QueuedPair> take(IsLeft is_left) {
+    while (!empty())
+      if (const QueuedPair& pair = pairs_[next_++]; is_left(pair))
+        return pair;
+    return std::nullopt;
   }
 
 private:
-  struct Slot {
-    QueuedPair pair;
-    std::array<Index, 2> next; // in the lists of the two ends, behind the last the first
-    int lists;                 // how many lists it is in; parked while in both
-  };
+  static constexpr double dearest_exact_pair = 4; // by what the first of those here costs
 
-  Index new_slot() {
-    if (free_.empty()) {
-      slots_.emplace_back();
-      return static_cast<Index>(slots_.size() - 1);
-    }
-    const Index slot = free_.back();
-    free_.pop_back();
-    return slot;
-  }
-
-  // An entry is a slot and the end whose list it is in: 2·slot + end.
-  Index& next(Index entry) { return slots_[entry / 2].next[entry % 2]; }
-
-  void link(Index vertex, Index slot, Index end) {
-    const Index entry = 2 * slot + end;
-    Index& last = last_entry_[vertex];
-    if (last == none) {
-      next(entry) = entry;
-    } else {
-      next(entry) = next(last);
-      next(last) = entry;
-    }
-    last = entry;
-  }
-
-  std::vector<Slot> slots_;
-  std::vector<Index> free_;
-  Array<Index> last_entry_; // of the list of each vertex
-  std::size_t size_ = 0;
+  std::vector<QueuedPair> pairs_;
+  std::size_t next_ = 0;
+  double highest_cost_ = 0;
 };
 
 } // namespace quadrille::internal

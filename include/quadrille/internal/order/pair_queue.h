@@ -53,7 +53,7 @@ public:
   }
 
   template <class IsOutdated>
-  void push(QueuedPair pair, IsOutdated is_outdated) {
+  QUADRILLE_ALWAYS_INLINE void push(QueuedPair pair, IsOutdated is_outdated) {
     const std::size_t bucket = bucket_of(pair.cost);
     if (bucket < open_end_) {
       push_to_heap(pair);
@@ -136,7 +136,7 @@ private:
     const std::uint32_t added = new_block();
     blocks_[added].next = bucket.first;
     bucket = {added, 0};
-    lowest_ = std::min(lowest_, index);
+    lowest_ = (std::min)(lowest_, index);
   }
 
   std::uint32_t new_block() {

@@ -53,7 +53,7 @@ private:
     double largest = 0;
     for (const Vector<3>& p : positions_)
       for (double x : p.coordinates)
-        largest = std::max(largest, std::abs(x));
+        largest = (std::max)(largest, std::abs(x));
     if (!(largest > 0))
       return;
     exponent_ = 500 - std::ilogb(largest);

@@ -1,14 +1,15 @@
 #ifndef QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
 #define QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/cost/pair_costs.h>
+#include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/internal/pairs/pair_lists.h>
+#include <quadrille/internal/pairs/pair_tools.h>
 #include <quadrille/internal/policy/policies.h>
 
 #include <algorithm>
@@ -18,14 +19,14 @@
 
 namespace quadrille::internal {
 
-/// The pairs at a vertex, and what they cost: edges, if the policy includes them, and those that it
+/// The pairs at a vertex, and their keys: edges, if the policy includes them, and those that it
 /// has listed.
 template <class Policies>
 class PairFinder {
 public:
   PairFinder(TriangleComplex& complex, const LinkCondition& link_condition,
-             const PairCosts<Policies>& costs, PairLists listed)
-      : complex_(complex), link_condition_(link_condition), costs_(costs),
+             const PairEvaluator<Policies>& evaluator, PairLists listed)
+      : complex_(complex), link_condition_(link_condition), evaluator_(evaluator),
         listed_(std::move(listed)) {}
 
   /// Are there others than edges?
@@ -37,47 +38,51 @@ public:
     return listed_.size() + (includes_edges<Pairs> ? 3 * faces / 2 : 0);
   }
 
-  void merge(Index kept, Index gone) { listed_.merge(kept, gone); }
-
-  /// Calls visit(w, cost) for each pair of v with another vertex.
-  template <class Visit>
-  void for_each(Scratch& scratch, Index v, Visit visit) {
-    scratch.pairs.clear();
-    find(scratch, v, 0);
-    visit_found(scratch, [&](Index, Index w, float cost) { visit(w, cost); });
+  /// The pairs of two vertices that have become one are its pairs.
+  template <class Event>
+  void after(const Event& event) {
+    listed_.merge(event.kept, event.gone);
   }
 
-  /// Calls visit(v, w, cost) for each pair of a vertex v of `vertices` with another vertex w for
+  /// Calls visit(w, key) for each pair of v with another vertex.
+  template <class Visit>
+  void for_each(PairTools& tools, Index v, Visit visit) {
+    tools.pairs.clear();
+    find(tools, v, 0);
+    visit_found(tools, [&](Index, Index w, float key) { visit(w, key); });
+  }
+
+  /// Calls visit(v, w, key) for each pair of a vertex v of `vertices` with another vertex w for
   /// which is_wanted(v, w) holds.
   template <class IsWanted, class Visit>
-  void for_each_of(Scratch& scratch, const std::vector<Index>& vertices, IsWanted is_wanted,
+  void for_each_of(PairTools& tools, const std::vector<Index>& vertices, IsWanted is_wanted,
                    Visit visit) {
-    Room<VertexPair>& pairs = scratch.pairs;
+    AppendBuffer<VertexPair>& pairs = tools.pairs;
     pairs.clear();
     const auto end = static_cast<Index>(vertices.size());
     for (Index i = 0; i < end; ++i) {
       prefetch(i, end, 1, [&](Index k) { return vertices[k]; });
-      find(scratch, vertices[i], 0);
+      find(tools, vertices[i], 0);
     }
     pack_if(pairs, [&](Index i) { return is_wanted(pairs[i].first, pairs[i].second); });
-    visit_found(scratch, visit);
+    visit_found(tools, visit);
   }
 
-  /// Calls visit(v, w, cost) for each pair of a vertex v = begin, begin + step, … below `end` with
+  /// Calls visit(v, w, key) for each pair of a vertex v = begin, begin + step, … below `end` with
   /// one of a higher number.
   template <class Visit>
-  void for_each_above(Scratch& scratch, Index begin, Index end, Index step, Visit visit) {
+  void for_each_above(PairTools& tools, Index begin, Index end, Index step, Visit visit) {
     constexpr std::size_t many = 256; // evaluated in one go
     for (Index v = begin; v < end;) {
-      scratch.pairs.clear();
-      for (; v < end && scratch.pairs.size() < many; v += std::min(step, end - v)) {
+      tools.pairs.clear();
+      for (; v < end && tools.pairs.size() < many; v += (std::min)(step, end - v)) {
         if (step > 1)
           prefetch(v, end, step, [](Index w) { return w; });
         else
           prefetch_next(v, end);
-        find(scratch, v, v + 1);
+        find(tools, v, v + 1);
       }
-      visit_found(scratch, visit);
+      visit_found(tools, visit);
     }
   }
 
@@ -86,91 +91,90 @@ private:
 
   // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
   template <class VertexAt>
-  [[gnu::always_inline]] void prefetch(Index i, Index end, Index step, VertexAt vertex_at) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index i, Index end, Index step, VertexAt vertex_at) const {
     const Index left = end - i;
     if (12 * step < left) {
       complex_.prefetch(vertex_at(i + 12 * step));
-      costs_.prefetch(vertex_at(i + 12 * step));
+      evaluator_.prefetch(vertex_at(i + 12 * step));
     }
     if (9 * step < left)
       complex_.prefetch_corners(vertex_at(i + 9 * step));
     if (6 * step < left)
       complex_.prefetch_faces(vertex_at(i + 6 * step));
     if (3 * step < left)
-      complex_.for_each_next(
-          vertex_at(i + 3 * step), [&](Index w)
-                                       __attribute__((always_inline)) { costs_.prefetch(w); });
+      complex_.for_each_next(vertex_at(i + 3 * step), [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+        evaluator_.prefetch(w);
+      });
   }
 
   // The same of vertices side by side: what surrounds them has mostly been read before them.
-  [[gnu::always_inline]] void prefetch_next(Index v, Index end) const {
+  QUADRILLE_ALWAYS_INLINE void prefetch_next(Index v, Index end) const {
     if (96 >= end - v)
       return;
-    costs_.prefetch(v + 96);
+    evaluator_.prefetch(v + 96);
     complex_.prefetch_corners(v + 48);
   }
 
-  // Adds the pairs of v with vertices from `least` on to those of the scratch, each once.
-  void find(Scratch& scratch, Index v, Index least) {
-    const std::size_t begin = scratch.pairs.size();
+  // Adds the pairs of v with vertices from `least` on to the tools, each once.
+  void find(PairTools& tools, Index v, Index least) {
+    const std::size_t begin = tools.pairs.size();
     if constexpr (includes_edges<Pairs>)
-      find_edges(scratch, v, least);
+      find_edges(tools, v, least);
     if (has_others())
-      find_listed(scratch, v, least, begin);
+      find_listed(tools, v, least, begin);
   }
 
-  // The pairs in the scratch, with what they cost.
+  // The pairs in the tools, with what they cost.
   template <class Visit>
-  void visit_found(Scratch& scratch, Visit visit) {
-    costs_.evaluate_all(scratch);
-    for (std::size_t i = 0; i < scratch.pairs.size(); ++i)
-      visit(scratch.pairs[i].first, scratch.pairs[i].second, scratch.costs[i]);
+  void visit_found(PairTools& tools, Visit visit) {
+    evaluator_.evaluate_all(tools.pairs, tools.keys, tools.labels);
+    for (std::size_t i = 0; i < tools.pairs.size(); ++i)
+      visit(tools.pairs[i].first, tools.pairs[i].second, tools.keys[i]);
   }
 
   // No branch: whether a vertex has been met before, or what its number is, is hard to guess.
-  void find_edges(Scratch& scratch, Index v, Index least) {
-    VertexPair* const pairs = scratch.pairs.extend(2 * complex_.degree_bound(v) + 1);
+  void find_edges(PairTools& tools, Index v, Index least) {
+    VertexPair* const pairs = tools.pairs.extend(2 * complex_.degree_bound(v) + 1);
     std::size_t count = 0;
     const auto add = [&](Index w, bool is_new) {
       pairs[count] = {v, w};
       count += is_new & (w >= least);
     };
     if (link_condition_.is_oriented(v)) {
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        add(PairStar::star_face(complex_, face, i).second, true);
-      });
+      complex_.prune_corners(
+          v, [&](Index face, Index i) { add(star_face_at(complex_, face, i).second, true); });
     } else {
-      Marks& marks = scratch.marks;
-      marks.clear();
-      complex_.for_each_corner(v, [&](Index face, Index i) {
-        const StarFace f = PairStar::star_face(complex_, face, i);
-        add(f.second, marks.insert(f.second));
-        add(f.third, marks.insert(f.third));
+      VertexLabels& labels = tools.labels;
+      labels.clear();
+      complex_.prune_corners(v, [&](Index face, Index i) {
+        const StarFace f = star_face_at(complex_, face, i);
+        add(f.second, labels.insert(f.second));
+        add(f.third, labels.insert(f.third));
       });
     }
-    scratch.pairs.add(count);
+    tools.pairs.add(count);
   }
 
   // The pairs from `begin` on are known.
-  void find_listed(Scratch& scratch, Index v, Index least, std::size_t begin) {
+  void find_listed(PairTools& tools, Index v, Index least, std::size_t begin) {
     constexpr Index by_edge = 0, by_list = 1;
-    Marks& marks = scratch.marks;
-    marks.clear(2);
-    for (std::size_t i = begin; i < scratch.pairs.size(); ++i)
-      marks.set(scratch.pairs[i].second, by_edge);
-    marks.set(v, by_list);
+    VertexLabels& labels = tools.labels;
+    labels.clear(2);
+    for (std::size_t i = begin; i < tools.pairs.size(); ++i)
+      labels.set(tools.pairs[i].second, by_edge);
+    labels.set(v, by_list);
     listed_.for_each_partner(v, [&](Index w) {
-      if (!complex_.has_faces(w) || marks.is_marked_with(w, by_list))
+      if (!complex_.has_faces(w) || labels.has_label(w, by_list))
         return false; // a leftover, or a pair that has become the same as another
-      scratch.pairs.add_if(!marks.is_marked(w) && w >= least, {v, w});
-      marks.set(w, by_list);
+      tools.pairs.add_if(!labels.is_labelled(w) && w >= least, {v, w});
+      labels.set(w, by_list);
       return true;
     });
   }
 
   TriangleComplex& complex_;
   const LinkCondition& link_condition_;
-  const PairCosts<Policies>& costs_;
+  const PairEvaluator<Policies>& evaluator_;
   PairLists listed_; // those of the policy that are not edges
 };
 

@@ -44,7 +44,7 @@ std::vector<std::array<Index, 2>> emitted_pairs(const Pairs& policy, const Surfa
 /// The lists of the pairs that a policy selects; where it includes all edges, of the others only.
 template <class Pairs, std::size_t N>
 PairLists select_pairs(const Pairs& policy, const SurfaceInput<N>& input, TriangleComplex& complex,
-                       Marks& marks) {
+                       VertexLabels& labels) {
   if constexpr (std::same_as<Pairs, EdgePairs>)
     return {};
   PairLists lists(input.positions.size());
@@ -53,14 +53,14 @@ PairLists select_pairs(const Pairs& policy, const SurfaceInput<N>& input, Triang
     if (!complex.has_faces(v) || !complex.has_faces(w))
       continue;
     if (includes_edges<Pairs> && v != last) {
-      marks.clear();
-      complex.for_each_corner(v, [&](Index face, Index) {
+      labels.clear();
+      complex.prune_corners(v, [&](Index face, Index) {
         for (Index neighbour : complex.vertices(face))
-          marks.set(neighbour);
+          labels.set(neighbour);
       });
       last = v;
     }
-    if (!includes_edges<Pairs> || !marks.is_marked(w))
+    if (!includes_edges<Pairs> || !labels.is_labelled(w))
       lists.add(v, w);
   }
   return lists;

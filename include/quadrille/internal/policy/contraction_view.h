@@ -1,15 +1,16 @@
 #ifndef QUADRILLE_INTERNAL_POLICY_CONTRACTION_VIEW_H
 #define QUADRILLE_INTERNAL_POLICY_CONTRACTION_VIEW_H
 
-#include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/complex/star_face.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 namespace quadrille::internal {
+
+class TriangleComplex; // who only asks whether a class models a concept needs no more of it
 
 /// A face that a contraction changes: its moving corner before and after, and its two others.
 struct ChangedFace {
@@ -41,28 +42,29 @@ private:
 };
 
 /// What a filter sees of a contraction that is about to be done, in the engine's units.
-template <std::size_t N>
+template <std::size_t N, class Complex = TriangleComplex>
 class ContractionView {
 public:
-  ContractionView(const PairStar& star, const TriangleComplex& complex,
-                  const Array<Vector<N>>& positions, const Vector<N>& first,
-                  const Vector<N>& second, const Vector<N>& target)
-      : star_(star), complex_(complex), positions_(positions), first_(first), second_(second),
-        target_(target) {}
+  template <class Star>
+  ContractionView(const Star& star, const Complex& complex, const Vector<N>* positions,
+                  const Vector<N>& first, const Vector<N>& second, const Vector<N>& target)
+      : first_faces_(star.first.begin(), star.first.end()),
+        second_faces_(star.second.begin(), star.second.end()), shared_(star.shared.size()),
+        complex_(complex), positions_(positions), first_(first), second_(second), target_(target) {}
 
   /// The faces that stay.
   ChangedFaces<ContractionView> faces() const { return ChangedFaces(*this); }
-  std::size_t face_count() const { return star_.first.size() + star_.second.size(); }
+  std::size_t face_count() const { return first_faces_.size() + second_faces_.size(); }
   ChangedFace face(std::size_t i) const {
     const StarFace& f = star_face(i);
-    return {space(i < star_.first.size() ? first_ : second_), space(target_),
+    return {space(i < first_faces_.size() ? first_ : second_), space(target_),
             space(positions_[f.second]), space(positions_[f.third])};
   }
   const Vector<N>& target() const { return target_; }
 
   /// How many faces the end with more of them has before.
   std::size_t highest_degree() const {
-    return std::max(star_.first.size(), star_.second.size()) + star_.shared.size();
+    return (std::max)(first_faces_.size(), second_faces_.size()) + shared_;
   }
 
   /// Would a face be folded like the middle of a letter Z, as it is not now? Then it is turned by
@@ -121,7 +123,7 @@ private:
     }
     if (complex_.degree_bound(ids.second) <= many_faces)
       complex_.for_each_corner(ids.second, [&](Index face, Index corner) {
-        const StarFace g = PairStar::star_face(complex_, face, corner);
+        const StarFace g = star_face_at(complex_, face, corner);
         if (g.third != ids.third) // a neighbour has the edge the other way round
           return;
         const Vector<3> apex = space(positions_[g.second]);
@@ -140,13 +142,14 @@ private:
   }
 
   const StarFace& star_face(std::size_t i) const {
-    const std::size_t n = star_.first.size();
-    return i < n ? star_.first[i] : star_.second[i - n];
+    const std::size_t n = first_faces_.size();
+    return i < n ? first_faces_[i] : second_faces_[i - n];
   }
 
-  const PairStar& star_;
-  const TriangleComplex& complex_;
-  const Array<Vector<N>>& positions_;
+  std::span<const StarFace> first_faces_, second_faces_;
+  std::size_t shared_;
+  const Complex& complex_;
+  const Vector<N>* positions_;
   const Vector<N>&first_, &second_, &target_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_POLICY_POLICIES_H
 #define QUADRILLE_INTERNAL_POLICY_POLICIES_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
@@ -15,7 +16,7 @@ namespace quadrille::internal {
 
 /// Does a cost look at the surface as it is now, beside what vertices remember?
 template <class Cost>
-concept asks_for_current = requires {
+concept has_local_terms = requires {
   typename Cost::Current;
 };
 
@@ -56,7 +57,7 @@ struct PairCurrentOf {
   using type = NoCurrent;
 };
 template <class Cost>
-requires asks_for_current<Cost>
+requires has_local_terms<Cost>
 struct PairCurrentOf<Cost> {
   using type = typename Cost::PairCurrent;
 };
@@ -68,7 +69,8 @@ struct PairOf {
   typename Cost::Memory memory; ///< of both ends, about `first`
   double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour, as each
                                 ///< end had it when it took its place
-  [[no_unique_address]] typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
+  QUADRILLE_NO_UNIQUE_ADDRESS
+      typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named.

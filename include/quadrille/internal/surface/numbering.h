@@ -13,24 +13,24 @@
 namespace quadrille::internal {
 
 /// The numbers that vertices, or faces, have for whoever made the surface.
-class Origins {
+class InputIndices {
 public:
   /// `of`: theirs; empty if these are 0, 1, …
-  Origins(std::size_t count, Array<Index> of) : of_(std::move(of)), first_count_(count) {}
+  InputIndices(std::size_t count, Array<Index> of) : of_(std::move(of)), input_count_(count) {}
 
-  std::size_t first_count() const { return first_count_; }
+  std::size_t input_count() const { return input_count_; }
   Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
   /// Those of a list of numbers.
   Array<Index> of(const Array<Index>& numbers) const {
-    Array<Index> origins(numbers);
+    Array<Index> inputs(numbers);
     if (!is_identity())
-      for (Index& number : origins)
+      for (Index& number : inputs)
         number = of_[number];
-    return origins;
+    return inputs;
   }
-  /// The other way round: the number of each origin; `none` for what has been left out.
-  Origins inverse() const {
-    return {first_count_, is_identity() ? of_ : places(of_, first_count_)};
+  /// The other way round: the number of each input index; `none` for what has been left out.
+  InputIndices inverse() const {
+    return {input_count_, is_identity() ? of_ : places(of_, input_count_)};
   }
   bool is_identity() const { return of_.empty(); }
   Workspace* workspace() const { return of_.get_allocator().workspace(); }
@@ -46,7 +46,7 @@ public:
   template <class IsLeft>
   void pack_if(IsLeft is_left) {
     if (is_identity()) {
-      of_.resize(first_count_);
+      of_.resize(input_count_);
       std::iota(of_.begin(), of_.end(), 0);
     }
     internal::pack_if(of_, is_left);
@@ -55,57 +55,60 @@ public:
 
 private:
   Array<Index> of_;
-  std::size_t first_count_;
+  std::size_t input_count_;
 };
 
 /// What vertices have become part of, and where vertices and faces come from.
 class Numbering {
 public:
-  /// Without `by_origins`, a merge has not to look up any, but no vertex may be left out before
-  /// use_origins() is called.
-  Numbering(Origins vertex_origins, Origins face_origins, bool by_origins)
-      : vertices(std::move(vertex_origins)), faces(std::move(face_origins)),
-        merged_into_(vertices.first_count(), none, vertices.workspace()),
-        is_by_origins_(by_origins) {}
+  /// Without `by_input`, a merge has not to look up any, but no vertex may be left out before
+  /// use_input_indices() is called.
+  Numbering(InputIndices input_vertices, InputIndices input_faces, bool by_input)
+      : vertices(std::move(input_vertices)), faces(std::move(input_faces)),
+        merged_into_(vertices.input_count(), none, vertices.workspace()), is_by_input_(by_input) {}
 
   void merge(Index kept, Index gone) {
-    if (is_by_origins_)
+    if (is_by_input_)
       merged_into_[vertices[gone]] = vertices[kept];
     else
       merged_into_[gone] = kept;
   }
+  template <class Event>
+  void after(const Event& event) {
+    merge(event.kept, event.gone);
+  }
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
-    internal::prefetch(&merged_into_[is_by_origins_ ? vertices[v] : v]);
+    internal::prefetch(&merged_into_[is_by_input_ ? vertices[v] : v]);
   }
 
-  /// All merges are told by origins from here on, those before as well.
-  void use_origins() {
-    if (std::exchange(is_by_origins_, true) || vertices.is_identity())
+  /// All merges are told by input indices from here on, those before as well.
+  void use_input_indices() {
+    if (std::exchange(is_by_input_, true) || vertices.is_identity())
       return;
-    Array<Index> by_origins(merged_into_.size(), none, merged_into_.get_allocator());
+    Array<Index> by_input(merged_into_.size(), none, merged_into_.get_allocator());
     for (Index v = 0; v < merged_into_.size(); ++v)
       if (merged_into_[v] != none)
-        by_origins[vertices[v]] = vertices[merged_into_[v]];
-    merged_into_ = std::move(by_origins);
+        by_input[vertices[v]] = vertices[merged_into_[v]];
+    merged_into_ = std::move(by_input);
   }
 
-  /// The origin of what the vertex of an origin has become part of. By origins only. Shortens the
-  /// way that it goes, so that many questions take little more than linear time.
-  Index image(Index origin) const {
-    while (merged_into_[origin] != none) {
-      Index& next = merged_into_[origin];
+  /// The input index of what a vertex of the input has become part of. By input indices only.
+  /// Shortens the way that it goes, so that many questions take little more than linear time.
+  Index image(Index input) const {
+    while (merged_into_[input] != none) {
+      Index& next = merged_into_[input];
       if (merged_into_[next] != none)
         next = merged_into_[next];
-      origin = next;
+      input = next;
     }
-    return origin;
+    return input;
   }
 
-  Origins vertices, faces;
+  InputIndices vertices, faces;
 
 private:
   mutable Array<Index> merged_into_; // of each vertex that is gone, or one further on
-  bool is_by_origins_;
+  bool is_by_input_;
 };
 
 } // namespace quadrille::internal

@@ -30,7 +30,7 @@ public:
   static void apply(SurfaceInput<N>& surface, const Box<N>& box, Threads threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
-    const Array<Index>& order = surface.vertex_origins =
+    const Array<Index>& order = surface.input_vertices =
         sorted(keyed_vertices(surface.positions, box, threads));
     renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
@@ -54,7 +54,7 @@ private:
   static bool is_coherent(const Array<Triangle>& triangles) {
     constexpr std::size_t samples = 1024;
     constexpr std::int64_t near = 1024;
-    const std::size_t step = std::max<std::size_t>(1, triangles.size() / samples);
+    const std::size_t step = (std::max<std::size_t>)(1, triangles.size() / samples);
     std::size_t far = 0, seen = 0;
     for (std::size_t f = 0; f < triangles.size(); f += step, ++seen)
       far += std::abs(std::int64_t{triangles[f][0]} - std::int64_t{triangles[f][1]}) > near;
@@ -66,7 +66,7 @@ private:
                                            Threads threads) {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      extent = std::max(extent, box.half_extent(i));
+      extent = (std::max)(extent, box.half_extent(i));
     Array<KeyedVertex> vertices(positions.size(), positions.get_allocator());
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
       for (Index v = range.begin; v < range.end; ++v) {
@@ -115,17 +115,17 @@ private:
 
   struct PlacedFace {
     Triangle corners;
-    Index origin;
+    Index input;
 
     PlacedFace() {} // a new one is not written to before it is used
-    PlacedFace(const Triangle& c, Index o) : corners(c), origin(o) {}
+    PlacedFace(const Triangle& c, Index o) : corners(c), input(o) {}
   };
 
   // By their lowest vertices: first into parts, which fit into a cache, then inside of each.
   template <std::size_t N, class Threads>
   static void sort_faces(SurfaceInput<N>& surface, Threads threads) {
     constexpr unsigned part_bits = 12;
-    const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
+    const auto lowest = [](const Triangle& t) { return (std::min)({t[0], t[1], t[2]}); };
     Array<Triangle>& triangles = surface.triangles;
     const std::size_t parts = (surface.positions.size() >> part_bits) + 1;
     std::vector<Index> begin(parts + 1);
@@ -137,7 +137,7 @@ private:
     for (Index face = 0; face < triangles.size(); ++face)
       faces[end[lowest(triangles[face]) >> part_bits]++] = {triangles[face], face};
 
-    surface.face_origins.resize(triangles.size());
+    surface.input_faces.resize(triangles.size());
     std::vector<std::vector<PlacedFace>> sorted(unsigned{threads});
     parallel_for(threads, parts, [&](std::size_t part, std::size_t worker) {
       const std::size_t first = begin[part], count = begin[part + 1] - first;
@@ -147,7 +147,7 @@ private:
           [&](const PlacedFace& face) { return lowest(face.corners) % (Index{1} << part_bits); });
       for (std::size_t i = 0; i < count; ++i) {
         triangles[first + i] = sorted[worker][i].corners;
-        surface.face_origins[first + i] = sorted[worker][i].origin;
+        surface.input_faces[first + i] = sorted[worker][i].input;
       }
     });
   }

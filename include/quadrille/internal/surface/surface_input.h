@@ -1,75 +1,32 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_SURFACE_INPUT_H
 #define QUADRILLE_INTERNAL_SURFACE_SURFACE_INPUT_H
 
-#include <quadrille/internal/base/power_of_two.h>
-#include <quadrille/internal/base/text.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
+#include <quadrille/internal/surface/box.h>
 #include <quadrille/vector.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The least and the greatest of each coordinate.
-template <std::size_t N>
-struct Box {
-  Vector<N> low, high;
-
-  explicit Box(const Array<Vector<N>>& positions)
-      : Box(positions, [](std::size_t) { return true; }) {}
-
-  /// Of the positions v for which counts(v).
-  template <class Counts>
-  Box(const Array<Vector<N>>& positions, Counts counts) {
-    Vector<N> least, greatest; // no members, which would be written each time
-    least.coordinates.fill(std::numeric_limits<double>::max());
-    greatest.coordinates.fill(std::numeric_limits<double>::lowest());
-    bool is_empty = true;
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      if (!counts(v))
-        continue;
-      is_empty = false;
-      for (std::size_t i = 0; i < N; ++i) {
-        least[i] = std::min(least[i], positions[v][i]);
-        greatest[i] = std::max(greatest[i], positions[v][i]);
-      }
-    }
-    if (!is_empty)
-      low = least, high = greatest;
-  }
-
-  /// Half of the extent: the difference of the halves can't overflow.
-  double half_extent(std::size_t i) const { return 0.5 * high[i] - 0.5 * low[i]; }
-  /// At most the greatest double.
-  double diagonal() const {
-    const double half = std::hypot(half_extent(0), half_extent(1), half_extent(2));
-    return 2 * std::min(half, std::numeric_limits<double>::max() / 2);
-  }
-};
-
 /// What an adapter reads.
 template <std::size_t N>
 struct SurfaceInput {
   explicit SurfaceInput(Workspace* workspace = nullptr)
-      : positions(workspace), triangles(workspace), vertex_origins(workspace),
-        face_origins(workspace) {}
+      : positions(workspace), triangles(workspace), input_vertices(workspace),
+        input_faces(workspace) {}
 
   Array<Vector<N>> positions; ///< with attributes, all in the mesh's units
   Array<TriangleComplex::Triangle> triangles;
-  Array<Index> vertex_origins, face_origins; ///< see Origins
+  Array<Index> input_vertices, input_faces;  ///< see InputIndices
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
-  bool has_doubled_faces = false;            ///< may it have them? They are dropped then.
+  bool has_duplicate_faces = false;          ///< may it have them? They are dropped then.
 
   /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a
   /// vertex fit into what these leave in a workspace, side by side.
@@ -102,99 +59,6 @@ void require_finite(const Vector<N>& position, std::size_t vertex) {
       "quadrille::simplify: vertex " + std::to_string(vertex) +
       (is_finite(space(position)) ? " has an attribute that is not finite" : " is not finite"));
 }
-
-/// Between the mesh's units and the engine's. Lengths change by a power of two, which is exact both
-/// ways: the engine works on a surface of a fixed size, so that no product of lengths over- or
-/// underflows, whatever the mesh's unit. Attributes also change by their weights. A cost that is
-/// not scale-free keeps the engine to the mesh's unit.
-template <std::size_t N>
-class Scale {
-public:
-  Scale(const Box<N>& box, bool is_scale_free) : diagonal_(box.diagonal()) {
-    double extent = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      extent = std::max(extent, box.half_extent(i));
-    if (extent > 0)
-      exponent_ = size_exponent - std::ilogb(extent);
-    if (is_scale_free) {
-      to_engine_ = PowerOfTwo(exponent_);
-      to_mesh_ = PowerOfTwo(-exponent_);
-    }
-    weights_.coordinates.fill(1);
-  }
-
-  /// Of the attributes in a box. Throws std::invalid_argument if, times their weights, they are no
-  /// lengths that can be told beside those of the surface.
-  void set_attribute_weights(const Vector<N - 3>& weights, const Box<N>& box) {
-    weights_ = weights;
-    Array<Vector<N>> ends{box.low, box.high};
-    apply(ends);
-    for (std::size_t i = 3; i < N; ++i) {
-      const double range = ends[1][i] - ends[0][i];
-      if (!std::isnormal(weights_[i - 3]) || !(std::abs(range) <= greatest_range))
-        throw std::invalid_argument("quadrille::simplify: attribute " + std::to_string(i - 3) +
-                                    ", from " + text_of(box.low[i]) + " to " +
-                                    text_of(box.high[i]) + ", weighs " + text_of(weights_[i - 3]) +
-                                    " on a surface of diagonal " + text_of(diagonal_) +
-                                    ": that is no length beside those of the surface");
-    }
-  }
-
-  void apply(Array<Vector<N>>& positions) const {
-    for (Vector<N>& p : positions)
-      p = position_from_mesh(p);
-  }
-  Vector<N> position_from_mesh(Vector<N> p) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] = to_engine_(p[i]);
-    for (std::size_t i = 3; i < N; ++i)
-      p[i] = to_engine_(p[i] * weights_[i - 3]);
-    return p;
-  }
-
-  double length_of_mesh(double length) const { return to_mesh_(length); }
-
-  Vector<N> position_of_mesh(Vector<N> p) const {
-    for (std::size_t i = 0; i < N; ++i)
-      p[i] = length_of_mesh(p[i]);
-    for (std::size_t i = 3; i < N; ++i)
-      p[i] /= weights_[i - 3];
-    return p;
-  }
-
-  /// A quadric about its vertex in the mesh's units, divided by its weight: a plane in N dimensions
-  /// adds N − 2 times its own to the trace.
-  QuadricForm<N> mean_of_mesh(const QuadricForm<N>& form) const {
-    const double weight = form.trace() / (N - 2);
-    if (!(weight > 0))
-      return {};
-    const auto unit = [&](std::size_t i) { return i < 3 ? 1 : weights_[i - 3]; };
-    SymmetricMatrix<N> a;
-    Vector<N> g;
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j <= i; ++j)
-        a.set(i, j, unit(i) * unit(j) * form.matrix()(i, j) / weight);
-      g[i] = unit(i) * length_of_mesh(form.gradient()[i] / weight);
-    }
-    return QuadricForm<N>(a, g, length_of_mesh(length_of_mesh(form.constant() / weight)));
-  }
-
-  double diagonal() const { return diagonal_; } ///< of the bounding box, in the mesh's unit
-
-  /// By which lengths would be multiplied if the cost were scale-free.
-  int exponent() const { return exponent_; }
-
-private:
-  // With an extent of about 2^20 a cost, an area times a squared distance, is at most about 2^80,
-  // and a float holds costs down to 2^-226 of that.
-  static constexpr int size_exponent = 20;
-  static constexpr double greatest_range = 0x1p40; // its square times an area, too
-
-  int exponent_ = 0;
-  PowerOfTwo to_engine_{0}, to_mesh_{0};
-  double diagonal_;
-  Vector<N - 3> weights_;
-};
 
 } // namespace quadrille::internal
 

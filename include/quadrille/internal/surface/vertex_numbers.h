@@ -30,7 +30,7 @@ public:
     for (Vertex v : vertices(mesh)) {
       const auto i = static_cast<std::size_t>(get(indices_, v));
       is_dense &= i == vertices_.size();
-      index_end = std::max(index_end, i + 1);
+      index_end = (std::max)(index_end, i + 1);
       vertices_.push_back(v);
     }
     TriangleComplex::check_size(vertices_.size(), 0);

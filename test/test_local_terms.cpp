@@ -24,9 +24,9 @@ template <class Surface>
 Soup soup_of(const Surface& surface) {
   Soup soup;
   for (Index v = 0; v < surface.vertex_capacity(); ++v)
-    soup.points.push_back(surface.position(v));
+    soup.points.push_back(test::position(surface, v));
   for (Index face = 0; face < surface.complex().face_capacity(); ++face)
-    if (!surface.complex().is_dead(face))
+    if (!surface.complex().is_removed(face))
       soup.triangles.push_back(surface.complex().vertices(face));
   return soup;
 }
@@ -88,7 +88,7 @@ std::size_t contract_and_compare(Surface& surface, std::uint64_t seed, int steps
       for (const auto& [w, listed_cost] : pairs_of(surface, v)) {
         if (w < v)
           continue;
-        const auto candidate = surface.evaluate(v, w);
+        const auto candidate = surface.evaluator().evaluate(v, w);
         CAPTURE(seed, step, v, w);
         REQUIRE(listed_cost == Approx(candidate.key).epsilon(1e-6).margin(1e-30));
         REQUIRE(candidate.cost ==
@@ -113,8 +113,8 @@ void check_costs(const Cost& cost, double power, const Soup& soup, std::uint64_t
   const auto policies =
       internal::pick_policies<internal::NotGiven, internal::NotGiven>(cost, arguments...);
   const auto input = test::input_of(test::large(soup));
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
-                                                                             policies);
+  internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
+                                                                            policies);
   CHECK(contract_and_compare(surface, seed, 12, power) > 8);
 }
 
@@ -125,12 +125,12 @@ void check(const Soup& soup, std::uint64_t seed, const Arguments&... arguments) 
 
 } // namespace
 
-TEST_CASE("The current memories of a closed surface are those of its faces") {
+TEST_CASE("The local terms of a closed surface are those of its faces") {
   for (std::uint64_t seed = 0; seed < 3; ++seed)
     check(test::random_closed(seed), seed);
 }
 
-TEST_CASE("The current memories of a surface with borders are those of its faces and borders") {
+TEST_CASE("The local terms of a surface with borders are those of its faces and borders") {
   for (std::uint64_t seed = 0; seed < 3; ++seed)
     check(test::random_with_borders(seed), seed);
 }
@@ -146,8 +146,8 @@ TEST_CASE("A vertex forgets what few faces have said when it gets many") {
   const Soup soup = test::large(test::with_noise(test::uv_sphere(14, 8), 5, 0.01));
   const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
   const auto input = test::input_of(soup);
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
-                                                                             policies);
+  internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
+                                                                            policies);
   Index pole = 0;
   const auto faces_at = [&](Index v) { return surface.complex().degree_bound(v); };
   for (Index v = 0; v < surface.vertex_capacity(); ++v)
@@ -163,36 +163,35 @@ TEST_CASE("A vertex forgets what few faces have said when it gets many") {
   while (faces_at(pole) < 20) {
     REQUIRE(widen());
     for (const auto& [w, cost] : pairs_of(surface, pole))
-      CHECK(cost == Approx(surface.evaluate(pole, w).key).epsilon(1e-6).margin(1e-30));
+      CHECK(cost == Approx(surface.evaluator().evaluate(pole, w).key).epsilon(1e-6).margin(1e-30));
   }
 }
 
-TEST_CASE("Current memories follow in passes, but for vertices that these have contracted") {
+TEST_CASE("Local terms follow in passes, but for vertices that these have contracted") {
   const Soup input = test::random_closed(5);
   const auto policies =
       internal::pick_policies<MemorylessQuadric, OptimalPlacement>(RelaxedOrder{});
   const auto arrays = test::input_of(test::large(input));
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(arrays, arrays.box(),
-                                                                             policies);
+  internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(arrays, arrays.box(),
+                                                                            policies);
   std::vector<bool> is_touched(surface.vertex_capacity());
-  internal::Scratch& scratch = surface.scratch();
   std::size_t contractions = 0, compared = 0;
   for (Index face = 0; face < surface.complex().face_capacity(); face += 7) {
     const auto [a, b, c] = surface.complex().vertices(face);
-    if (surface.complex().is_dead(face) || is_touched[a] || is_touched[b])
+    if (surface.complex().is_removed(face) || is_touched[a] || is_touched[b])
       continue;
-    auto candidate = surface.evaluate(a, b);
-    surface.gather(scratch, a, b);
-    if (surface.rejection(scratch, a, b, candidate))
+    auto candidate = surface.evaluator().evaluate(a, b);
+    internal::Contraction contraction(candidate, surface.complex(), surface.scratch());
+    if (surface.checks().rejection(contraction))
       continue;
-    surface.contract_in_pass(scratch, a, b, candidate, [&](Index v) { return !is_touched[v]; });
+    surface.apply(contraction, internal::InPass{[&](Index v) { return !is_touched[v]; }});
     is_touched[a] = is_touched[b] = true;
     ++contractions;
     const Soup soup = soup_of(surface);
     for (const test::Triangle& t : soup.triangles) {
       if (is_touched[t[0]] || is_touched[t[1]])
         continue;
-      const auto other = surface.evaluate(t[0], t[1]);
+      const auto other = surface.evaluator().evaluate(t[0], t[1]);
       CAPTURE(face, t);
       REQUIRE(other.cost ==
               Approx(cost_of(soup, t[0], t[1], other.target, 100, 1.25)).epsilon(1e-6));
@@ -203,7 +202,7 @@ TEST_CASE("Current memories follow in passes, but for vertices that these have c
   CHECK(compared > 100);
 }
 
-TEST_CASE("Current memories follow where topology is free") {
+TEST_CASE("Local terms follow where topology is free") {
   check(test::random_with_borders(4), 4, Topology::free);
 }
 
@@ -211,8 +210,8 @@ TEST_CASE("A memoryless position of least cost keeps the volume") {
   const Soup soup = test::large(test::with_noise(test::sphere(2), 1, 0.02));
   const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
   const auto input = test::input_of(soup);
-  internal::PairContraction<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
-                                                                             policies);
+  internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
+                                                                            policies);
   const double before = test::volume(soup);
   for (Index v = 0; v < 40; v += 3) {
     if (!surface.complex().has_faces(v))

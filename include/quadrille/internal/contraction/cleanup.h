@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_LEFTOVERS_H
-#define QUADRILLE_INTERNAL_CONTRACTION_LEFTOVERS_H
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
+#define QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
 
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -41,40 +41,39 @@ struct Loss {
   std::size_t faces, vertices;
 };
 
-/// The most that contracting the star may take where topology is free: doubled faces go too, and
-/// what is bare then.
+/// The most that contracting the star may take where topology is free: duplicate faces go too, and
+/// what is isolated then.
 inline Loss most_loss(const PairStar& star) {
-  const std::size_t doubled = std::min(star.first.size(), star.second.size());
-  return {star.shared.size() + doubled, star.shared.size() + 2};
+  const std::size_t duplicates = (std::min)(star.first.size(), star.second.size());
+  return {star.shared.size() + duplicates, star.shared.size() + 2};
 }
 
-/// What contractions leave behind where topology is free, taken away and tallied: doubled faces,
+/// What contractions leave behind where topology is free, taken away and tallied: duplicate faces,
 /// and vertices without a face.
-class Leftovers {
+class Cleanup {
 public:
-  Leftovers(TriangleComplex& complex, Scratch& scratch) : complex_(complex), scratch_(scratch) {}
+  Cleanup(TriangleComplex& complex, Scratch& scratch) : complex_(complex), scratch_(scratch) {}
 
   /// Of the faces at a vertex with the same three vertices, one is left.
-  void drop_doubled_faces(Index v) {
+  void remove_duplicate_faces(Index v) {
     scratch_.faces.clear();
-    complex_.for_each_corner(v, [&](Index face, Index i) {
-      scratch_.faces.push_back(PairStar::star_face(complex_, face, i));
-    });
-    drop_doubled();
+    complex_.prune_corners(
+        v, [&](Index face, Index i) { scratch_.faces.push_back(star_face_at(complex_, face, i)); });
+    remove_duplicates();
   }
 
   /// The same for the faces that the contraction of the star has changed.
-  void drop_doubled_faces() {
+  void remove_duplicate_faces() {
     gather_changed();
-    drop_doubled();
+    remove_duplicates();
   }
 
   /// A vertex whose last face is gone with the contraction of the star is gone too. Where the list
   /// of a vertex that has been contracted is not up to date, none of these may be cut off.
-  void drop_bare_vertices(Index b) {
+  void remove_isolated_vertices(Index b) {
     const PairStar& star = scratch_.star;
     any_cut_off(star, b, [&](Index v) {
-      drop_if_bare(v);
+      remove_if_isolated(v);
       return false;
     });
     scratch_.tally.vertices += star.first.empty() && star.second.empty();
@@ -85,7 +84,7 @@ public:
     const PairStar& star = scratch_.star;
     Loss loss{star.shared.size(), 1};
     gather_changed();
-    for_each_doubled([&](Index) { ++loss.faces; });
+    for_each_duplicate([&](Index) { ++loss.faces; });
     any_cut_off(star, b, [&](Index v) {
       loss.vertices += !has_others(v);
       return false;
@@ -101,16 +100,16 @@ private:
     scratch_.faces.insert(scratch_.faces.end(), star.second.begin(), star.second.end());
   }
 
-  void drop_doubled() {
-    for_each_doubled([this](Index face) {
-      complex_.kill(face);
+  void remove_duplicates() {
+    for_each_duplicate([this](Index face) {
+      complex_.remove_face(face);
       ++scratch_.tally.faces;
     });
   }
 
   // Of the gathered faces, at one vertex, that have the same two others, all but the first.
   template <class Visit>
-  void for_each_doubled(Visit visit) {
+  void for_each_duplicate(Visit visit) {
     std::vector<StarFace>& faces = scratch_.faces;
     for (StarFace& f : faces)
       if (f.third < f.second)
@@ -126,7 +125,7 @@ private:
   // Than those that vanish.
   bool has_others(Index v) {
     bool has = false;
-    complex_.for_each_corner(v, [&](Index face, Index) {
+    complex_.prune_corners(v, [&](Index face, Index) {
       const auto is_it = [face](const StarFace& f) { return f.face == face; };
       const auto& vanishing = scratch_.star.shared;
       has |= std::none_of(vanishing.begin(), vanishing.end(), is_it);
@@ -134,10 +133,10 @@ private:
     return has;
   }
 
-  void drop_if_bare(Index v) {
+  void remove_if_isolated(Index v) {
     if (!complex_.has_faces(v))
       return;
-    complex_.for_each_corner(v, [](Index, Index) {}); // drops corners of faces that are gone
+    complex_.prune_corners(v);
     scratch_.tally.vertices += !complex_.has_faces(v);
   }
 
@@ -147,4 +146,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_LEFTOVERS_H
+#endif // QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H

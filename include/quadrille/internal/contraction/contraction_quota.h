@@ -1,9 +1,9 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_ALLOWANCE_H
-#define QUADRILLE_INTERNAL_CONTRACTION_ALLOWANCE_H
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_QUOTA_H
+#define QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_QUOTA_H
 
 #include <quadrille/concepts.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/leftovers.h>
+#include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 namespace quadrille::internal {
 
 /// How many contractions a pass may do without asking the stop policy, and what each counts as.
-/// Where topology is free, doubled faces go too, and all faces at an edge, and what is bare then:
-/// such a contraction counts as several.
-class Allowance {
+/// Where topology is free, duplicate faces go too, and all faces at an edge, and what is isolated
+/// then: such a contraction counts as several.
+class ContractionQuota {
 public:
-  explicit Allowance(bool is_topology_kept) : is_topology_kept_(is_topology_kept) {}
+  explicit ContractionQuota(bool is_topology_kept) : is_topology_kept_(is_topology_kept) {}
 
   /// As many as `stop`, asked before each, would let pass in a row from `now` on.
   template <StopPolicy Stop>
   std::size_t contractions(const Stop& stop, const Status& now) const {
     const auto status_after = [&](std::size_t contractions) {
       Status after = now;
-      after.faces -= std::min(after.faces, faces_each() * contractions);
+      after.faces -= (std::min)(after.faces, faces_each() * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
       after.next_error = 0;
@@ -40,7 +40,7 @@ public:
 
   /// What counts for the faces and vertices that a contraction has taken.
   std::size_t used(std::size_t faces, std::size_t vertices) const {
-    return std::max(vertices, (faces + faces_each() - 1) / faces_each());
+    return (std::max)(vertices, (faces + faces_each() - 1) / faces_each());
   }
 
   /// The most that contracting the star may count.
@@ -58,4 +58,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_ALLOWANCE_H
+#endif // QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_QUOTA_H

@@ -1,0 +1,121 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
+#define QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/complex/link_condition.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/cleanup.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/policy/contraction_view.h>
+#include <quadrille/internal/policy/mesh_units.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/report.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+
+namespace quadrille::internal {
+
+/// May a contraction be done at all: does it leave what is fixed, and the topology if that is kept,
+/// and do the filters allow it?
+template <class Policies>
+class Checks {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Position = Vector<dimension>;
+  using Contraction = internal::Contraction<Cost>;
+
+  Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
+         const Geometry<dimension>& geometry, const LinkCondition& link_condition,
+         bool is_topology_kept)
+      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
+        link_condition_(link_condition), is_topology_kept_(is_topology_kept) {}
+
+  /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
+  /// that costs the same suits them, it goes there.
+  std::optional<Rejection> rejection(Contraction& contraction) const {
+    const PairStar& star = contraction.star();
+    const Index a = contraction.first(), b = contraction.second();
+    if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(star, a, b))
+      return Rejection::constraint;
+    if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
+      return Rejection::position;
+    if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
+      return Rejection::topology;
+    const std::optional<Rejection> cause = refusal(contraction, contraction.target());
+    if (cause && !is_fixed(a) && !is_fixed(b) && finds_equal_place(contraction))
+      return std::nullopt;
+    return cause;
+  }
+
+private:
+  bool is_fixed(Index v) const { return geometry_.is_fixed(v); }
+
+  bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
+    return geometry_.is_any_fixed() && !is_topology_kept_ &&
+           internal::takes_a_fixed_vertex_away(star, a, b, [this](Index v) { return is_fixed(v); });
+  }
+
+  // Why a filter refuses a target, if one does.
+  std::optional<Rejection> refusal(const Contraction& contraction, const Position& target) const {
+    const ContractionView<dimension> view(contraction.star(), complex_,
+                                          geometry_.positions().data(), contraction.pair().first,
+                                          contraction.pair().second, target);
+    const ContractionInMeshUnits<dimension> in_mesh_units(view, scale_);
+    std::optional<Rejection> cause;
+    const auto looks_and_refuses = [&](const auto& filter) {
+      if constexpr (is_scale_free<std::remove_cvref_t<decltype(filter)>>)
+        return refuses(filter, view, cause);
+      else
+        return refuses(filter, in_mesh_units, cause);
+    };
+    std::apply([&](const auto&... filter) { (looks_and_refuses(filter) || ...); },
+               policies_.filters);
+    return cause;
+  }
+
+  template <class Filter, class View>
+  static bool refuses(const Filter& filter, const View& view, std::optional<Rejection>& cause) {
+    if (filter.allows(view))
+      return false;
+    if constexpr (requires { Filter::cause; })
+      cause = Filter::cause;
+    else
+      cause = Rejection::filter;
+    return true;
+  }
+
+  QUADRILLE_NOINLINE bool finds_equal_place(Contraction& contraction) const { // seldom
+    const auto takes = [&](const Position& x) {
+      if (refusal(contraction, x))
+        return false;
+      contraction.move_to(x);
+      return true;
+    };
+    const auto& placement = policies_.placement; // a derived one may want none of these places
+    if constexpr (is_scale_free<typename Policies::Placement> && requires {
+                    placement.any_equal(policies_.cost, contraction.pair(), Position{}, takes);
+                  })
+      return placement.any_equal(policies_.cost, contraction.pair(), Position(contraction.target()),
+                                 takes);
+    else
+      return false;
+  }
+
+  const Policies& policies_;
+  const Scale<dimension>& scale_;
+  const TriangleComplex& complex_;
+  const Geometry<dimension>& geometry_;
+  const LinkCondition& link_condition_;
+  bool is_topology_kept_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H

@@ -1,0 +1,116 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_DISTANCE_CHECK_H
+#define QUADRILLE_INTERNAL_CONTRACTION_DISTANCE_CHECK_H
+
+#include <quadrille/internal/complex/link_condition.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/checks.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/cost/pair_evaluator.h>
+#include <quadrille/internal/distance/distance_bounds.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/report.h>
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// Would a contraction take the surface so far from the input that the stop policy stops? At a
+/// distance of 0 it does not.
+template <class Policies>
+class DistanceCheck {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Candidate = internal::Candidate<Cost>;
+  using Contraction = internal::Contraction<Cost>;
+
+  DistanceCheck(const Policies& policies, const Scale<dimension>& scale,
+                const TriangleComplex& complex, const Geometry<dimension>& geometry,
+                const LinkCondition& link_condition, const DistanceBounds& bounds,
+                const PairEvaluator<Policies>& evaluator, const Checks<Policies>& checks)
+      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
+        link_condition_(link_condition), bounds_(bounds), evaluator_(evaluator), checks_(checks) {}
+
+  /// If not, the status tells how far, and the bounds of the contraction are those of the faces
+  /// that it changes.
+  ///
+  /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
+  /// at all: else such distances add up along straight creases and at corners.
+  bool is_too_far(Contraction& contraction, Status& status) const {
+    const auto stops = [&](const FaceDeviation& deviation) {
+      status.next_distance = distance_of_mesh(deviation.from_input);
+      return policies_.stop(status);
+    };
+    const FaceDeviation deviation = measure(contraction, status);
+    if (!is_next_to_nothing(deviation, contraction) || geometry_.is_fixed(contraction.first()) ||
+        geometry_.is_fixed(contraction.second()))
+      return stops(deviation);
+    const Candidate wanted = contraction.candidate();
+    for (const Candidate& end : evaluator_.at_ends(wanted)) {
+      contraction.replace(end);
+      if (checks_.rejection(contraction))
+        continue;
+      if (const FaceDeviation of_end = measure(contraction, status);
+          is_nothing(of_end) && !stops(of_end))
+        return false;
+    }
+    contraction.replace(wanted);
+    return stops(measure(contraction, status));
+  }
+
+  /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
+  bool is_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
+    return bounds_.is_beyond_hub(complex_, candidate.first, candidate.second, geometry_.positions(),
+                                 space(candidate.target), scratch.faces_too_far,
+                                 stops_beyond(status));
+  }
+
+private:
+  // In the engine's unit.
+  FaceDeviation measure(const Contraction& contraction, const Status& status) const {
+    const Index a = contraction.first(), b = contraction.second();
+    const bool may_have_border = !link_condition_.is_interior(a) || !link_condition_.is_interior(b);
+    return bounds_.measure(contraction.star(), a, b, geometry_.positions(),
+                           space(contraction.target()), may_have_border,
+                           contraction.scratch().deviation, contraction.bounds(),
+                           stops_beyond(status));
+  }
+
+  // Does the stop policy stop if nothing but the distance changes?
+  auto stops_beyond(const Status& status) const {
+    return [this, after = status](double distance) mutable {
+      after.next_distance = distance_of_mesh(distance);
+      return policies_.stop(after);
+    };
+  }
+
+  // What may be nothing but rounding is 0.
+  double distance_of_mesh(double distance) const {
+    return distance <= bounds_.rounding() ? 0 : scale_.length_of_mesh(distance);
+  }
+
+  // Many of them do not add up to more than rounding.
+  bool is_nothing(const FaceDeviation& deviation) const {
+    return deviation.from_star <= bounds_.rounding() / 64;
+  }
+  bool is_next_to_nothing(const FaceDeviation& deviation, const Contraction& contraction) const {
+    return !is_nothing(deviation) &&
+           deviation.from_star <= next_to_nothing * contraction.scratch().deviation.extent();
+  }
+  static constexpr double next_to_nothing = 0x1p-20;
+
+  const Policies& policies_;
+  const Scale<dimension>& scale_;
+  const TriangleComplex& complex_;
+  const Geometry<dimension>& geometry_;
+  const LinkCondition& link_condition_;
+  const DistanceBounds& bounds_;
+  const PairEvaluator<Policies>& evaluator_;
+  const Checks<Policies>& checks_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_DISTANCE_CHECK_H

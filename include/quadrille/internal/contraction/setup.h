@@ -1,0 +1,71 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
+#define QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
+
+#include <quadrille/internal/base/joined_vector.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/pairs.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+/// \file
+/// What a working surface is made of.
+
+namespace quadrille::internal {
+
+/// The units of a surface in a box, with the weights that the cost gives its attributes.
+template <class Cost, std::size_t N>
+Scale<N> scale_of(const Box<N>& box, const Cost& cost) {
+  Scale<N> scale(box, is_scale_free<Cost>);
+  if constexpr (requires {
+                  cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
+                })
+    scale.set_attribute_weights(
+        cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), box.diagonal()),
+        box);
+  return scale;
+}
+
+/// The greatest coordinate of a surface in a box, in the engine's unit.
+template <std::size_t N>
+double greatest_coordinate(const Scale<N>& scale, const Box<N>& box) {
+  double greatest = 0;
+  for (const Vector<N>& p : scale.scaled(std::array{box.low, box.high}))
+    for (std::size_t i = 0; i < 3; ++i)
+      greatest = (std::max)(greatest, std::abs(p[i]));
+  return greatest;
+}
+
+/// The triangles of an input. A pair policy of the user's wants to see them once more.
+template <class Pairs, std::size_t N>
+Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& input) {
+  if constexpr (std::same_as<Pairs, EdgePairs>)
+    return std::move(input.triangles);
+  else
+    return input.triangles;
+}
+
+/// One for each thread.
+inline std::vector<Scratch> scratches_for(unsigned threads, const TriangleComplex& complex) {
+  std::vector<Scratch> scratches;
+  scratches.reserve(threads);
+  for (unsigned i = 0; i < threads; ++i)
+    scratches.emplace_back(complex.vertex_capacity(), complex.workspace());
+  return scratches;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_SETUP_H

@@ -1,0 +1,104 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
+#define QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
+
+#include <quadrille/internal/complex/least_surface.h>
+#include <quadrille/internal/complex/link_condition.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/cleanup.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace quadrille::internal {
+
+/// How a surface comes to the target of the stop policy: a count is met exactly where that is to be
+/// had, and what can't be reached is not approached by destruction.
+template <class Policies>
+class TargetRules {
+public:
+  using Cost = typename Policies::Cost;
+  using Candidate = internal::Candidate<Cost>;
+  using Contraction = internal::Contraction<Cost>;
+
+  TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
+              TriangleComplex& complex, const Geometry<Cost::dimension>& geometry,
+              const LinkCondition& link_condition, bool is_topology_kept)
+      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
+        link_condition_(link_condition), is_topology_kept_(is_topology_kept) {}
+
+  /// Would the contraction go beyond the target, where another one might not?
+  bool overshoots(const Contraction& contraction, const Status& status) const {
+    if (link_condition_.is_closed())
+      return false; // each contraction takes two faces
+    const PairStar& star = contraction.star();
+    if (is_topology_kept_)
+      return is_passed_without({star.shared.size(), 1}, status);
+    return is_passed_without(most_loss(star), status) &&
+           is_passed_without(Cleanup(complex_, contraction.scratch()).loss(contraction.second()),
+                             status);
+  }
+
+  /// In which way the stop policy stops, if it does: have contractions gone beyond its target?
+  StopReason reason_of_stop(const Status& status) const {
+    const bool is_passed = status.contractions > 0 && internal::is_passed(policies_.stop, status);
+    return is_passed ? StopReason::target_passed : StopReason::target_met;
+  }
+
+  /// Would the contraction spoil the shape of what is around it: is its error more than a tenth of
+  /// the distance to the farthest neighbour? An edge of a cube of twelve faces is, a corner of a
+  /// sheet of two. Only a cost that tells its error as a distance to the surface can say so.
+  bool is_destructive(const Candidate& candidate) const {
+    if constexpr (requires { policies_.cost.squared_error(candidate.pair, 0.0); })
+      return candidate.error > 0.1 * scale_.length_of_mesh(std::sqrt(candidate.pair.squared_reach));
+    else
+      return false;
+  }
+
+  /// Might contractions satisfy the stop policy? Not if the topology of several parts is kept and
+  /// even the smallest ones that have it are too large; one part alone may go as far as it can.
+  /// Takes linear time.
+  bool is_reachable(const Status& status) const {
+    if (!is_topology_kept_)
+      return true;
+    const auto [faces, vertices, parts] =
+        least_surface(complex_, link_condition_, [this](Index v) { return geometry_.is_fixed(v); });
+    if (parts == 1)
+      return true;
+    Status least = status;
+    std::size_t contractions = least.vertices - (std::min)(least.vertices, vertices);
+    least.faces = (std::min)(least.faces, faces);
+    least.vertices = (std::min)(least.vertices, vertices);
+    least.next_error = least.next_distance = std::numeric_limits<double>::infinity();
+    for (; !policies_.stop(least); ++least.contractions) // it may look at their number
+      if (contractions-- == 0)
+        return false;
+    return true;
+  }
+
+private:
+  // Does the surface lie beyond the target of the stop policy, once it has lost that?
+  bool is_passed_without(const Loss& loss, const Status& status) const {
+    Status after = status;
+    after.faces -= (std::min)(after.faces, loss.faces);
+    after.vertices -= (std::min)(after.vertices, loss.vertices);
+    return internal::is_passed(policies_.stop, after);
+  }
+
+  const Policies& policies_;
+  const Scale<Cost::dimension>& scale_;
+  TriangleComplex& complex_;
+  const Geometry<Cost::dimension>& geometry_;
+  const LinkCondition& link_condition_;
+  bool is_topology_kept_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H

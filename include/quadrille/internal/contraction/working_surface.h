@@ -1,0 +1,300 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
+#define QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/complex/topology_count.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/checks.h>
+#include <quadrille/internal/contraction/cleanup.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/contraction_quota.h>
+#include <quadrille/internal/contraction/distance_check.h>
+#include <quadrille/internal/contraction/finished_surface.h>
+#include <quadrille/internal/contraction/moved_vertices.h>
+#include <quadrille/internal/contraction/named_creases.h>
+#include <quadrille/internal/contraction/progress.h>
+#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/setup.h>
+#include <quadrille/internal/contraction/target_rules.h>
+#include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/pair_evaluator.h>
+#include <quadrille/internal/cost/vertex_memories.h>
+#include <quadrille/internal/distance/distance_bounds.h>
+#include <quadrille/internal/memory/columns.h>
+#include <quadrille/internal/pairs/pair_finder.h>
+#include <quadrille/internal/pairs/pair_selection.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/order.h>
+#include <quadrille/report.h>
+
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A surface that is being simplified: its faces, and the parts that keep up with its contractions.
+/// Each part has one job; which pair is contracted when is not among these.
+template <class Policies>
+class WorkingSurface {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Position = Vector<dimension>;
+  using Candidate = internal::Candidate<Cost>;
+  using Contraction = internal::Contraction<Cost>;
+
+  WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
+      : policies_(policies), scale_(scale_of(box, policies.cost)),
+        complex_(input.positions.size(), take_triangles(policies.pairs, input), merges_at_once,
+                 policies.threads),
+        scratches_(scratches_for(policies.threads, complex_)),
+        pairs_(complex_, link_condition_, evaluator_,
+               select_pairs(policies.pairs, input, complex_, scratch().labels)),
+        is_topology_kept_(keeps_topology()), creases_(std::move(input.creases)),
+        numbering_({input.positions.size(), std::move(input.input_vertices)},
+                   {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
+        geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
+                  policies.threads),
+        moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
+        terms_(policies.cost, geometry_, complex_, link_condition_),
+        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_),
+        checks_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
+        distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
+                        checks_),
+        target_rules_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
+        progress_(policies) {
+    if (!is_topology_kept_ || input.has_duplicate_faces)
+      remove_duplicate_faces();
+    progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
+    if (progress_.proceed())
+      classify(box);
+    if (!progress_.proceed())
+      return;
+    remember();
+    if constexpr (Progress<Policies>::has_visitor)
+      progress_.expect(ContractionQuota(is_topology_kept_).contractions(policies.stop, status()));
+  }
+  WorkingSurface(const WorkingSurface&) = delete; // its parts refer to each other
+  WorkingSurface& operator=(const WorkingSurface&) = delete;
+
+  const Policies& policies() const { return policies_; }
+  TriangleComplex& complex() { return complex_; }
+  const TriangleComplex& complex() const { return complex_; }
+  std::size_t vertex_capacity() const { return complex_.vertex_capacity(); }
+  bool is_topology_kept() const { return is_topology_kept_; }
+  /// One for each thread.
+  std::vector<Scratch>& scratches() { return scratches_; }
+  Scratch& scratch() { return scratches_.front(); }
+
+  PairFinder<Policies>& pairs() { return pairs_; }
+  const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
+  const Checks<Policies>& checks() const { return checks_; }
+  const DistanceCheck<Policies>& distance_check() const { return distance_check_; }
+  const TargetRules<Policies>& target_rules() const { return target_rules_; }
+  Progress<Policies>& progress() { return progress_; }
+  const Status& status() const { return progress_.status(); }
+
+  /// Ask for what a contraction will read of an end, but for its faces, and of a neighbour.
+  QUADRILLE_ALWAYS_INLINE void prefetch_end(Index v) const {
+    complex_.prefetch(v);
+    evaluator_.prefetch(v);
+    if (is_topology_kept_)
+      prefetch_columns(link_condition_, v);
+    prefetch_columns(moved_, v);
+    numbering_.prefetch(v);
+  }
+  QUADRILLE_ALWAYS_INLINE void prefetch_neighbour(Index v) const {
+    evaluator_.prefetch(v);
+    scratches_.front().labels.prefetch(v);
+  }
+
+  /// Contracts a pair, and returns the vertex that is left: an end that keeps its place, else the
+  /// first. Observers are told before and after it. What has changed is tallied, to be counted.
+  ///
+  /// In a pass, contractions have no end in common, end_pass() is called behind the last, and those
+  /// whose stars have no vertex in common may be done at the same time. Where topology is free, no
+  /// end of an earlier one may be cut off: see any_cut_off().
+  template <class Mode>
+  Index apply(const Contraction& contraction, const Mode& mode) {
+    const auto [kept, gone] = choose(contraction);
+    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone};
+    const auto observers = this->observers();
+    std::apply([&](auto&... observer) { (tell_before(observer, event), ...); }, observers);
+    change_faces(event);
+    std::apply([&](auto&... observer) { (tell_after(observer, event), ...); }, observers);
+    Tally& tally = contraction.scratch().tally;
+    ++tally.contractions;
+    ++tally.vertices;
+    tally.error = (std::max)(tally.error, contraction.error());
+    return kept;
+  }
+
+  /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
+  /// enough of them are gone, those that are left get new numbers, in the same order.
+  void end_pass(bool refresh) {
+    if (status().faces > 0 && pairs_.are_edges() && 4 * status().vertices < 3 * vertex_capacity())
+      pack();
+    else
+      complex_.build_lists(threads());
+    if (refresh) {
+      creases_.follow(numbering_);
+      remember();
+    } else {
+      terms_.sum_up(scratch().labels);
+    }
+  }
+
+  /// What has become of the surface, which is not here any more then; with what vertices remember,
+  /// if that is asked for. Tells the report the rest.
+  FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
+    progress_.tell(report);
+    if constexpr (asks_for_distance)
+      report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
+    count_topology(complex_, scratch().labels).tell(report);
+    report.components_before = is_topology_kept_ ? report.components_after : initial_components_;
+    return {scale_,
+            link_condition_.is_closed(),
+            std::move(complex_),
+            geometry_.take_positions(),
+            moved_.take(),
+            keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
+            std::move(numbering_)};
+  }
+
+private:
+  static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
+
+  // All that keeps up with contractions. Who looks at the surface as it is comes last.
+  auto observers() {
+    if constexpr (asks_for_distance)
+      return std::tie(bounds_, pairs_, numbering_, moved_, memories_, geometry_, link_condition_,
+                      terms_);
+    else
+      return std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_, terms_);
+  }
+
+  // Passes merge nothing before few faces are left.
+  static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
+
+  // Unless the user says, free if there are pairs that are not edges.
+  bool keeps_topology() const {
+    const Topology by_default = pairs_.has_others() ? Topology::free : Topology::kept;
+    return policies_.topology.value_or(by_default) == Topology::kept;
+  }
+
+  typename Policies::Threads threads() const { return policies_.threads; }
+
+  void classify(const Box<dimension>& box) {
+    if (is_topology_kept_)
+      link_condition_ = LinkCondition(
+          complex_,
+          [this](std::size_t worker) -> VertexLabels& { return scratches_[worker].labels; },
+          threads());
+    else
+      initial_components_ = count_components(complex_);
+    if constexpr (asks_for_distance) {
+      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box));
+      progress_.announce_distance(0);
+    }
+  }
+
+  void remember() {
+    const auto is_interior = [this](Index v) { return link_condition_.is_interior(v); };
+    VertexLabels& labels = scratch().labels;
+    memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
+                       creases_.left(numbering_), is_interior, threads());
+    terms_.sum_up(labels);
+  }
+
+  // What is gone takes no more time or room in a cache. Local terms are summed up anew behind it.
+  void pack() {
+    Array<Index> vertices = complex_.left_vertices();
+    const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
+    numbering_.faces.pack_if(is_left);
+    bounds_.pack_if(is_left);
+    parallel_for(threads(), 2, [&](std::size_t part, std::size_t) {
+      if (part == 0) {
+        complex_.pack(vertices);
+        return;
+      }
+      pack_columns(geometry_, vertices);
+      pack_columns(memories_, vertices);
+      pack_columns(link_condition_, vertices);
+      pack_columns(moved_, vertices);
+    });
+    complex_.fill_lists(threads());
+    numbering_.vertices.pack(std::move(vertices));
+  }
+
+  // Which end is kept, and which is gone.
+  std::pair<Index, Index> choose(const Contraction& contraction) const {
+    const Index a = contraction.first(), b = contraction.second();
+    const auto& [pair, target] = std::tie(contraction.pair(), contraction.target());
+    const bool b_stays = !geometry_.is_fixed(a) &&
+                         (geometry_.is_fixed(b) || (target == pair.second && target != pair.first));
+    return b_stays ? std::pair(b, a) : std::pair(a, b);
+  }
+
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void change_faces(const Event& event) {
+    Scratch& scratch = event.contraction.scratch();
+    if constexpr (Event::is_in_pass) {
+      complex_.relabel(event.kept, event.gone);
+      remove_shared_faces(scratch);
+    } else {
+      complex_.reserve_for_merge(event.kept, event.gone);
+      remove_shared_faces(scratch);
+      complex_.merge(event.kept, event.gone);
+    }
+    if (is_topology_kept_)
+      return;
+    Cleanup(complex_, scratch).remove_duplicate_faces();
+    Cleanup(complex_, scratch).remove_isolated_vertices(event.contraction.second());
+  }
+
+  void remove_shared_faces(Scratch& scratch) {
+    for (const StarFace& f : scratch.star.shared)
+      complex_.remove_face(f.face);
+    scratch.tally.faces += scratch.star.shared.size();
+    scratch.tally.non_edge_contractions += scratch.star.shared.empty();
+  }
+
+  void remove_duplicate_faces() {
+    for (Index v = 0; v < vertex_capacity(); ++v)
+      Cleanup(complex_, scratch()).remove_duplicate_faces(v);
+    scratch().tally = {};
+  }
+
+  const Policies& policies_;
+  Scale<dimension> scale_;
+  TriangleComplex complex_;
+  std::vector<Scratch> scratches_;
+  PairFinder<Policies> pairs_;
+  bool is_topology_kept_;
+  LinkCondition link_condition_;
+  DistanceBounds bounds_{0}; // of no face where nobody asks
+  NamedCreases creases_;
+  Numbering numbering_;
+  Geometry<dimension> geometry_;
+  MovedVertices<dimension> moved_;
+  VertexMemories<Cost> memories_;
+  QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
+  PairEvaluator<Policies> evaluator_;
+  Checks<Policies> checks_;
+  DistanceCheck<Policies> distance_check_;
+  TargetRules<Policies> target_rules_;
+  Progress<Policies> progress_;
+  std::size_t initial_components_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H

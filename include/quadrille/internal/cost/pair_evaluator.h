@@ -1,0 +1,163 @@
+#ifndef QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
+#define QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/power_of_two.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/cost/candidate.h>
+#include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/two_lanes.h>
+#include <quadrille/internal/cost/vertex_memories.h>
+#include <quadrille/internal/cost/vertex_pair.h>
+#include <quadrille/internal/memory/append_buffer.h>
+#include <quadrille/internal/memory/columns.h>
+#include <quadrille/internal/policy/mesh_units.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// What contracting a pair of vertices costs, and where the vertex goes.
+template <class Policies>
+class PairEvaluator {
+public:
+  using Cost = typename Policies::Cost;
+  using Placement = typename Policies::Placement;
+  using Position = Vector<Cost::dimension>;
+  using Candidate = internal::Candidate<Cost>;
+  using Pair = PairOf<Cost>;
+  using Geometry = internal::Geometry<Cost::dimension>;
+  using Memories = VertexMemories<Cost>;
+  using Terms = typename LocalTermsOf<Cost>::type;
+
+  PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
+                const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
+                const Terms& terms)
+      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
+        memories_(memories), terms_(terms) {}
+
+  const Cost& cost() const { return policies_.cost; }
+  const TriangleComplex& complex() const { return complex_; }
+  const Geometry& geometry() const { return geometry_; }
+  const Memories& memories() const { return memories_; }
+  const Terms& terms() const { return terms_; }
+
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
+    prefetch_columns(geometry_, v);
+    prefetch_columns(memories_, v);
+    prefetch_columns(terms_, v);
+  }
+
+  /// Where the pair goes and what that costs; `first` is below `second`.
+  Candidate evaluate(Index first, Index second) const {
+    Candidate candidate{first, second, view(first, second)};
+    candidate.target = target(first, second, candidate.pair);
+    set_cost(candidate);
+    return candidate;
+  }
+
+  /// Of the candidate's target, which may be another one than before.
+  QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
+    candidate.cost = policies_.cost(candidate.pair, candidate.target);
+    candidate.key = key(candidate.pair, candidate.target, candidate.cost);
+    const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
+    candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+  }
+
+  /// Contractions of the same pair to its ends, the cheaper one first.
+  std::array<Candidate, 2> at_ends(const Candidate& candidate) const {
+    std::array<Candidate, 2> ends{candidate, candidate};
+    ends[0].target = candidate.pair.first;
+    ends[1].target = candidate.pair.second;
+    for (Candidate& end : ends)
+      set_cost(end);
+    if (ends[1].key < ends[0].key)
+      std::swap(ends[0], ends[1]);
+    return ends;
+  }
+
+  /// The keys of many pairs, in their order; 0 for what is below, or no number. `labels` may be
+  /// written to.
+  void evaluate_all(const AppendBuffer<VertexPair>& pairs, AppendBuffer<float>& keys,
+                    VertexLabels& labels) const {
+    keys.clear();
+    float* const values = keys.extend(pairs.size() + 1); // two at a time
+    keys.add(pairs.size());
+    if constexpr (has_two_lanes<Cost, Placement>)
+      if (!geometry_.is_any_fixed()) {
+        TwoLanes(*this).evaluate_all(pairs, values, labels);
+        return;
+      }
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      values[i] = key_of(pairs[i]);
+  }
+
+  /// The key of a pair, as a float.
+  float key_of(const VertexPair& p) const {
+    const auto [a, b] = std::minmax(p.first, p.second);
+    const Pair pair = view(a, b);
+    const Position x = target(a, b, pair);
+    return as_key(key(pair, x, policies_.cost(pair, x)));
+  }
+  static float as_key(double cost) { return (std::max)(0.0f, static_cast<float>(cost)); }
+
+private:
+  // The pair as cost and placement see it.
+  Pair view(Index a, Index b) const {
+    const Position &p = geometry_.position(a), &q = geometry_.position(b);
+    Pair pair{p, q, sum_about_first(memories_[a], memories_[b], q - p),
+              (std::max)(geometry_.squared_reach(a), geometry_.squared_reach(b))};
+    if constexpr (has_local_terms<Cost>)
+      pair.current =
+          policies_.cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
+    return pair;
+  }
+
+  Position target(Index a, Index b, const Pair& pair) const {
+    if (geometry_.is_fixed(a) || geometry_.is_fixed(b))
+      return geometry_.is_fixed(a) ? pair.first : pair.second;
+    if constexpr (is_scale_free<Placement>)
+      return policies_.placement(policies_.cost, pair);
+    else
+      return target_in_mesh_units(pair);
+  }
+
+  QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair) const {
+    const CostInMeshUnits<Cost> cost(policies_.cost, scale_);
+    const PairInMeshUnits<Cost> seen(pair, scale_);
+    return seen.position_from_mesh(policies_.placement(cost, seen), scale_);
+  }
+
+  // What a cost at a position is compared by, as a float. One in the mesh's units, of which nobody
+  // knows whether it is a length, its square or its fourth power, is taken to where floats hold it
+  // in each of these cases.
+  double key(const Pair& pair, const Position& target, double cost) const {
+    const double key = cost + tie_break(policies_.cost, pair, target);
+    if constexpr (is_scale_free<Cost>)
+      return key;
+    else
+      return (std::min)(PowerOfTwo(2 * scale_.exponent())(key),
+                        double{(std::numeric_limits<float>::max)()});
+  }
+
+  const Policies& policies_;
+  const Scale<Cost::dimension>& scale_;
+  const TriangleComplex& complex_;
+  const Geometry& geometry_;
+  const Memories& memories_;
+  const Terms& terms_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H

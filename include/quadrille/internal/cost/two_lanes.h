@@ -1,0 +1,135 @@
+#ifndef QUADRILLE_INTERNAL_COST_TWO_LANES_H
+#define QUADRILLE_INTERNAL_COST_TWO_LANES_H
+
+#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/cost/local_star.h>
+#include <quadrille/internal/cost/two_quadrics.h>
+#include <quadrille/internal/cost/vertex_pair.h>
+#include <quadrille/internal/memory/append_buffer.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric.h>
+#include <quadrille/thin_feature_quadric.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// Is there a kernel that costs two pairs at the price of one, for this cost and placement?
+template <class Cost, class Placement>
+inline constexpr bool has_two_lanes = false;
+template <>
+inline constexpr bool has_two_lanes<Quadric, OptimalPlacement> = true;
+template <>
+inline constexpr bool has_two_lanes<MemorylessQuadric, OptimalPlacement> = true;
+template <>
+inline constexpr bool has_two_lanes<ThinFeatureQuadric, OptimalPlacement> = true;
+
+/// Costs pairs two at a time, of which no end is fixed. What the kernel cannot solve is left to the
+/// evaluator, which gives the same to the rounding of a float.
+template <class Evaluator>
+class TwoLanes {
+public:
+  using Cost = typename Evaluator::Cost;
+
+  explicit TwoLanes(const Evaluator& evaluator) : evaluator_(evaluator) {}
+
+  /// The last pair is taken alone twice, if need be: there is room for one key more.
+  void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
+    const auto& memories = evaluator_.memories();
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+      const Two two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
+      const auto& [p, q] = two;
+      const Lanes values =
+          least_values({&memories[p.first], &memories[q.first]},
+                       {&memories[p.second], &memories[q.second]}, ways(two), squared_reaches(two));
+      write(two, values, keys + i);
+    }
+  }
+
+  /// One vertex after the other, since its pairs share what its faces say.
+  void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys,
+                    VertexLabels& labels) const requires has_local_terms<Cost> {
+    const auto& terms = evaluator_.terms();
+    const auto& complex = evaluator_.complex();
+    for (std::size_t i = 0, end = 0; i < pairs.size(); i = end) {
+      const Index v = pairs[i].first;
+      while (end < pairs.size() && pairs[end].first == v)
+        ++end;
+      if (terms.last_star().vertex() == v)
+        evaluate_around(terms.last_star(), pairs, i, end, keys);
+      else if (complex.degree_bound(v) <= LocalStar<Cost>::most_faces)
+        evaluate_around(LocalStar<Cost>(v, evaluator_.cost(), positions(), complex), pairs, i, end,
+                        keys);
+      else
+        evaluate_around(LocalHub<Cost>(v, evaluator_.cost(), positions(), complex, labels), pairs,
+                        i, end, keys);
+    }
+  }
+
+private:
+  using Two = std::array<VertexPair, 2>;
+
+  const auto& positions() const { return evaluator_.geometry().positions(); }
+
+  template <class Star>
+  void evaluate_around(const Star& star, const AppendBuffer<VertexPair>& pairs, std::size_t i,
+                       std::size_t end, float* keys) const {
+    const auto& terms = evaluator_.terms();
+    for (; i < end; i += 2) {
+      const Two two = {pairs[i], pairs[(std::min)(i + 1, end - 1)]};
+      const auto& [p, q] = two;
+      auto [values, minimizers] =
+          minima(terms[p.first], {&terms[p.second], &terms[q.second]},
+                 {star.shared_with(p.second, evaluator_.cost(), positions()),
+                  star.shared_with(q.second, evaluator_.cost(), positions())},
+                 ways(two), squared_reaches(two));
+      if constexpr (std::same_as<Cost, ThinFeatureQuadric>)
+        values += losses(two, minimizers);
+      write(two, values, keys + i);
+    }
+  }
+
+  // Both pairs have their first vertex in common.
+  Lanes losses(const Two& two, const LaneVector& minimizers) const {
+    const auto& [p, q] = two;
+    const auto planes = [&](Index v) -> const auto& {
+      return evaluator_.memories()[v].planes;
+    };
+    const Lanes trace =
+        planes(p.first).trace() + Lanes{planes(p.second).trace(), planes(q.second).trace()};
+    return evaluator_.cost().loss(
+        growth(planes(p.first), {&planes(p.second), &planes(q.second)}, ways(two), minimizers),
+        trace);
+  }
+
+  void write(const Two& two, Lanes values, float* keys) const {
+    for (std::size_t k = 0; k < 2; ++k)
+      keys[k] = std::isnan(values[k]) ? evaluator_.key_of(two[k]) : Evaluator::as_key(values[k]);
+  }
+
+  std::array<Vector<3>, 2> ways(const Two& two) const {
+    const auto& [p, q] = two;
+    const auto& at = positions();
+    return {at[p.second] - at[p.first], at[q.second] - at[q.first]};
+  }
+  Lanes squared_reaches(const Two& two) const {
+    const auto reach = [&](const VertexPair& p) {
+      const auto& geometry = evaluator_.geometry();
+      return (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second));
+    };
+    return Lanes{reach(two[0]), reach(two[1])};
+  }
+
+  const Evaluator& evaluator_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_TWO_LANES_H

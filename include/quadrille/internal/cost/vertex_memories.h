@@ -1,0 +1,58 @@
+#ifndef QUADRILLE_INTERNAL_COST_VERTEX_MEMORIES_H
+#define QUADRILLE_INTERNAL_COST_VERTEX_MEMORIES_H
+
+#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/cost/initial_memories.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/vector.h>
+
+#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What each vertex remembers of the surface: for a quadric, the sum over its planes.
+template <class Cost>
+class VertexMemories {
+public:
+  using Memory = typename Cost::Memory;
+  using Positions = Array<Vector<Cost::dimension>>;
+
+  explicit VertexMemories(Workspace* workspace) : memories_(workspace) {}
+
+  const Memory& operator[](Index v) const { return memories_[v]; }
+
+  /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
+  /// boundary edge for certain.
+  template <class IsInterior, class Threads>
+  void remember(const Cost& cost, const Positions& positions, TriangleComplex& complex,
+                VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
+                IsInterior is_interior, Threads threads) {
+    InitialMemories<Cost>::compute(memories_, cost, positions, complex, labels, creases,
+                                   is_interior, threads);
+  }
+
+  static auto vertex_columns(auto& self) { return std::tie(self.memories_); }
+
+  /// The vertex that a contraction has left remembers what both of its ends did.
+  template <class Event>
+  void after(const Event& event) {
+    const auto& pair = event.contraction.pair();
+    Memory& memory = memories_[event.kept];
+    memory = pair.memory;
+    move_origin(memory, event.contraction.target() - pair.first);
+  }
+
+  /// All of it, which is no longer here then.
+  UninitializedArray<Memory> take() { return std::move(memories_); }
+
+private:
+  UninitializedArray<Memory> memories_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_VERTEX_MEMORIES_H

@@ -1,0 +1,114 @@
+#ifndef QUADRILLE_INTERNAL_ORDER_COST_REFRESH_H
+#define QUADRILLE_INTERNAL_ORDER_COST_REFRESH_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/order/flattened_vertices.h>
+#include <quadrille/internal/order/pair_stamps.h>
+#include <quadrille/internal/order/waiting_pairs.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/order.h>
+
+#include <concepts>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Which pairs are costed anew because a contraction beside them has changed what they cost, for a
+/// cost that looks at the surface as it is: see GreedyOrder::eager and FlattenedVertices.
+template <class Policies>
+class CostRefresh {
+public:
+  using Cost = typename Policies::Cost;
+
+  CostRefresh(WorkingSurface<Policies>& surface, PairStamps& stamps)
+      : surface_(surface), stamps_(stamps),
+        flattened_(looks_for_flattened() ? stamps.size() : 0, tolerated_fall<Cost>,
+                   surface.complex().workspace()) {
+    for (Index v = 0; v < stamps.size(); ++v)
+      note(v);
+  }
+
+  /// The pairs of a vertex have just been costed.
+  void note(Index v) {
+    if (looks_for_flattened())
+      flattened_.note(v, surface_.evaluator().terms().unevenness(v));
+  }
+  /// The faces around a vertex have changed.
+  void look_at(Index v) {
+    if (looks_for_flattened())
+      flattened_.look_at(v, surface_.evaluator().terms().unevenness(v));
+  }
+
+  /// Calls push(v, w, key) for the pairs that are to be costed anew now that a contraction has left
+  /// the vertex `kept`, each once.
+  template <class Push>
+  void run(Index kept, Push push) {
+    if (is_eager())
+      push_around(kept, push);
+    else if (flattened_.are_many())
+      push_flattened(push);
+  }
+
+private:
+  // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
+  bool is_eager() const {
+    if constexpr (has_local_terms<Cost> && std::same_as<typename Policies::Order, GreedyOrder>)
+      return surface_.policies().order.eager;
+    else
+      return false;
+  }
+  // Where a cost tells how uneven they are. Eager order costs their pairs anyway.
+  bool looks_for_flattened() const { return tells_unevenness<Cost> && !is_eager(); }
+
+  // The pairs of the neighbours of a vertex that has just been contracted, but its own.
+  template <class Push>
+  void push_around(Index v, Push push) {
+    ring_.clear();
+    const TriangleComplex& complex = surface_.complex();
+    surface_.complex().prune_corners(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex, face, i);
+      for (Index w : {f.second, f.third})
+        if (!stamps_.is_new(w) && complex.degree_bound(w) <= WaitingPairs::few_faces) {
+          stamps_.renew(w);
+          ring_.push_back(w);
+        }
+    });
+    push_pairs_of_ring([v](Index x) { return x != v; }, push);
+  }
+
+  template <class Push>
+  QUADRILLE_NOINLINE void push_flattened(Push push) {
+    ring_.clear();
+    stamps_.advance(); // so that what was pushed before is outdated
+    flattened_.take([this](Index v) {
+      if (stamps_.is_retired(v) || !surface_.complex().has_faces(v))
+        return;
+      note(v);
+      if (surface_.complex().degree_bound(v) > WaitingPairs::few_faces)
+        return;
+      stamps_.renew(v);
+      ring_.push_back(v);
+    });
+    push_pairs_of_ring([](Index) { return true; }, push);
+  }
+
+  // With the vertices x for which is_wanted(x) holds.
+  template <class IsWanted, class Push>
+  void push_pairs_of_ring(IsWanted is_wanted, Push push) {
+    surface_.pairs().for_each_of(
+        surface_.scratch(), ring_,
+        [&](Index w, Index x) { return is_wanted(x) && (!stamps_.is_new(x) | (w < x)); }, push);
+  }
+
+  WorkingSurface<Policies>& surface_;
+  PairStamps& stamps_;
+  FlattenedVertices flattened_;
+  std::vector<Index> ring_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ORDER_COST_REFRESH_H

@@ -1,0 +1,140 @@
+// The compiled library gives the same bits as the templates with the same policies.
+#include "soups.h"
+
+#include <quadrille/compiled.h>
+#include <quadrille/parameters.h>
+#include <quadrille/simplify.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Soup;
+
+struct Arrays {
+  SoupPoints points;
+  SoupTriangles triangles;
+
+  explicit Arrays(const Soup& soup) : triangles(soup.triangles) {
+    for (const auto& p : soup.points)
+      points.push_back({p[0], p[1], p[2]});
+  }
+  friend bool operator==(const Arrays&, const Arrays&) = default;
+};
+
+template <class... Policies>
+void check(const Soup& soup, const SoupOptions& options, const Policies&... policies) {
+  Arrays expected(soup), result(soup);
+  const Report of_templates = simplify(expected.points, expected.triangles, policies...);
+  const Report report = simplify_soup(result.points, result.triangles, options);
+  const bool is_same = result == expected;
+  CHECK(is_same);
+  CHECK(report.stop == of_templates.stop);
+  CHECK(report.contractions == of_templates.contractions);
+  CHECK(report.contractions > 0);
+}
+
+SoupOptions options_to(std::size_t faces, SoupOptions::Cost cost = SoupOptions::Cost::quadric) {
+  SoupOptions options;
+  options.faces = faces;
+  options.cost = cost;
+  return options;
+}
+
+const Soup soup = test::random_with_borders(3);
+
+} // namespace
+
+TEST_CASE("Each cost of the compiled library is that of its name") {
+  using Cost = SoupOptions::Cost;
+  check(soup, options_to(60, Cost::quadric), Quadric{}, FaceCount{60});
+  check(soup, options_to(60, Cost::memoryless_quadric), MemorylessQuadric{}, FaceCount{60});
+  check(soup, options_to(60, Cost::thin_feature_quadric), ThinFeatureQuadric{}, FaceCount{60});
+  check(soup, options_to(60, Cost::edge_length), EdgeLength{}, MidpointPlacement{}, FaceCount{60});
+}
+
+TEST_CASE("Each option of the compiled library is the policy of its name") {
+  SoupOptions options;
+  check(soup, options, Quadric{});
+  options = options_to(61);
+  options.boundary_weight = 1;
+  check(soup, options, Quadric{.boundary_weight = 1}, FaceCount{61});
+  options = options_to(60);
+  options.placement = SoupOptions::Placement::endpoint;
+  check(soup, options, Quadric{}, EndpointPlacement{}, FaceCount{60});
+  options.placement = SoupOptions::Placement::midpoint;
+  check(soup, options, Quadric{}, MidpointPlacement{}, FaceCount{60});
+  options = options_to(60);
+  options.order = SoupOptions::Order::relaxed;
+  check(soup, options, Quadric{}, RelaxedOrder{}, FaceCount{60});
+  options = options_to(60);
+  options.topology = Topology::free;
+  check(soup, options, Quadric{}, Topology::free, FaceCount{60});
+  options = options_to(60);
+  options.normal_flip = 20;
+  check(soup, options, Quadric{}, NormalFlip(20), FaceCount{60});
+  options = {};
+  options.vertices = 40;
+  check(soup, options, Quadric{}, VertexCount{40});
+  options = {};
+  options.error = 0.05;
+  check(soup, options, Quadric{}, ErrorLimit(0.05));
+  options = {};
+  options.relative_error = 0.02;
+  check(soup, options, Quadric{}, ErrorLimit::relative(0.02));
+}
+
+TEST_CASE("Fixed points stay, and the images tell what became of the others") {
+  Arrays result(soup);
+  SoupOptions options = options_to(60);
+  options.fixed.assign(result.points.size(), false);
+  options.fixed[7] = true;
+  std::vector<std::size_t> image;
+  simplify_soup(result.points, result.triangles, options, &image);
+  REQUIRE(image.size() == soup.points.size());
+  REQUIRE(image[7] < result.points.size());
+  const auto& p = soup.points[7];
+  CHECK(result.points[image[7]] == std::array{p[0], p[1], p[2]});
+  for (std::size_t i : image)
+    CHECK((i < result.points.size() || i == parameters::vanished));
+}
+
+TEST_CASE("The compiled library is cancelled before it has begun, and the soup stays") {
+  Arrays result(soup);
+  SoupOptions options = options_to(60);
+  std::size_t calls = 0;
+  options.proceed = [&](const Status&) { return ++calls < 2; };
+  std::vector<std::size_t> image;
+  CHECK(simplify_soup(result.points, result.triangles, options, &image).stop ==
+        StopReason::cancelled);
+  const bool is_same = result == Arrays(soup);
+  CHECK(is_same);
+  REQUIRE(image.size() == soup.points.size());
+  CHECK(image[5] == 5);
+}
+
+TEST_CASE("The compiled library refuses options that make no sense") {
+  Arrays result(soup);
+  const auto refuses = [&](const SoupOptions& options) {
+    CHECK_THROWS_AS(simplify_soup(result.points, result.triangles, options), std::invalid_argument);
+    const bool is_same = result == Arrays(soup);
+    CHECK(is_same);
+  };
+  SoupOptions options = options_to(60, SoupOptions::Cost::edge_length);
+  options.placement = SoupOptions::Placement::optimal;
+  refuses(options);
+  options = options_to(60);
+  options.fixed.assign(3, true);
+  refuses(options);
+  options = {};
+  options.ratio = 2;
+  refuses(options);
+  options = {};
+  options.error = -1;
+  refuses(options);
+}
