@@ -116,7 +116,7 @@ private:
     if constexpr (std::integral<T>) {
       using Limits = std::numeric_limits<T>; // as a double max() of 64 bits is one too many
       const double rounded = std::round(x);
-      if (!(rounded > static_cast<double>(Limits::min())))
+      if (!(rounded > static_cast<double>((Limits::min)())))
         return (Limits::min)();
       if (rounded >= static_cast<double>((Limits::max)()))
         return (Limits::max)();

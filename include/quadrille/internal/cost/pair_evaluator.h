@@ -71,7 +71,7 @@ public:
     candidate.cost = policies_.cost(candidate.pair, candidate.target);
     candidate.key = key(candidate.pair, candidate.target, candidate.cost);
     const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
-    candidate.error = scale_.length_of_mesh(std::sqrt(std::max(0.0, squared)));
+    candidate.error = scale_.length_of_mesh(std::sqrt((std::max)(0.0, squared)));
   }
 
   /// Contractions of the same pair to its ends, the cheaper one first.
@@ -115,8 +115,9 @@ private:
   // The pair as cost and placement see it.
   Pair view(Index a, Index b) const {
     const Position &p = geometry_.position(a), &q = geometry_.position(b);
-    Pair pair{p, q, sum_about_first(memories_[a], memories_[b], q - p),
-              (std::max)(geometry_.squared_reach(a), geometry_.squared_reach(b))};
+    Pair pair{
+        p, q, sum_about_first(memories_[a], memories_[b], q - p),
+        static_cast<double>((std::max)(geometry_.squared_reach(a), geometry_.squared_reach(b)))};
     if constexpr (has_local_terms<Cost>)
       pair.current =
           policies_.cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);

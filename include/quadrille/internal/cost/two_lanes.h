@@ -122,7 +122,8 @@ private:
   Lanes squared_reaches(const Two& two) const {
     const auto reach = [&](const VertexPair& p) {
       const auto& geometry = evaluator_.geometry();
-      return (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second));
+      return static_cast<double>(
+          (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second)));
     };
     return Lanes{reach(two[0]), reach(two[1])};
   }

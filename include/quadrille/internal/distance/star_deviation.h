@@ -66,7 +66,8 @@ public:
       const std::array<Vector<3>, 3> corners{ends_[end], at(f.second), at(f.third)};
       const Vector<3> area = double_area_vector(corners[0], corners[1], corners[2]);
       see(corners[1]), see(corners[2]);
-      faces_.push_back({corners, area, f.second, f.third, bound_of(f.face), end, is_shared});
+      const auto bound = static_cast<double>(bound_of(f.face));
+      faces_.push_back({corners, area, f.second, f.third, bound, end, is_shared});
     };
     if (!is_unchanged(0))
       for (const StarFace& f : star.first)

@@ -23,7 +23,7 @@ public:
   /// The place behind the list, for at most `count` values more.
   T* extend(std::size_t count) {
     if (values_.size() < size_ + count)
-      grow(std::max(values_.size() + values_.size() / 4, size_ + count));
+      grow((std::max)(values_.size() + values_.size() / 4, size_ + count));
     return values_.data() + size_;
   }
   /// So many of them have been written.

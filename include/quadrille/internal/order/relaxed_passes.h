@@ -118,7 +118,7 @@ private:
     blocks_.clear();
     for (std::size_t begin = 0; begin < capacity; begin += size)
       blocks_.push_back(
-          {static_cast<Index>(begin), static_cast<Index>(std::min(begin + size, capacity))});
+          {static_cast<Index>(begin), static_cast<Index>((std::min)(begin + size, capacity))});
     stars_.measure(surface_.complex(), std::countr_zero(size), threads());
   }
 

@@ -33,7 +33,7 @@ std::vector<std::array<Index, 2>> emitted_pairs(const Pairs& policy, const Surfa
                               std::to_string(i) + " and " + std::to_string(j) + " of " +
                               std::to_string(points.size()));
     if (i != j)
-      pairs.push_back({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
+      pairs.push_back({static_cast<Index>((std::min)(i, j)), static_cast<Index>((std::max)(i, j))});
   };
   policy(surface, emit);
   std::sort(pairs.begin(), pairs.end());

@@ -22,7 +22,7 @@ struct Box {
   template <class Positions, class Counts>
   Box(const Positions& positions, Counts counts) {
     Vector<N> least, greatest; // no members, which would be written each time
-    least.coordinates.fill(std::numeric_limits<double>::max());
+    least.coordinates.fill((std::numeric_limits<double>::max)());
     greatest.coordinates.fill(std::numeric_limits<double>::lowest());
     bool is_empty = true;
     for (std::size_t v = 0; v < positions.size(); ++v) {

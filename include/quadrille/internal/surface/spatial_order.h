@@ -141,7 +141,7 @@ private:
     std::vector<std::vector<PlacedFace>> sorted(unsigned{threads});
     parallel_for(threads, parts, [&](std::size_t part, std::size_t worker) {
       const std::size_t first = begin[part], count = begin[part + 1] - first;
-      sorted[worker].resize(std::max(count, sorted[worker].size()));
+      sorted[worker].resize((std::max)(count, sorted[worker].size()));
       sort_by_digit<part_bits>(
           faces.data() + first, count, sorted[worker].data(),
           [&](const PlacedFace& face) { return lowest(face.corners) % (Index{1} << part_bits); });
