@@ -11,9 +11,11 @@
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Colors = Mesh::Property_map<Mesh::Vertex_index, CGAL::IO::Color>;
+using Materials = Mesh::Property_map<Mesh::Face_index, int>;
 
 void documented_calls(Mesh& mesh, std::vector<Point>& points,
-                      std::vector<std::array<std::size_t, 3>>& triangles, const Colors& colors) {
+                      std::vector<std::array<std::size_t, 3>>& triangles, const Colors& colors,
+                      const Materials& materials) {
   using namespace quadrille;
 #include "documented_calls.inc"
 }

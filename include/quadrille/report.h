@@ -58,9 +58,10 @@ enum class Rejection {
   distance,    ///< the surface would leave the distance that the stop policy allows
   position,    ///< the placement gave a position that is not finite
   destruction, ///< a part would lose its shape for a target that can't be reached
+  seam,        ///< a region of labels would be torn, vanish or meet another one: see Labels
   filter,      ///< a filter of the user's refused
 };
-inline constexpr std::size_t rejection_causes = 9;
+inline constexpr std::size_t rejection_causes = 10;
 
 constexpr std::string_view to_string(StopReason reason) {
   constexpr std::array<std::string_view, 6> names{"target met",         "target passed",
@@ -72,7 +73,7 @@ constexpr std::string_view to_string(StopReason reason) {
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
       "topology", "constraint", "normal flip", "shape", "degree",
-      "distance", "position",   "destruction", "filter"};
+      "distance", "position",   "destruction", "seam",  "filter"};
   return names[static_cast<std::size_t>(cause)];
 }
 

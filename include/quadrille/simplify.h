@@ -11,6 +11,7 @@
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/diagnostics.h>
 #include <quadrille/internal/call/meshes.h>
+#include <quadrille/labels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
@@ -41,6 +42,7 @@ inline namespace QUADRILLE_THREADING {
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
 /// - GreedyOrder or RelaxedOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
+/// - Labels: of faces, whose regions are kept
 /// - Topology: kept, or free; kept by default, free with pairs that are not edges
 ///
 /// Named parameters:
@@ -50,6 +52,7 @@ inline namespace QUADRILLE_THREADING {
 /// - edge_is_constrained_map: such an edge stays, with its ends
 /// - vertex_is_constrained_map: such a vertex stays where it is
 /// - edge_is_crease_map: creases, see Quadric
+/// - face_patch_map: the same as Labels
 /// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: see
 ///   AttributeQuadric
 /// - vertex_quadric_map: written, the quadrics of the vertices that are left

@@ -7,6 +7,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
+#include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/parameters.h>
 #include <quadrille/vector.h>
@@ -22,18 +23,29 @@
 
 namespace quadrille::internal {
 
+template <class Labels>
+struct LabelValueOf {
+  using type = typename boost::property_traits<decltype(Labels::map)>::value_type;
+};
+template <>
+struct LabelValueOf<NoLabels> {
+  using type = NoLabels;
+};
+template <class Labels>
+using LabelValue = typename LabelValueOf<Labels>::type;
+
 /// Reads a polygon soup of triangles into flat arrays and rewrites it from the result, in linear
 /// time. Points and triangles that are left keep their order.
-template <class Points, class Triangles, class PointMap, class Attributes = NoAttributes>
+template <class Points, class Triangles, class PointMap, class Attributes, class Labels>
 class SoupAdapter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
   SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes,
-              Workspace& workspace)
+              Labels labels, Workspace& workspace)
       : workspace_(&workspace), points_(points), triangles_(triangles), map_(map),
-        attributes_(attributes) {}
+        attributes_(attributes), labels_(labels) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
   /// there, and for a point that is not finite.
@@ -78,13 +90,15 @@ public:
       tell_images(result, places(inputs, result.input_vertex_count()), new_index, tell);
     Triangles triangles = empty_like(triangles_);
     const Array<Index> input_faces = result.input_faces();
-    for (Index face : in_order(input_faces, result.input_face_count()))
+    const Array<Index> faces = in_order(input_faces, result.input_face_count());
+    for (Index face : faces)
       triangles.push_back(
           renumbered(triangles_[input_faces[face]], result.corners(face), new_index));
     Undo undo;
     try {
       move_points(result, vertices, points, undo);
       write_attributes(result, vertices, inputs, undo);
+      write_labels(faces, input_faces, undo);
     } catch (...) {
       undo.run(*this, points);
       throw;
@@ -99,6 +113,7 @@ private:
   struct Undo {
     std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
     std::vector<AttributeValue<Attributes>> attributes;
+    std::vector<LabelValue<Labels>> labels;
 
     void run(SoupAdapter& adapter, Points& new_points) const {
       for (const auto& [i, p] : points)
@@ -106,6 +121,9 @@ private:
       if constexpr (Attributes::size > 0)
         for (std::size_t i = 0; i < attributes.size(); ++i)
           adapter.attributes_.put_raw(i, attributes[i]);
+      if constexpr (has_labels<Labels>)
+        for (std::size_t i = 0; i < labels.size(); ++i)
+          put(adapter.labels_.map, i, labels[i]);
     }
   };
 
@@ -196,11 +214,22 @@ private:
       }
   }
 
+  // The labels of the faces that are left, in front. A new index is never above the old one.
+  void write_labels([[maybe_unused]] const Array<Index>& faces,
+                    [[maybe_unused]] const Array<Index>& inputs, [[maybe_unused]] Undo& undo) {
+    if constexpr (has_labels<Labels>)
+      for (std::size_t i = 0; i < faces.size(); ++i) {
+        undo.labels.push_back(get(labels_.map, i));
+        put(labels_.map, i, get(labels_.map, std::size_t{inputs[faces[i]]}));
+      }
+  }
+
   Workspace* workspace_;
   Points& points_;
   Triangles& triangles_;
   PointMap map_;
   QUADRILLE_NO_UNIQUE_ADDRESS Attributes attributes_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Labels labels_;
 };
 
 } // namespace quadrille::internal

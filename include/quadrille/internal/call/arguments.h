@@ -8,6 +8,7 @@
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
+#include <quadrille/labels.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
@@ -37,9 +38,15 @@ enum class Kind {
   order,
   filter,
   topology,
+  labels,
   named_parameters,
   unknown
 };
+
+template <class T>
+inline constexpr bool is_labels = false;
+template <class Map>
+inline constexpr bool is_labels<Labels<Map>> = true;
 
 /// Is a type meant to be a cost? Nothing else has these members.
 template <class T>
@@ -67,6 +74,8 @@ constexpr Kind kind_of() {
     return Kind::named_parameters;
   else if constexpr (std::same_as<T, Topology>)
     return Kind::topology;
+  else if constexpr (is_labels<T>)
+    return Kind::labels;
   else if constexpr (std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)
@@ -176,10 +185,27 @@ concept Fitting =
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
 template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
-          class Threads, class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, std::optional<Topology>,
+          class Threads, class Labels, class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, std::optional<Topology>,
          std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Filters...>;
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Filters...>;
+
+/// The labels of a call: an argument, or the named parameter face_patch_map.
+template <class Cost, class... Arguments>
+auto pick_labels(const Arguments&... arguments) {
+  const auto patches =
+      CGAL::parameters::get_parameter(pick_named(arguments...), CGAL::internal_np::face_patch);
+  constexpr bool are_patches = is_given<decltype(patches)>;
+  constexpr std::size_t count = count_of<Kind::labels, Cost, Arguments...>;
+  static_assert(count + are_patches <= 1,
+                "simplify takes the labels of faces once: as Labels{map} or as face_patch_map.");
+  if constexpr (count > 0)
+    return pick<Kind::labels, Cost, NoLabels>(arguments...);
+  else if constexpr (are_patches)
+    return Labels{patches};
+  else
+    return NoLabels{};
+}
 
 inline namespace QUADRILLE_THREADING {
 
@@ -229,12 +255,14 @@ auto pick_policies(const Arguments&... arguments) {
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
+      pick_labels<Cost>(arguments...),
       topology,
       pick_filters<Cost>(arguments...)};
   validate(policies.cost);
   validate(policies.pairs);
   validate(policies.stop);
   validate(policies.order);
+  validate(policies.labels);
   policies.threads.validate();
   return policies;
 }

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CALL_MESHES_H
 
 #include <quadrille/internal/adapter/face_graph_adapter.h>
+#include <quadrille/internal/adapter/label_numbers.h>
 #include <quadrille/internal/adapter/soup_adapter.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/named_parameters.h>
@@ -70,8 +71,9 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
   namespace np = CGAL::internal_np;
   check_named<Cost, NamedParameters>(
       Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
-            np::face_index_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
-            parameters::vertex_image_t, parameters::duplicate_output_t>());
+            np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
+            parameters::edge_is_crease_t, parameters::vertex_image_t,
+            parameters::duplicate_output_t>());
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   check_geom_traits<typename boost::property_traits<decltype(points)>::value_type,
@@ -96,6 +98,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
           "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
       reader.name_creases(creases, input);
     }
+    if constexpr (has_labels<typename Policies::Labels>)
+      input.labels = numbers_of_labels(policies.labels.map, faces(mesh), workspace);
     reader.release();
     return input;
   };
@@ -116,7 +120,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
                 "vertex_is_constrained_map, or simplify a mesh");
   namespace np = CGAL::internal_np;
   check_named<Cost, NamedParameters>(
-      Names<np::point_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+      Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
             parameters::vertex_image_t>());
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
@@ -124,13 +128,17 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
       memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));
-  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes)> adapter(
-      points, triangles, map, attributes, workspace);
+  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes), typename Policies::Labels>
+      adapter(points, triangles, map, attributes, policies.labels, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
     if constexpr (is_given<decltype(fixed_vertices)>)
       reader.fix_vertices(fixed_vertices, input);
+    if constexpr (has_labels<typename Policies::Labels>)
+      input.labels = numbers_of_labels(
+          policies.labels.map, std::views::iota(std::size_t{0}, std::ranges::size(triangles)),
+          workspace);
     return input;
   };
   return run(adapter, policies, read, teller(named));

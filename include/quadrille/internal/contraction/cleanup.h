@@ -67,7 +67,23 @@ public:
     remove_duplicates();
   }
 
-  /// The same for the faces that the contraction of the star has changed.
+  /// The same at all vertices, before the first contraction: what goes is not tallied.
+  void remove_all_duplicate_faces() {
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
+      remove_duplicate_faces(v);
+    scratch_.tally = {};
+  }
+
+  /// The faces of both ends of the star go.
+  void remove_shared_faces() {
+    for (const StarFace& f : scratch_.star.shared)
+      complex_.remove_face(f.face);
+    scratch_.tally.faces += scratch_.star.shared.size();
+    scratch_.tally.non_edge_contractions += scratch_.star.shared.empty();
+  }
+
+  /// Of the faces that the contraction of the star has changed, those of the same three vertices go
+  /// but one.
   void remove_duplicate_faces() {
     gather_changed();
     remove_duplicates();

@@ -3,10 +3,12 @@
 
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/regions.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/pairs.h>
@@ -55,6 +57,24 @@ Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& i
     return std::move(input.triangles);
   else
     return input.triangles;
+}
+
+/// The regions of labels, if faces have any. Vertices at corners of the seams are fixed.
+template <class Labels, std::size_t N>
+Regions regions_of(const TriangleComplex& complex, SurfaceInput<N>& input,
+                   const Numbering& numbering) {
+  if constexpr (!has_labels<Labels>) {
+    return {};
+  } else {
+    Array<Index> labels(complex.face_capacity(), complex.workspace());
+    for (Index face = 0; face < labels.size(); ++face)
+      labels[face] = input.labels[numbering.faces[face]];
+    Regions regions(complex, std::move(labels));
+    for (Index v = 0; v < complex.vertex_capacity(); ++v)
+      if (regions.is_corner(v))
+        input.fix(v);
+    return regions;
+  }
 }
 
 /// One for each thread.

@@ -60,18 +60,20 @@ public:
         is_topology_kept_(keeps_topology()), creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.input_vertices)},
                    {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
+        regions_(regions_of<typename Policies::Labels>(complex_, input, numbering_)),
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
         terms_(policies.cost, geometry_, complex_, link_condition_),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_),
-        checks_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
+        checks_(policies, scale_, complex_, geometry_, link_condition_, regions_,
+                is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
         target_rules_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
-      remove_duplicate_faces();
+      Cleanup(complex_, scratch()).remove_all_duplicate_faces();
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
       classify(box);
@@ -179,6 +181,7 @@ private:
     return std::tuple_cat(
         tie_if<asks_for_distance>(bounds_),
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
+        tie_if<has_labels<typename Policies::Labels>>(regions_),
         tie_if<has_local_terms<Cost>>(terms_));
   }
 
@@ -210,6 +213,9 @@ private:
     VertexLabels& labels = scratch().labels;
     memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
                        creases_.left(numbering_), is_interior, policies_.threads);
+    if constexpr (has_labels<typename Policies::Labels>)
+      memories_.remember_creases(policies_.cost, policies_.labels.border_weight,
+                                 geometry_.positions(), complex_, regions_.borders(complex_));
     terms_.sum_up(labels);
   }
 
@@ -219,6 +225,7 @@ private:
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
     numbering_.faces.pack_if(is_left);
     bounds_.pack_if(is_left);
+    regions_.pack_if(is_left);
     parallel_for(policies_.threads, 2, [&](std::size_t part, std::size_t) {
       if (part == 0) {
         complex_.pack(vertices);
@@ -227,6 +234,7 @@ private:
       pack_columns(geometry_, vertices);
       pack_columns(memories_, vertices);
       pack_columns(link_condition_, vertices);
+      pack_columns(regions_, vertices);
       pack_columns(moved_, vertices);
     });
     complex_.fill_lists(policies_.threads);
@@ -245,32 +253,19 @@ private:
 
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void change_faces(const Event& event) {
-    Scratch& scratch = event.contraction.scratch();
+    Cleanup cleanup(complex_, event.contraction.scratch());
     if constexpr (Event::is_in_pass) {
       complex_.relabel(event.kept, event.gone);
-      remove_shared_faces(scratch);
+      cleanup.remove_shared_faces();
     } else {
       complex_.reserve_for_merge(event.kept, event.gone);
-      remove_shared_faces(scratch);
+      cleanup.remove_shared_faces();
       complex_.merge(event.kept, event.gone);
     }
     if (is_topology_kept_)
       return;
-    Cleanup(complex_, scratch).remove_duplicate_faces();
-    Cleanup(complex_, scratch).remove_isolated_vertices(event.contraction.second());
-  }
-
-  void remove_shared_faces(Scratch& scratch) {
-    for (const StarFace& f : scratch.star.shared)
-      complex_.remove_face(f.face);
-    scratch.tally.faces += scratch.star.shared.size();
-    scratch.tally.non_edge_contractions += scratch.star.shared.empty();
-  }
-
-  void remove_duplicate_faces() {
-    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
-      Cleanup(complex_, scratch()).remove_duplicate_faces(v);
-    scratch().tally = {};
+    cleanup.remove_duplicate_faces();
+    cleanup.remove_isolated_vertices(event.contraction.second());
   }
 
   const Policies& policies_;
@@ -283,6 +278,7 @@ private:
   DistanceBounds bounds_{0}; // of no face where nobody asks
   NamedCreases creases_;
   Numbering numbering_;
+  Regions regions_;
   Geometry<dimension> geometry_;
   MovedVertices<dimension> moved_;
   VertexMemories<Cost> memories_;

@@ -45,6 +45,19 @@ public:
         memories.add_crease(v, w);
   }
 
+  /// Adds what creases leave.
+  static void add_creases([[maybe_unused]] UninitializedArray<Memory>& result,
+                          [[maybe_unused]] const Cost& cost,
+                          [[maybe_unused]] const Array<Position>& positions,
+                          [[maybe_unused]] TriangleComplex& complex,
+                          [[maybe_unused]] const std::vector<Edge>& creases) {
+    if constexpr (has_creases) {
+      InitialMemories memories(cost, positions, complex, result);
+      for (const auto& [v, w] : creases)
+        memories.add_crease(v, w);
+    }
+  }
+
 private:
   static constexpr bool has_boundaries = requires(const Cost c, Position p) {
     c.boundary(p, p, p);

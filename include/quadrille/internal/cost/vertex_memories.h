@@ -35,6 +35,15 @@ public:
                                    is_interior, threads);
   }
 
+  /// Adds what further creases leave, with a weight of their own.
+  void remember_creases(Cost cost, double weight, const Positions& positions,
+                        TriangleComplex& complex,
+                        const std::vector<std::array<Index, 2>>& creases) {
+    if constexpr (requires { cost.crease_weight; })
+      cost.crease_weight = weight;
+    InitialMemories<Cost>::add_creases(memories_, cost, positions, complex, creases);
+  }
+
   static auto vertex_columns(auto& self) { return std::tie(self.memories_); }
 
   /// The vertex that a contraction has left remembers what both of its ends did.

@@ -70,12 +70,17 @@ struct PairOf {
   double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour, as each
                                 ///< end had it when it took its place
   QUADRILLE_NO_UNIQUE_ADDRESS
-      typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
+  typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
 };
+
+/// Where faces have no labels that are to be kept.
+struct NoLabels {};
+template <class Labels>
+inline constexpr bool has_labels = !std::same_as<Labels, NoLabels>;
 
 /// Everything that `simplify` was asked for, each with its default where it was not named.
 template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
-          class Threads_, class... Filters>
+          class Threads_, class Labels_, class... Filters>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
@@ -84,6 +89,7 @@ struct Policies {
   using Order = Order_;
   using Visitor = Visitor_;
   using Threads = Threads_;
+  using Labels = Labels_;
 
   Cost cost;
   Placement placement;
@@ -92,6 +98,7 @@ struct Policies {
   Order order;
   Visitor visitor;
   Threads threads;                  // as many as the order asks for
+  Labels labels;                    // of faces, or NoLabels
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;
 };

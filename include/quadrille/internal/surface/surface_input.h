@@ -26,7 +26,8 @@ struct SurfaceInput {
   Array<Index> input_vertices, input_faces;  ///< see InputIndices
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
-  bool has_duplicate_faces = false;          ///< may it have them? They are dropped then.
+  Array<Index> labels;              ///< of each face, small numbers; empty if there are none
+  bool has_duplicate_faces = false; ///< may it have them? They are dropped then.
 
   /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a
   /// vertex fit into what these leave in a workspace, side by side.
