@@ -1,0 +1,238 @@
+#ifndef QUADRILLE_TEXTURE_DEVIATION_H
+#define QUADRILLE_TEXTURE_DEVIATION_H
+
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// \file
+/// How far the texture of a surface lies from where it lay on the original: a measure for any
+/// simplifier, which shares nothing with the engine.
+
+namespace quadrille {
+
+/// Triangles with texture coordinates at their corners, as in an OBJ file: three indices of points
+/// and three of coordinates each.
+struct TexturedSoup {
+  std::vector<Vector<3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<Vector<2>> coordinates;
+  std::vector<std::array<std::size_t, 3>> coordinate_triangles; ///< one for each triangle
+  std::vector<std::size_t> labels; ///< of each triangle, as its material; empty: all the same
+};
+
+/// What texture_deviation() finds. Lengths are in the unit of the points.
+struct TextureDeviation {
+  double rms = 0, greatest = 0;
+  double percentile_99 = 0; ///< 99 % of the area have no more
+  double bleeding = 0;      ///< which part of the area shows what is in no triangle of the original
+  double flipped = 0;       ///< which part of the area is turned over in the texture
+};
+
+namespace internal {
+
+/// The triangles of a texture's plane, found by place.
+class TextureGrid {
+public:
+  explicit TextureGrid(const TexturedSoup& soup) : soup_(soup) {
+    low_.coordinates.fill((std::numeric_limits<double>::max)());
+    Vector<2> high;
+    high.coordinates.fill(std::numeric_limits<double>::lowest());
+    for (const Vector<2>& q : soup.coordinates)
+      for (std::size_t i = 0; i < 2; ++i) {
+        low_[i] = (std::min)(low_[i], q[i]);
+        high[i] = (std::max)(high[i], q[i]);
+      }
+    side_ = 1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(soup.triangles.size())));
+    for (std::size_t i = 0; i < 2; ++i)
+      cells_a_unit_[i] = high[i] > low_[i] ? static_cast<double>(side_) / (high[i] - low_[i]) : 0;
+    cells_.resize(side_ * side_);
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+      const auto [a, b, c] = corners(t);
+      for_each_cell({(std::min)({cell(a, 0), cell(b, 0), cell(c, 0)}),
+                     (std::max)({cell(a, 0), cell(b, 0), cell(c, 0)})},
+                    {(std::min)({cell(a, 1), cell(b, 1), cell(c, 1)}),
+                     (std::max)({cell(a, 1), cell(b, 1), cell(c, 1)})},
+                    [t](std::vector<std::size_t>& list) { list.push_back(t); });
+    }
+  }
+
+  std::array<Vector<2>, 3> corners(std::size_t triangle) const {
+    const auto [a, b, c] = soup_.coordinate_triangles[triangle];
+    return {soup_.coordinates[a], soup_.coordinates[b], soup_.coordinates[c]};
+  }
+
+  /// Calls visit(triangle, weights, area) for each triangle with the place q, up to rounding: its
+  /// barycentric coordinates, and twice the triangle's area, negative if it is turned over.
+  template <class Visit>
+  void for_each_at(const Vector<2>& q, Visit visit) const {
+    for (std::size_t t : cells_[side_ * cell(q, 1) + cell(q, 0)]) {
+      const auto [a, b, c] = corners(t);
+      const double area = double_area(a, b, c);
+      if (area == 0)
+        continue;
+      const std::array weights{double_area(q, b, c) / area, double_area(a, q, c) / area,
+                               double_area(a, b, q) / area};
+      if (*std::min_element(weights.begin(), weights.end()) >= -tolerance)
+        visit(t, weights, area);
+    }
+  }
+
+  static double double_area(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+
+private:
+  static constexpr double tolerance = 1e-9;
+
+  std::size_t cell(const Vector<2>& q, std::size_t i) const {
+    const double place = (q[i] - low_[i]) * cells_a_unit_[i];
+    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(side_ - 1)));
+  }
+
+  template <class Visit>
+  void for_each_cell(std::array<std::size_t, 2> columns, std::array<std::size_t, 2> rows,
+                     Visit visit) {
+    for (std::size_t row = rows[0]; row <= rows[1]; ++row)
+      for (std::size_t column = columns[0]; column <= columns[1]; ++column)
+        visit(cells_[side_ * row + column]);
+  }
+
+  const TexturedSoup& soup_;
+  Vector<2> low_, cells_a_unit_;
+  std::size_t side_ = 1;
+  std::vector<std::vector<std::size_t>> cells_;
+};
+
+inline void require_textured(const TexturedSoup& soup, const char* which) {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument(std::string("quadrille::texture_deviation: ") + which + what);
+  };
+  if (soup.coordinate_triangles.size() != soup.triangles.size())
+    refuse(" has not three coordinates for each triangle");
+  if (!soup.labels.empty() && soup.labels.size() != soup.triangles.size())
+    refuse(" has not a label for each triangle");
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (soup.triangles[t][i] >= soup.points.size() ||
+          soup.coordinate_triangles[t][i] >= soup.coordinates.size())
+        refuse(" names a point or a coordinate that is not there, in triangle " +
+               std::to_string(t));
+}
+
+} // namespace internal
+
+/// Measures how far each point of a surface lies from where the original shows the same place of
+/// the texture, with the same label.
+///
+/// The surface is sampled evenly, by about `samples` points. Each has a place in space and one in
+/// the texture; its deviation is the distance to the nearest point of the original that has the
+/// same place in the texture. A sample whose place the original does not have *bleeds*: it shows
+/// what lies between charts. It takes part in `bleeding` only. Where the nearest such point lies in
+/// a triangle of the other orientation, the sample is *flipped*.
+///
+/// The same arguments give the same result. Time O(s + n) for s samples and n triangles of about
+/// even size in the texture. Throws std::invalid_argument for indices that are not there.
+///
+/// Source: texture deviation, Cohen, Olano and Manocha 1998.
+inline TextureDeviation texture_deviation(const TexturedSoup& surface, const TexturedSoup& original,
+                                          std::size_t samples = 200'000) {
+  internal::require_textured(surface, "the surface");
+  internal::require_textured(original, "the original");
+  const internal::TextureGrid grid(original), own(surface);
+  const auto area_of = [&](std::size_t t) {
+    const auto [a, b, c] = surface.triangles[t];
+    const auto& p = surface.points;
+    return std::sqrt(squared_length(cross(p[b] - p[a], p[c] - p[a]))) / 2;
+  };
+  double all = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    all += area_of(t);
+
+  TextureDeviation result;
+  std::vector<double> squares;
+  std::size_t taken = 0, bleeding = 0, flipped = 0;
+  double passed = 0;
+  for (std::size_t t = 0; all > 0 && t < surface.triangles.size(); ++t) {
+    passed += area_of(t) / all;
+    const auto [a, b, c] = surface.triangles[t];
+    const auto coordinates = own.corners(t);
+    const double orientation =
+        internal::TextureGrid::double_area(coordinates[0], coordinates[1], coordinates[2]);
+    for (; static_cast<double>(taken) < passed * static_cast<double>(samples); ++taken) {
+      // A sequence that fills the square evenly, folded to a triangle (Roberts 2018).
+      const double n = static_cast<double>(taken) + 0.5;
+      double u = std::fmod(n * 0.7548776662466927, 1.0), v = std::fmod(n * 0.5698402909980532, 1.0);
+      if (u + v > 1)
+        u = 1 - u, v = 1 - v;
+      const auto mix = [&](const auto& x, const auto& y, const auto& z) {
+        return (1 - u - v) * x + u * y + v * z;
+      };
+      const Vector<3> p = mix(surface.points[a], surface.points[b], surface.points[c]);
+      const Vector<2> q = mix(coordinates[0], coordinates[1], coordinates[2]);
+      double nearest = std::numeric_limits<double>::infinity();
+      bool is_flipped = false;
+      grid.for_each_at(q, [&](std::size_t face, const auto& weights, double area) {
+        if (!surface.labels.empty() && !original.labels.empty() &&
+            surface.labels[t] != original.labels[face])
+          return;
+        Vector<3> place;
+        for (std::size_t i = 0; i < 3; ++i)
+          place += weights[i] * original.points[original.triangles[face][i]];
+        const double squared = squared_distance(p, place);
+        if (squared < nearest) {
+          nearest = squared;
+          is_flipped = area * orientation < 0;
+        }
+      });
+      flipped += is_flipped;
+      if (nearest < std::numeric_limits<double>::infinity())
+        squares.push_back(nearest);
+      else
+        ++bleeding;
+    }
+  }
+  if (taken > 0) {
+    result.bleeding = static_cast<double>(bleeding) / static_cast<double>(taken);
+    result.flipped = static_cast<double>(flipped) / static_cast<double>(taken);
+  }
+  if (!squares.empty()) {
+    double sum = 0;
+    for (double squared : squares)
+      sum += squared;
+    result.rms = std::sqrt(sum / static_cast<double>(squares.size()));
+    std::sort(squares.begin(), squares.end());
+    result.greatest = std::sqrt(squares.back());
+    result.percentile_99 = std::sqrt(squares[(squares.size() - 1) * 99 / 100]);
+  }
+  return result;
+}
+
+/// How many edges a surface has with other than two faces, if points at the same place are one: of
+/// a closed surface, how many are torn.
+inline std::size_t count_torn_edges(const std::vector<Vector<3>>& points,
+                                    const std::vector<std::array<std::size_t, 3>>& triangles) {
+  std::map<std::array<double, 3>, std::size_t> place;
+  std::vector<std::size_t> welded;
+  for (const Vector<3>& p : points)
+    welded.push_back(place.try_emplace({p[0], p[1], p[2]}, place.size()).first->second);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> faces;
+  for (const auto& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      ++faces[std::minmax({welded[t[i]], welded[t[(i + 1) % 3]]})];
+  return static_cast<std::size_t>(
+      std::count_if(faces.begin(), faces.end(), [](const auto& edge) { return edge.second != 2; }));
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_TEXTURE_DEVIATION_H
