@@ -110,6 +110,10 @@ TEST_CASE("Torn edges are those of other than two faces, after welding") {
   CHECK(count_torn_edges(points, triangles) == 0);
   points[0][0] += 1e-9;
   CHECK(count_torn_edges(points, triangles) == 4); // two of its face, two of the other faces there
+
+  const std::vector<Vector<3>> book{
+      {{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, {{-1, 1, 0}}, {{-1, -1, 0}}};
+  CHECK(count_torn_edges(book, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}) == 7); // with its spine
 }
 
 TEST_CASE("A simplified terrain keeps its texture by TextureQuadric, and not by Quadric") {
