@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -129,6 +130,64 @@ inline void require_textured(const TexturedSoup& soup, const char* which) {
                std::to_string(t));
 }
 
+/// The point of the original that is nearest to p among those with the place q of the texture: the
+/// square of its distance, infinity if there is none; and whether the texture is turned over there.
+struct NearestInTexture {
+  double squared = std::numeric_limits<double>::infinity();
+  bool is_flipped = false;
+};
+
+/// Samples of a triangle of the surface are looked for in the original.
+class TextureSampler {
+public:
+  TextureSampler(const TexturedSoup& surface, const TexturedSoup& original)
+      : surface_(surface), original_(original), own_(surface), grid_(original) {}
+
+  double area(std::size_t t) const {
+    const auto [a, b, c] = surface_.triangles[t];
+    const auto& p = surface_.points;
+    return std::sqrt(squared_length(cross(p[b] - p[a], p[c] - p[a]))) / 2;
+  }
+
+  /// Of sample `n` of all, in triangle t.
+  NearestInTexture nearest(std::size_t t, std::size_t n) const {
+    // A sequence that fills the square evenly, folded to a triangle (Roberts 2018).
+    const double number = static_cast<double>(n) + 0.5;
+    double u = std::fmod(number * 0.7548776662466927, 1.0);
+    double v = std::fmod(number * 0.5698402909980532, 1.0);
+    if (u + v > 1)
+      u = 1 - u, v = 1 - v;
+    const auto mix = [&](const auto& x, const auto& y, const auto& z) {
+      return (1 - u - v) * x + u * y + v * z;
+    };
+    const auto [a, b, c] = surface_.triangles[t];
+    const auto [qa, qb, qc] = own_.corners(t);
+    return nearest(t, mix(surface_.points[a], surface_.points[b], surface_.points[c]),
+                   mix(qa, qb, qc), TextureGrid::double_area(qa, qb, qc));
+  }
+
+private:
+  NearestInTexture nearest(std::size_t t, const Vector<3>& p, const Vector<2>& q,
+                           double orientation) const {
+    NearestInTexture found;
+    grid_.for_each_at(q, [&](std::size_t face, const auto& weights, double area) {
+      if (!surface_.labels.empty() && !original_.labels.empty() &&
+          surface_.labels[t] != original_.labels[face])
+        return;
+      Vector<3> place;
+      for (std::size_t i = 0; i < 3; ++i)
+        place += weights[i] * original_.points[original_.triangles[face][i]];
+      const double squared = squared_distance(p, place);
+      if (squared < found.squared)
+        found = {squared, area * orientation < 0};
+    });
+    return found;
+  }
+
+  const TexturedSoup &surface_, &original_;
+  TextureGrid own_, grid_;
+};
+
 } // namespace internal
 
 /// Measures how far each point of a surface lies from where the original shows the same place of
@@ -148,72 +207,35 @@ inline TextureDeviation texture_deviation(const TexturedSoup& surface, const Tex
                                           std::size_t samples = 200'000) {
   internal::require_textured(surface, "the surface");
   internal::require_textured(original, "the original");
-  const internal::TextureGrid grid(original), own(surface);
-  const auto area_of = [&](std::size_t t) {
-    const auto [a, b, c] = surface.triangles[t];
-    const auto& p = surface.points;
-    return std::sqrt(squared_length(cross(p[b] - p[a], p[c] - p[a]))) / 2;
-  };
+  const internal::TextureSampler sampler(surface, original);
   double all = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    all += area_of(t);
+    all += sampler.area(t);
 
-  TextureDeviation result;
-  std::vector<double> squares;
-  std::size_t taken = 0, bleeding = 0, flipped = 0;
+  std::vector<double> squares; // of those that do not bleed
+  std::size_t taken = 0, flipped = 0;
   double passed = 0;
   for (std::size_t t = 0; all > 0 && t < surface.triangles.size(); ++t) {
-    passed += area_of(t) / all;
-    const auto [a, b, c] = surface.triangles[t];
-    const auto coordinates = own.corners(t);
-    const double orientation =
-        internal::TextureGrid::double_area(coordinates[0], coordinates[1], coordinates[2]);
+    passed += sampler.area(t) / all;
     for (; static_cast<double>(taken) < passed * static_cast<double>(samples); ++taken) {
-      // A sequence that fills the square evenly, folded to a triangle (Roberts 2018).
-      const double n = static_cast<double>(taken) + 0.5;
-      double u = std::fmod(n * 0.7548776662466927, 1.0), v = std::fmod(n * 0.5698402909980532, 1.0);
-      if (u + v > 1)
-        u = 1 - u, v = 1 - v;
-      const auto mix = [&](const auto& x, const auto& y, const auto& z) {
-        return (1 - u - v) * x + u * y + v * z;
-      };
-      const Vector<3> p = mix(surface.points[a], surface.points[b], surface.points[c]);
-      const Vector<2> q = mix(coordinates[0], coordinates[1], coordinates[2]);
-      double nearest = std::numeric_limits<double>::infinity();
-      bool is_flipped = false;
-      grid.for_each_at(q, [&](std::size_t face, const auto& weights, double area) {
-        if (!surface.labels.empty() && !original.labels.empty() &&
-            surface.labels[t] != original.labels[face])
-          return;
-        Vector<3> place;
-        for (std::size_t i = 0; i < 3; ++i)
-          place += weights[i] * original.points[original.triangles[face][i]];
-        const double squared = squared_distance(p, place);
-        if (squared < nearest) {
-          nearest = squared;
-          is_flipped = area * orientation < 0;
-        }
-      });
-      flipped += is_flipped;
-      if (nearest < std::numeric_limits<double>::infinity())
-        squares.push_back(nearest);
-      else
-        ++bleeding;
+      const internal::NearestInTexture nearest = sampler.nearest(t, taken);
+      flipped += nearest.is_flipped;
+      if (nearest.squared < std::numeric_limits<double>::infinity())
+        squares.push_back(nearest.squared);
     }
   }
+  TextureDeviation result;
   if (taken > 0) {
-    result.bleeding = static_cast<double>(bleeding) / static_cast<double>(taken);
+    result.bleeding = static_cast<double>(taken - squares.size()) / static_cast<double>(taken);
     result.flipped = static_cast<double>(flipped) / static_cast<double>(taken);
   }
-  if (!squares.empty()) {
-    double sum = 0;
-    for (double squared : squares)
-      sum += squared;
-    result.rms = std::sqrt(sum / static_cast<double>(squares.size()));
-    std::sort(squares.begin(), squares.end());
-    result.greatest = std::sqrt(squares.back());
-    result.percentile_99 = std::sqrt(squares[(squares.size() - 1) * 99 / 100]);
-  }
+  if (squares.empty())
+    return result;
+  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+  result.rms = std::sqrt(sum / static_cast<double>(squares.size()));
+  std::sort(squares.begin(), squares.end());
+  result.greatest = std::sqrt(squares.back());
+  result.percentile_99 = std::sqrt(squares[(squares.size() - 1) * 99 / 100]);
   return result;
 }
 
