@@ -362,7 +362,7 @@ TEST_CASE("At a hub the first face that is too far ends the measuring") {
     return distance > 0.01;
   };
   const Vector<3> x{{0, 0, 0.5}}; // far from each face
-  CHECK(bounds.after(star, 0, 1, positions, x, false, deviation, after, is_too_far).from_input >
+  CHECK(bounds.measure(star, 0, 1, positions, x, false, deviation, after, is_too_far).from_input >
         0.01);
   CHECK(asked == 1);
   CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, x, recent_faces, is_too_far));

@@ -83,12 +83,14 @@ public:
     return is_beyond(a, b) || is_beyond(b, a);
   }
 
-  /// The faces that a contraction has changed have the bounds that were measured for it.
+  /// The faces of a star that a contraction has changed have the bounds that were measured for it.
+  void set(const PairStar& star, const std::vector<float>& bounds) {
+    auto bound = bounds.begin();
+    star.for_each_changed([&](const StarFace& f) { of_face_[f.face] = *bound++; });
+  }
   template <class Event>
   void after(const Event& event) {
-    auto bound = event.contraction.bounds().begin();
-    event.contraction.star().for_each_changed(
-        [&](const StarFace& f) { of_face_[f.face] = *bound++; });
+    set(event.contraction.star(), event.contraction.bounds());
   }
 
   /// Leaves out those of faces for which is_left(face) is false.
