@@ -16,6 +16,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 #include <boost/property_map/property_map.hpp>
+#include <boost/range/irange.hpp>
 
 #include <concepts>
 #include <ranges>
@@ -136,9 +137,9 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
     if constexpr (is_given<decltype(fixed_vertices)>)
       reader.fix_vertices(fixed_vertices, input);
     if constexpr (has_labels<typename Policies::Labels>)
-      input.labels = numbers_of_labels(
-          policies.labels.map, std::views::iota(std::size_t{0}, std::ranges::size(triangles)),
-          workspace);
+      input.labels =
+          numbers_of_labels(policies.labels.map,
+                            boost::irange(std::size_t{0}, std::ranges::size(triangles)), workspace);
     return input;
   };
   return run(adapter, policies, read, teller(named));
