@@ -8,8 +8,8 @@ here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-"$@" -O1 -ffp-contract=off "$here/lanes.cpp" -o "$folder/vectors"
-"$@" -O1 -ffp-contract=off -DQUADRILLE_NO_VECTOR_EXTENSIONS "$here/lanes.cpp" -o "$folder/scalars"
+"$@" -O0 -ffp-contract=off "$here/lanes.cpp" -o "$folder/vectors"
+"$@" -O0 -ffp-contract=off -DQUADRILLE_NO_VECTOR_EXTENSIONS "$here/lanes.cpp" -o "$folder/scalars"
 "$folder/vectors" >"$folder/vectors.txt"
 "$folder/scalars" >"$folder/scalars.txt"
 echo "$(wc -l <"$folder/vectors.txt") lines"

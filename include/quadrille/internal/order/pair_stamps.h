@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_PAIR_STAMPS_H
 #define QUADRILLE_INTERNAL_ORDER_PAIR_STAMPS_H
 
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/order/pair_queue.h>
 

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ORDER_STAMPED_QUEUE_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/pair_stamps.h>
 
