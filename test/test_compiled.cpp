@@ -4,6 +4,7 @@
 #include <quadrille/compiled.h>
 #include <quadrille/parameters.h>
 #include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>
 
@@ -78,6 +79,11 @@ TEST_CASE("Each option of the compiled library is the policy of its name") {
   options = options_to(60);
   options.normal_flip = 20;
   check(soup, options, Quadric{}, NormalFlip(20), FaceCount{60});
+  for (const double t : {0.3, 1e-9}) { // by the second there are no pairs but edges
+    options = options_to(60);
+    options.pairs_closer_than = t;
+    check(soup, options, Quadric{}, ThresholdPairs{t}, FaceCount{60});
+  }
   options = {};
   options.vertices = 40;
   check(soup, options, Quadric{}, VertexCount{40});

@@ -123,10 +123,11 @@ Report simplify_by(SoupPoints& points, SoupTriangles& triangles, const SoupOptio
                            .visitor(std::cref(visitor));
     const auto all = parameters::vertex_image_map(PointImages{image}, named);
     const ThresholdPairs pairs(options.pairs_closer_than);
-    const bool is_free = options.pairs_closer_than > 0;
-    const Topology topology = options.topology.value_or(is_free ? Topology::free : Topology::kept);
-    return simplify(points, triangles, cost, placement, pairs, stop, order, topology,
-                    NormalFlip(options.normal_flip), all);
+    const NormalFlip filter(options.normal_flip);
+    if (options.topology)
+      return simplify(points, triangles, cost, placement, pairs, stop, order, filter,
+                      *options.topology, all);
+    return simplify(points, triangles, cost, placement, pairs, stop, order, filter, all);
   };
   const auto in_order = [&](const auto& stop) {
     return options.order == SoupOptions::Order::relaxed ? run(stop, RelaxedOrder{})
