@@ -43,10 +43,11 @@ Labelled labelled(const Soup& soup, LabelAt label_at) {
 }
 
 // What must not change, by plain maps: for each label how many parts its faces have, by edges, and
-// how many loops their borders; which labels have an edge in common; at how many vertices other
+// their Euler characteristic; which labels have an edge in common; at how many vertices other
 // than two seams meet.
 struct Pattern {
-  std::map<int, std::size_t> parts, holes;
+  std::map<int, std::size_t> parts;
+  std::map<int, std::ptrdiff_t> euler; // V − E + F of its faces
   std::set<std::pair<int, int>> neighbours;
   std::size_t corners = 0;
   friend bool operator==(const Pattern&, const Pattern&) = default;
@@ -54,7 +55,7 @@ struct Pattern {
 
 std::ostream& operator<<(std::ostream& out, const Pattern& p) {
   for (const auto& [label, parts] : p.parts)
-    out << label << ": " << parts << " parts, " << p.holes.at(label) << " Euler; ";
+    out << label << ": " << parts << " parts, " << p.euler.at(label) << " Euler; ";
   return out << p.neighbours.size() << " neighbours, " << p.corners << " corners";
 }
 
@@ -88,7 +89,7 @@ Pattern pattern_of(const Labelled& surface) {
     pattern.parts[labels[f]] += part[f] == f;
   for (const auto& [v, count] : seams)
     pattern.corners += count != 2;
-  for (const auto& [label, parts] : pattern.parts) { // Euler characteristic of its faces
+  for (const auto& [label, parts] : pattern.parts) {
     std::set<std::uint32_t> vertices;
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     std::size_t faces = 0;
@@ -100,7 +101,8 @@ Pattern pattern_of(const Labelled& surface) {
           edges.insert(std::minmax({soup.triangles[f][i], soup.triangles[f][(i + 1) % 3]}));
         }
       }
-    pattern.holes[label] = vertices.size() + faces - edges.size() + 1000;
+    pattern.euler[label] =
+        std::ptrdiff_t(vertices.size()) - std::ptrdiff_t(edges.size()) + std::ptrdiff_t(faces);
   }
   return pattern;
 }
@@ -231,6 +233,20 @@ TEST_CASE("A cube of six labels comes to twelve faces and eight corners") {
   CHECK(result.labels.size() == 12);
   for (int label = 0; label < 6; ++label)
     CHECK(area_of(result, label) == Approx(area_of(cube_of_labels, label)));
+}
+
+TEST_CASE("Duplicate faces of a soup are no seams") {
+  const Labelled surface = surfaces()[1];
+  Labelled doubled = surface;
+  for (std::size_t f = 0; f < surface.labels.size(); f += 3) {
+    doubled.soup.triangles.push_back(surface.soup.triangles[f]);
+    doubled.labels.push_back(surface.labels[f]);
+  }
+  const FaceCount stop{200};
+  const Labelled expected = simplified(surface, Quadric{}, stop).first;
+  const Labelled result = simplified(doubled, Quadric{}, stop).first;
+  CHECK(result.labels == expected.labels);
+  CHECK(is_identical(result.soup, expected.soup));
 }
 
 TEST_CASE("Where labels are all the same, nothing changes but borders") {

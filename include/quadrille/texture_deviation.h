@@ -41,6 +41,12 @@ struct TextureDeviation {
 
 namespace internal {
 
+/// A triangle in the plane of the texture.
+inline std::array<Vector<2>, 3> texture_corners(const TexturedSoup& soup, std::size_t triangle) {
+  const auto [a, b, c] = soup.coordinate_triangles[triangle];
+  return {soup.coordinates[a], soup.coordinates[b], soup.coordinates[c]};
+}
+
 /// The triangles of a texture's plane, found by place.
 class TextureGrid {
 public:
@@ -58,7 +64,7 @@ public:
       cells_a_unit_[i] = high[i] > low_[i] ? static_cast<double>(side_) / (high[i] - low_[i]) : 0;
     cells_.resize(side_ * side_);
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-      const auto [a, b, c] = corners(t);
+      const auto [a, b, c] = texture_corners(soup_, t);
       for_each_cell({(std::min)({cell(a, 0), cell(b, 0), cell(c, 0)}),
                      (std::max)({cell(a, 0), cell(b, 0), cell(c, 0)})},
                     {(std::min)({cell(a, 1), cell(b, 1), cell(c, 1)}),
@@ -67,17 +73,12 @@ public:
     }
   }
 
-  std::array<Vector<2>, 3> corners(std::size_t triangle) const {
-    const auto [a, b, c] = soup_.coordinate_triangles[triangle];
-    return {soup_.coordinates[a], soup_.coordinates[b], soup_.coordinates[c]};
-  }
-
   /// Calls visit(triangle, weights, area) for each triangle with the place q, up to rounding: its
   /// barycentric coordinates, and twice the triangle's area, negative if it is turned over.
   template <class Visit>
   void for_each_at(const Vector<2>& q, Visit visit) const {
     for (std::size_t t : cells_[side_ * cell(q, 1) + cell(q, 0)]) {
-      const auto [a, b, c] = corners(t);
+      const auto [a, b, c] = texture_corners(soup_, t);
       const double area = double_area(a, b, c);
       if (area == 0)
         continue;
@@ -141,7 +142,7 @@ struct NearestInTexture {
 class TextureSampler {
 public:
   TextureSampler(const TexturedSoup& surface, const TexturedSoup& original)
-      : surface_(surface), original_(original), own_(surface), grid_(original) {}
+      : surface_(surface), original_(original), grid_(original) {}
 
   double area(std::size_t t) const {
     const auto [a, b, c] = surface_.triangles[t];
@@ -161,7 +162,7 @@ public:
       return (1 - u - v) * x + u * y + v * z;
     };
     const auto [a, b, c] = surface_.triangles[t];
-    const auto [qa, qb, qc] = own_.corners(t);
+    const auto [qa, qb, qc] = texture_corners(surface_, t);
     return nearest(t, mix(surface_.points[a], surface_.points[b], surface_.points[c]),
                    mix(qa, qb, qc), TextureGrid::double_area(qa, qb, qc));
   }
@@ -185,7 +186,7 @@ private:
   }
 
   const TexturedSoup &surface_, &original_;
-  TextureGrid own_, grid_;
+  TextureGrid grid_;
 };
 
 } // namespace internal

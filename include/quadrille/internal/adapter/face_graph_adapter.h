@@ -4,11 +4,11 @@
 #include <quadrille/internal/adapter/attributes.h>
 #include <quadrille/internal/adapter/face_graph_writer.h>
 #include <quadrille/internal/adapter/named_edges.h>
+#include <quadrille/internal/adapter/vertex_numbers.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/surface/surface_input.h>
-#include <quadrille/internal/surface/vertex_numbers.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

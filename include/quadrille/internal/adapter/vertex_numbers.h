@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_SURFACE_VERTEX_NUMBERS_H
-#define QUADRILLE_INTERNAL_SURFACE_VERTEX_NUMBERS_H
+#ifndef QUADRILLE_INTERNAL_ADAPTER_VERTEX_NUMBERS_H
+#define QUADRILLE_INTERNAL_ADAPTER_VERTEX_NUMBERS_H
 
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
@@ -67,4 +67,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_SURFACE_VERTEX_NUMBERS_H
+#endif // QUADRILLE_INTERNAL_ADAPTER_VERTEX_NUMBERS_H

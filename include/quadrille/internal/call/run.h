@@ -37,16 +37,18 @@ private:
 template <class Policies>
 MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
   using Cost = typename Policies::Cost;
+  constexpr bool has_labels = internal::has_labels<typename Policies::Labels>;
   constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
   constexpr std::size_t columns =
       bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +
       bytes_a_vertex<typename LocalTermsOf<Cost>::type> + bytes_a_vertex<LinkCondition> +
-      bytes_a_vertex<MovedVertices<Cost::dimension>>;
+      bytes_a_vertex<MovedVertices<Cost::dimension>> + (has_labels ? bytes_a_vertex<Regions> : 0);
   // Beside these: its list of corners, its label, what it has become part of; with a queue, since
   // when its pairs hold, and those that were refused.
   constexpr std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
-  // Its corners, and room for another one or its input index.
-  constexpr std::size_t a_face = sizeof(TriangleComplex::Triangle) + 4 * sizeof(Index);
+  // Its corners, and room for another one or its input index; its label, as read and in order.
+  constexpr std::size_t a_face =
+      sizeof(TriangleComplex::Triangle) + (has_labels ? 6 : 4) * sizeof(Index);
   constexpr std::size_t passes = std::size_t{1} << 18; // proposals
   const std::size_t queue =
       PairQueue::bytes_for(GreedyLoop<Policies>::expected_pairs(3 * faces / 2, vertices));

@@ -77,12 +77,11 @@ public:
 
   static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
 
-  void merge(Index kept, Index gone) { kind_[kept] = (std::max)(kind_[kept], kind_[gone]); }
   /// A vertex of two kinds is of the one that allows less.
   template <class Event>
   void after(const Event& event) {
     if (!kind_.empty())
-      merge(event.kept, event.gone);
+      kind_[event.kept] = (std::max)(kind_[event.kept], kind_[event.gone]);
   }
 
 private:

@@ -44,7 +44,6 @@ public:
     }
   }
 
-  bool empty() const { return kind_.empty(); } ///< without labels
   bool is_corner(Index v) const { return kind_[v] == SeamKind::corner; }
 
   /// Would the contraction of the pair ab change the graph?
@@ -88,6 +87,11 @@ private:
   public:
     void clear() { sides_.clear(); }
     void add(Index other, Index label) { sides_.push_back({other, label}); }
+    // The two edges of a face at the vertex.
+    void add(const StarFace& f, Index label) {
+      add(f.second, label);
+      add(f.third, label);
+    }
 
     // Calls visit(other, is_seam, is_border) for each edge, in the order of the other ends: a
     // border is a seam of two faces.
@@ -110,11 +114,8 @@ private:
 
   void gather(Edges& edges, const TriangleComplex& complex, Index v) const {
     edges.clear();
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      const StarFace f = star_face_at(complex, face, i);
-      edges.add(f.second, label_[face]);
-      edges.add(f.third, label_[face]);
-    });
+    complex.for_each_corner(
+        v, [&](Index face, Index i) { edges.add(star_face_at(complex, face, i), label_[face]); });
   }
 
   // Of the edge that has these faces; a pair without a face is no edge.
@@ -123,15 +124,13 @@ private:
            (faces.size() == 2 && label_[faces[0].face] != label_[faces[1].face]);
   }
 
-  // The vertices that seams join to an end, whose faces are these and the shared ones, but not to
-  // the other end, in order.
+  // The vertices that seams join to an end of the pair, in order, but the other end. The faces at
+  // that end alone are given.
   std::vector<Index> seam_neighbours(const AppendBuffer<StarFace>& faces, const PairStar& star,
                                      Index b) const {
     Edges edges;
-    for (const StarFace& f : faces) {
-      edges.add(f.second, label_[f.face]);
-      edges.add(f.third, label_[f.face]);
-    }
+    for (const StarFace& f : faces)
+      edges.add(f, label_[f.face]);
     for (const StarFace& f : star.shared)
       edges.add(f.other_than(b), label_[f.face]);
     std::vector<Index> neighbours;

@@ -3,7 +3,6 @@
 
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/regions.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
@@ -59,22 +58,13 @@ Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& i
     return input.triangles;
 }
 
-/// The regions of labels, if faces have any. Vertices at corners of the seams are fixed.
-template <class Labels, std::size_t N>
-Regions regions_of(const TriangleComplex& complex, SurfaceInput<N>& input,
-                   const Numbering& numbering) {
-  if constexpr (!has_labels<Labels>) {
-    return {};
-  } else {
-    Array<Index> labels(complex.face_capacity(), complex.workspace());
-    for (Index face = 0; face < labels.size(); ++face)
-      labels[face] = input.labels[numbering.faces[face]];
-    Regions regions(complex, std::move(labels));
-    for (Index v = 0; v < complex.vertex_capacity(); ++v)
-      if (regions.is_corner(v))
-        input.fix(v);
-    return regions;
-  }
+/// The label of each face, in the order of the complex.
+inline Array<Index> labels_by_face(const Array<Index>& by_input, const InputIndices& faces,
+                                   const TriangleComplex& complex) {
+  Array<Index> labels(complex.face_capacity(), complex.workspace());
+  for (Index face = 0; face < labels.size(); ++face)
+    labels[face] = by_input[faces[face]];
+  return labels;
 }
 
 /// One for each thread.

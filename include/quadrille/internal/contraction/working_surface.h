@@ -60,7 +60,6 @@ public:
         is_topology_kept_(keeps_topology()), creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.input_vertices)},
                    {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
-        regions_(regions_of<typename Policies::Labels>(complex_, input, numbering_)),
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
@@ -74,6 +73,8 @@ public:
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       Cleanup(complex_, scratch()).remove_all_duplicate_faces();
+    if constexpr (has_labels<typename Policies::Labels>)
+      find_regions(labels_by_face(input.labels, numbering_.faces, complex_));
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
       classify(box);
@@ -154,7 +155,7 @@ public:
   }
 
   /// What has become of the surface, which is not here any more then; with what vertices remember,
-  /// if that is asked for. Tells the report the rest.
+  /// if that is asked for. Tells the report the rest, and the visitor that this is the end.
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
     if constexpr (asks_for_distance)
@@ -194,6 +195,14 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
+  // Vertices at corners of the seams between them stay where they are.
+  void find_regions(Array<Index> labels) {
+    regions_ = Regions(complex_, std::move(labels));
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
+      if (regions_.is_corner(v))
+        geometry_.fix(v);
+  }
+
   void classify(const Box<dimension>& box) {
     if (is_topology_kept_)
       link_condition_ = LinkCondition(
@@ -227,15 +236,10 @@ private:
     bounds_.pack_if(is_left);
     regions_.pack_if(is_left);
     parallel_for(policies_.threads, 2, [&](std::size_t part, std::size_t) {
-      if (part == 0) {
+      if (part == 0)
         complex_.pack(vertices);
-        return;
-      }
-      pack_columns(geometry_, vertices);
-      pack_columns(memories_, vertices);
-      pack_columns(link_condition_, vertices);
-      pack_columns(regions_, vertices);
-      pack_columns(moved_, vertices);
+      else
+        pack_columns(vertices, geometry_, memories_, link_condition_, regions_, moved_);
     });
     complex_.fill_lists(policies_.threads);
     numbering_.vertices.pack(std::move(vertices));

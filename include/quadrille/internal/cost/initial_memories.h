@@ -40,22 +40,17 @@ public:
     });
     if constexpr (has_boundaries || has_creases)
       memories.add_edges(labels, is_interior);
+    add_creases(result, cost, positions, complex, creases);
+  }
+
+  /// Adds what creases leave, for a cost that knows them.
+  static void add_creases(UninitializedArray<Memory>& result, const Cost& cost,
+                          const Array<Position>& positions, TriangleComplex& complex,
+                          const std::vector<Edge>& creases) {
+    InitialMemories memories(cost, positions, complex, result);
     if constexpr (has_creases)
       for (const auto& [v, w] : creases)
         memories.add_crease(v, w);
-  }
-
-  /// Adds what creases leave.
-  static void add_creases([[maybe_unused]] UninitializedArray<Memory>& result,
-                          [[maybe_unused]] const Cost& cost,
-                          [[maybe_unused]] const Array<Position>& positions,
-                          [[maybe_unused]] TriangleComplex& complex,
-                          [[maybe_unused]] const std::vector<Edge>& creases) {
-    if constexpr (has_creases) {
-      InitialMemories memories(cost, positions, complex, result);
-      for (const auto& [v, w] : creases)
-        memories.add_crease(v, w);
-    }
   }
 
 private:

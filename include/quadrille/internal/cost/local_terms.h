@@ -96,9 +96,9 @@ public:
   /// in nothing more until all is summed up anew.
   template <class Event>
   void after(const Event& event) {
-    if constexpr (Event::is_in_pass)
+    if constexpr (Event::is_in_pass) {
       add_star(event.contraction.star(), event.kept, event.mode);
-    else {
+    } else {
       add_contracted(event.kept);
       renew_boundary(event);
     }

@@ -20,10 +20,12 @@
 
 namespace quadrille::internal {
 
-/// Leaves out all vertices but those of a list, which get the numbers 0, 1, ….
-template <class Part>
-void pack_columns(Part& part, const Array<Index>& left) {
-  std::apply([&](auto&... column) { (pack(column, left), ...); }, Part::vertex_columns(part));
+/// Leaves out all vertices but those of a list, which get the numbers 0, 1, …, of the columns of
+/// some parts.
+template <class... Part>
+void pack_columns(const Array<Index>& left, Part&... part) {
+  const auto pack_all = [&left](auto&... column) { (pack(column, left), ...); };
+  (std::apply(pack_all, Part::vertex_columns(part)), ...);
 }
 
 /// Bits are too small to ask for.

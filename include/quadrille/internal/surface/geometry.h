@@ -38,6 +38,10 @@ public:
   /// change while the pair waits in the queue.
   float squared_reach(Index v) const { return squared_reach_[v]; }
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
+  void fix(Index v) {
+    is_fixed_.resize(positions_.size(), false);
+    is_fixed_[v] = true;
+  }
   bool is_any_fixed() const { return !is_fixed_.empty(); }
 
   static auto vertex_columns(auto& self) {
