@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,7 +89,35 @@ std::vector<std::pair<test::Soup, std::size_t>> solids() {
        28}};
 }
 
+// A sheet of which each diagonal has a vertex on one side only, and a face of no height between.
+test::Soup with_needles(test::Soup soup) {
+  const std::vector<test::Triangle> triangles = std::exchange(soup.triangles, {});
+  for (std::size_t i = 0; i < triangles.size(); i += 2) {
+    const auto [a, d, c] = triangles[i + 1];
+    const auto m = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.push_back(0.5 * (soup.points[a] + soup.points[d]));
+    for (const test::Triangle& t :
+         {triangles[i], test::Triangle{a, m, c}, test::Triangle{m, d, c}, test::Triangle{a, d, m}})
+      soup.triangles.push_back(t);
+  }
+  return soup;
+}
+
 } // namespace
+
+TEMPLATE_TEST_CASE("Needles that the input has are contracted away", "",
+                   (std::pair<Quadric, GreedyOrder>), (std::pair<MemorylessQuadric, GreedyOrder>),
+                   (std::pair<Quadric, RelaxedOrder>)) {
+  const auto& [cost, order] = TestType();
+  for (const double noise : {0.0, 0.02}) {
+    Mesh mesh = test::make_mesh(with_needles(test::with_noise(test::grid(12, 12), 1, noise)));
+    REQUIRE(lowest_face(mesh) < 1e-12);
+    const Report report = simplify(mesh, cost, order, FaceRatio{0.1});
+    INFO(report);
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(lowest_face(mesh) > 1e-4);
+  }
+}
 
 TEMPLATE_TEST_CASE("Block solids lose nothing down to their corners, and make no needles", "",
                    Quadric, MemorylessQuadric) {
