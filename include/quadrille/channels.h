@@ -1,0 +1,184 @@
+#ifndef QUADRILLE_CHANNELS_H
+#define QUADRILLE_CHANNELS_H
+
+#include <quadrille/internal/base/text.h>
+
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// \file
+/// Attributes of a surface as *channels*, which any cost in space takes along and counts, any
+/// number of them at once, each with seams of its own:
+///
+/// ```cpp
+/// simplify(mesh, FaceRatio{0.1}, Texture{uv});
+/// simplify<MemorylessQuadric>(mesh, Texture{uv0}, Texture{uv1, {.importance = 0.3}},
+///                             Normals{normals}, Labels{materials});
+/// simplify(points, triangles, Texture{uvs, uv_triangles});          // as in an OBJ file
+/// simplify(points, triangles, SplitVertices{}, Texture{uvs}, Normals{normals}); // as in glTF
+/// ```
+///
+/// Positions stay one for each vertex, so no seam can tear. The values at a corner (a face at one
+/// of its vertices) are those of a *wedge*: corners of one value around a vertex that are connected
+/// by edges. A channel of one value a vertex has one wedge a vertex.
+///
+/// Source: Hoppe, New Quadric Metric for Simplifying Meshes with Appearance Attributes, 1999: the
+/// quadric of a wedge with its attributes eliminated, which leaves sums of squares in space.
+
+namespace quadrille {
+
+/// What a simplification does with the edges at which a channel is discontinuous.
+enum class Seams {
+  kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or turned over
+  priced, ///< they may vanish; what that costs is in the error. Wedges stay apart until then
+  free    ///< the values around a vertex are one from the beginning, their mean
+};
+
+/// How a channel counts.
+struct ChannelOptions {
+  /// By how much more than by default it counts; above 0.
+  double importance = 1;
+  /// Lengths in the mesh's unit that a step of 1 in each component counts as, times importance. By
+  /// default, for texture coordinates, √(area of the surface / area of the texture), so that a
+  /// texture that slides counts as it slides; for others 0.02 · (diagonal of the bounding box) /
+  /// (largest range of the components).
+  std::vector<double> weights = {};
+  /// By default kept for texture coordinates, priced for others.
+  std::optional<Seams> seams = {};
+
+  /// Throws std::invalid_argument for an importance or a weight that makes no sense.
+  void validate() const {
+    const auto require_positive = [](const char* name, double x) {
+      if (!(x > 0) || !std::isfinite(x))
+        throw std::invalid_argument(std::string("quadrille::ChannelOptions: ") + name + " " +
+                                    internal::text_of(x) + " is not above 0 and finite");
+    };
+    require_positive("importance", importance);
+    for (double weight : weights)
+      require_positive("a weight", weight);
+  }
+};
+
+/// Values of a channel of a soup with an index triple for each triangle, as in an OBJ file.
+template <class Values, class Triples>
+struct IndexedValues {
+  Values* values;
+  Triples* triples;
+};
+
+namespace internal {
+
+template <class T>
+concept NotOptions = !std::same_as<T, ChannelOptions>;
+
+/// What the kinds of channels have in common. A source is a property map, or IndexedValues.
+template <class Source_>
+struct Channel {
+  using Source = Source_;
+
+  Source source;
+  ChannelOptions options;
+
+  void validate() const { options.validate(); }
+};
+
+} // namespace internal
+
+/// Texture coordinates of two components, as an argument of `simplify`.
+///
+/// Of a property map `Texture{map}`: over the vertices or the halfedges of a mesh (told by the key;
+/// a halfedge stands for the corner of its face at the vertex that it points to), or over the
+/// indices of a soup's points. Of a soup with index triples, as in an OBJ file,
+/// `Texture{values, triples}`: vectors, which are rewritten with the soup, so that values that
+/// nothing uses any more are gone. What a value may be: see AttributeQuadric's maps.
+///
+/// Where seams are kept, a contraction that would tear or merge charts, or make their borders meet
+/// elsewhere, is refused and counted as Rejection::seam, and one that would turn a face over in the
+/// texture as Rejection::texture. Edges where the texture is mirrored are seams too.
+template <class Source>
+struct Texture : internal::Channel<Source> {
+  explicit Texture(Source map, ChannelOptions options = {})
+      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+  template <class Values, internal::NotOptions Triples>
+  Texture(Values& values, Triples& triples, ChannelOptions options = {})
+      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+};
+template <class Map>
+Texture(Map) -> Texture<Map>;
+template <class Map>
+Texture(Map, ChannelOptions) -> Texture<Map>;
+template <class Values, internal::NotOptions Triples>
+Texture(Values&, Triples&) -> Texture<IndexedValues<Values, Triples>>;
+template <class Values, internal::NotOptions Triples>
+Texture(Values&, Triples&, ChannelOptions) -> Texture<IndexedValues<Values, Triples>>;
+
+/// Normals of three components; those that change get unit length. Otherwise as Texture.
+template <class Source>
+struct Normals : internal::Channel<Source> {
+  explicit Normals(Source map, ChannelOptions options = {})
+      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+  template <class Values, internal::NotOptions Triples>
+  Normals(Values& values, Triples& triples, ChannelOptions options = {})
+      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+};
+template <class Map>
+Normals(Map) -> Normals<Map>;
+template <class Map>
+Normals(Map, ChannelOptions) -> Normals<Map>;
+template <class Values, internal::NotOptions Triples>
+Normals(Values&, Triples&) -> Normals<IndexedValues<Values, Triples>>;
+template <class Values, internal::NotOptions Triples>
+Normals(Values&, Triples&, ChannelOptions) -> Normals<IndexedValues<Values, Triples>>;
+
+/// Colours of three components, or of four with alpha; those that change stay in the range of those
+/// that there were, or in [0, 1] where these lie there. Otherwise as Texture.
+template <class Source>
+struct Colors : internal::Channel<Source> {
+  explicit Colors(Source map, ChannelOptions options = {})
+      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+  template <class Values, internal::NotOptions Triples>
+  Colors(Values& values, Triples& triples, ChannelOptions options = {})
+      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+};
+template <class Map>
+Colors(Map) -> Colors<Map>;
+template <class Map>
+Colors(Map, ChannelOptions) -> Colors<Map>;
+template <class Values, internal::NotOptions Triples>
+Colors(Values&, Triples&) -> Colors<IndexedValues<Values, Triples>>;
+template <class Values, internal::NotOptions Triples>
+Colors(Values&, Triples&, ChannelOptions) -> Colors<IndexedValues<Values, Triples>>;
+
+/// Anything else of as many components as the type of the values tells: weights of a skin, heat, a
+/// second channel of anything. Otherwise as Texture.
+template <class Source>
+struct Attributes : internal::Channel<Source> {
+  explicit Attributes(Source map, ChannelOptions options = {})
+      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+  template <class Values, internal::NotOptions Triples>
+  Attributes(Values& values, Triples& triples, ChannelOptions options = {})
+      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+};
+template <class Map>
+Attributes(Map) -> Attributes<Map>;
+template <class Map>
+Attributes(Map, ChannelOptions) -> Attributes<Map>;
+template <class Values, internal::NotOptions Triples>
+Attributes(Values&, Triples&) -> Attributes<IndexedValues<Values, Triples>>;
+template <class Values, internal::NotOptions Triples>
+Attributes(Values&, Triples&, ChannelOptions) -> Attributes<IndexedValues<Values, Triples>>;
+
+/// An argument of `simplify` for a soup whose vertices are split at seams, as the buffers of a
+/// renderer: points at exactly the same place are one vertex, and are told apart by the channels.
+/// Points that are left keep their order; there may be as many at a place as there are combinations
+/// of wedges.
+struct SplitVertices {};
+
+} // namespace quadrille
+
+#endif // QUADRILLE_CHANNELS_H
