@@ -50,6 +50,9 @@ struct ChannelOptions {
   std::vector<double> weights = {};
   /// By default kept for texture coordinates, priced for others.
   std::optional<Seams> seams = {};
+  /// How firmly charts of a texture whose seams are kept hold their borders in the texture, for
+  /// each square of an edge's length; at least 0. The same along an edge as off it is 1.
+  double border_weight = 10;
 
   /// Throws std::invalid_argument for an importance or a weight that makes no sense.
   void validate() const {
@@ -61,6 +64,9 @@ struct ChannelOptions {
     require_positive("importance", importance);
     for (double weight : weights)
       require_positive("a weight", weight);
+    if (!(border_weight >= 0) || !std::isfinite(border_weight))
+      throw std::invalid_argument("quadrille::ChannelOptions: border_weight " +
+                                  internal::text_of(border_weight) + " is not a weight");
   }
 };
 
@@ -78,7 +84,7 @@ concept NotOptions = !std::same_as<T, ChannelOptions>;
 
 /// What the kinds of channels have in common. A source is a property map, or IndexedValues.
 template <class Source_>
-struct Channel {
+struct ChannelArgument {
   using Source = Source_;
 
   Source source;
@@ -101,12 +107,12 @@ struct Channel {
 /// elsewhere, is refused and counted as Rejection::seam, and one that would turn a face over in the
 /// texture as Rejection::texture. Edges where the texture is mirrored are seams too.
 template <class Source>
-struct Texture : internal::Channel<Source> {
+struct Texture : internal::ChannelArgument<Source> {
   explicit Texture(Source map, ChannelOptions options = {})
-      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
   template <class Values, internal::NotOptions Triples>
   Texture(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
 };
 template <class Map>
 Texture(Map) -> Texture<Map>;
@@ -119,12 +125,12 @@ Texture(Values&, Triples&, ChannelOptions) -> Texture<IndexedValues<Values, Trip
 
 /// Normals of three components; those that change get unit length. Otherwise as Texture.
 template <class Source>
-struct Normals : internal::Channel<Source> {
+struct Normals : internal::ChannelArgument<Source> {
   explicit Normals(Source map, ChannelOptions options = {})
-      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
   template <class Values, internal::NotOptions Triples>
   Normals(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
 };
 template <class Map>
 Normals(Map) -> Normals<Map>;
@@ -138,12 +144,12 @@ Normals(Values&, Triples&, ChannelOptions) -> Normals<IndexedValues<Values, Trip
 /// Colours of three components, or of four with alpha; those that change stay in the range of those
 /// that there were, or in [0, 1] where these lie there. Otherwise as Texture.
 template <class Source>
-struct Colors : internal::Channel<Source> {
+struct Colors : internal::ChannelArgument<Source> {
   explicit Colors(Source map, ChannelOptions options = {})
-      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
   template <class Values, internal::NotOptions Triples>
   Colors(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
 };
 template <class Map>
 Colors(Map) -> Colors<Map>;
@@ -157,12 +163,12 @@ Colors(Values&, Triples&, ChannelOptions) -> Colors<IndexedValues<Values, Triple
 /// Anything else of as many components as the type of the values tells: weights of a skin, heat, a
 /// second channel of anything. Otherwise as Texture.
 template <class Source>
-struct Attributes : internal::Channel<Source> {
+struct Attributes : internal::ChannelArgument<Source> {
   explicit Attributes(Source map, ChannelOptions options = {})
-      : internal::Channel<Source>{std::move(map), std::move(options)} {}
+      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
   template <class Values, internal::NotOptions Triples>
   Attributes(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::Channel<Source>{{&values, &triples}, std::move(options)} {}
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
 };
 template <class Map>
 Attributes(Map) -> Attributes<Map>;

@@ -59,9 +59,10 @@ enum class Rejection {
   position,    ///< the placement gave a position that is not finite
   destruction, ///< a part would lose its shape for a target that can't be reached
   seam,        ///< a region of labels would be torn, vanish or meet another one: see Labels
+  texture,     ///< a face would turn over in a texture: see Texture
   filter,      ///< a filter of the user's refused
 };
-inline constexpr std::size_t rejection_causes = 10;
+inline constexpr std::size_t rejection_causes = 11;
 
 constexpr std::string_view to_string(StopReason reason) {
   constexpr std::array<std::string_view, 6> names{"target met",         "target passed",
@@ -72,8 +73,8 @@ constexpr std::string_view to_string(StopReason reason) {
 
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
-      "topology", "constraint", "normal flip", "shape", "degree",
-      "distance", "position",   "destruction", "seam",  "filter"};
+      "topology", "constraint",  "normal flip", "shape",   "degree", "distance",
+      "position", "destruction", "seam",        "texture", "filter"};
   return names[static_cast<std::size_t>(cause)];
 }
 

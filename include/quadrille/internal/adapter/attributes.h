@@ -49,8 +49,10 @@ public:
 
   template <class Key>
   Vector<N> read(const Key& key) const {
+    return components(get(map_, key));
+  }
+  static Vector<N> components(const Value& value) {
     Vector<N> attributes;
-    const Value value = get(map_, key);
     require_components(value);
     for (std::size_t i = 0; i < N; ++i)
       attributes[i] = to_double(component(value, i));
@@ -62,8 +64,13 @@ public:
   void limit([[maybe_unused]] const Surface& surface) {
     if constexpr (A == Attribute::color) {
       const auto box = surface.box();
-      low_ = attributes_of(box.low);
-      high_ = attributes_of(box.high);
+      limit_to(attributes_of(box.low), attributes_of(box.high));
+    }
+  }
+  void limit_to(const Vector<N>& lowest, const Vector<N>& highest) {
+    if constexpr (A == Attribute::color) {
+      low_ = lowest;
+      high_ = highest;
       const auto &low = low_.coordinates, &high = high_.coordinates;
       if (*std::min_element(low.begin(), low.end()) >= 0 &&
           *std::max_element(high.begin(), high.end()) <= 1) {
@@ -73,24 +80,43 @@ public:
     }
   }
 
-  /// Puts the attributes in the range of their type: a colour stays in its limits, a normal gets
-  /// length 1.
+  /// Attributes in the range of their type: a colour stays in its limits, a normal gets length 1.
   template <class Key>
-  void write(const Key& key, Vector<N> attributes) {
+  void write(const Key& key, const Vector<N>& attributes) {
+    put(map_, key, changed(get(map_, key), attributes));
+  }
+  Value changed(const Value& old, Vector<N> attributes) const {
     if constexpr (A == Attribute::color)
       for (std::size_t i = 0; i < N; ++i)
         attributes[i] = std::clamp(attributes[i], low_[i], high_[i]);
     if constexpr (A == Attribute::normal) {
       const double squared = squared_length(attributes);
       if (!(squared > 0))
-        return; // opposite normals have met: the old one is left
+        return old; // opposite normals have met: the old one is left
       attributes *= 1 / std::sqrt(squared);
     }
-    put(map_, key, value(get(map_, key), attributes));
+    return value(old, attributes);
   }
 
   Value raw(const auto& key) const { return get(map_, key); }
   void put_raw(const auto& key, const Value& value) { put(map_, key, value); }
+
+  /// With what else an old value has.
+  static Value value(Value old, const Vector<N>& attributes) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+      return in_range<Value>(attributes[0]);
+    } else if constexpr (std::is_assignable_v<decltype(component(old, 0)), double>) {
+      using T = std::remove_cvref_t<decltype(component(old, 0))>;
+      for (std::size_t i = 0; i < N; ++i)
+        component(old, i) = in_range<T>(attributes[i]);
+      return old;
+    } else {
+      return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return Value(attributes[I]...);
+      }
+      (std::make_index_sequence<N>{});
+    }
+  }
 
 private:
   // Of a value whose type does not tell how many it has.
@@ -123,22 +149,6 @@ private:
       return static_cast<T>(rounded);
     } else {
       return to_number<T>(x);
-    }
-  }
-
-  static Value value(Value old, const Vector<N>& attributes) {
-    if constexpr (std::is_arithmetic_v<Value>) {
-      return in_range<Value>(attributes[0]);
-    } else if constexpr (std::is_assignable_v<decltype(component(old, 0)), double>) {
-      using T = std::remove_cvref_t<decltype(component(old, 0))>;
-      for (std::size_t i = 0; i < N; ++i)
-        component(old, i) = in_range<T>(attributes[i]);
-      return old;
-    } else {
-      return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return Value(attributes[I]...);
-      }
-      (std::make_index_sequence<N>{});
     }
   }
 

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ADAPTER_FACE_GRAPH_ADAPTER_H
 
 #include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/adapter/face_graph_channels.h>
 #include <quadrille/internal/adapter/face_graph_writer.h>
 #include <quadrille/internal/adapter/named_edges.h>
 #include <quadrille/internal/adapter/vertex_numbers.h>
@@ -18,6 +19,8 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace quadrille::internal {
 
@@ -26,7 +29,8 @@ namespace quadrille::internal {
 /// Vertices and faces that are left keep their descriptors. So do edges: of the edges that
 /// contractions made one, one is left, and each of its halfedges still points to what became of its
 /// target.
-template <class Mesh, class PointMap, class VertexIndexMap, class Attributes = NoAttributes>
+template <class Mesh, class PointMap, class VertexIndexMap, class Attributes = NoAttributes,
+          class Maps = std::tuple<>>
 class FaceGraphAdapter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
@@ -37,9 +41,9 @@ public:
   using Face = typename Traits::face_descriptor;
 
   FaceGraphAdapter(Mesh& mesh, PointMap points, VertexIndexMap indices, Attributes attributes,
-                   Workspace& workspace)
+                   Workspace& workspace, Maps channels = {})
       : workspace_(&workspace), mesh_(mesh), points_(points), vertices_(indices, &workspace),
-        attributes_(attributes) {}
+        attributes_(attributes), channels_(std::move(channels)) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
   /// finite.
@@ -51,6 +55,7 @@ public:
     read_faces(surface);
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
+    channels_.read(mesh_, vertices_, *workspace_, surface.channels);
     return surface;
   }
   /// Gives memory back that write() can fill anew.
@@ -91,7 +96,8 @@ public:
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     vertices_.read(mesh_);
-    return FaceGraphWriter(mesh_, points_, vertices_, attributes_, named_edges_, workspace_)
+    return FaceGraphWriter(mesh_, points_, vertices_, attributes_, channels_, named_edges_,
+                           workspace_)
         .write(result, tell);
   }
 
@@ -139,6 +145,7 @@ private:
   PointMap points_;
   VertexNumbers<Mesh, VertexIndexMap> vertices_;
   QUADRILLE_NO_UNIQUE_ADDRESS Attributes attributes_;
+  FaceGraphChannels<Mesh, Maps> channels_;
   NamedEdges<Edge> named_edges_;
 };
 

@@ -22,7 +22,7 @@
 namespace quadrille::internal {
 
 /// Rewrites a FaceGraph from the result of a simplification, in linear time; see FaceGraphAdapter.
-template <class Mesh, class PointMap, class Vertices, class Attributes>
+template <class Mesh, class PointMap, class Vertices, class Attributes, class Channels>
 class FaceGraphWriter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
@@ -35,9 +35,9 @@ public:
 
   /// `vertices` are those of the mesh, in the order in which they were read.
   FaceGraphWriter(Mesh& mesh, PointMap points, Vertices& vertices, Attributes& attributes,
-                  NamedEdges<Edge>& named_edges, Workspace* workspace)
+                  Channels& channels, NamedEdges<Edge>& named_edges, Workspace* workspace)
       : workspace_(workspace), mesh_(mesh), points_(points), vertices_(vertices),
-        attributes_(attributes), named_edges_(named_edges) {}
+        attributes_(attributes), channels_(channels), named_edges_(named_edges) {}
 
   /// See FaceGraphAdapter::write.
   template <class Result, class Tell>
@@ -70,6 +70,7 @@ private:
       if constexpr (Attributes::size > 0)
         for (const auto& [v, value] : attributes)
           writer.attributes_.put_raw(v, value);
+      writer.channels_.undo();
     }
   };
 
@@ -177,6 +178,8 @@ private:
           write_position(v, result.position(number), undo);
         tell.vertex(v, number, result);
       }
+      channels_.write(
+          result, left_.size(), [this](Index v) { return vertices_[left_[v]]; }, chosen_);
       if constexpr (Tell::asks_for_images)
         tell_images(result, tell);
       add_duplicates(mesh_, originals, added);
@@ -185,6 +188,7 @@ private:
         put(points_, added[i], Point(get(points_, originals[i])));
         if constexpr (Attributes::size > 0)
           attributes_.put_raw(added[i], attributes_.raw(originals[i]));
+        channels_.copy(originals[i], added[i]);
         tell.vertex(added[i], umbrellas_.duplicates()[i], result);
       }
       for (std::size_t i = 0; i < added.size(); ++i)
@@ -238,6 +242,7 @@ private:
   PointMap points_;
   Vertices& vertices_; // with those that write() adds
   Attributes& attributes_;
+  Channels& channels_;
   NamedEdges<Edge>& named_edges_;
   Array<Index> left_{workspace_};   // the vertices that are left, with the duplicates
   Array<Index> number_{workspace_}; // of each vertex that was read: where it is in left_

@@ -2,7 +2,10 @@
 #define QUADRILLE_INTERNAL_ADAPTER_SOUP_ADAPTER_H
 
 #include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/adapter/soup_channels.h>
+#include <quadrille/internal/adapter/soup_parts.h>
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
@@ -23,29 +26,18 @@
 
 namespace quadrille::internal {
 
-template <class Labels>
-struct LabelValueOf {
-  using type = typename boost::property_traits<decltype(Labels::map)>::value_type;
-};
-template <>
-struct LabelValueOf<NoLabels> {
-  using type = NoLabels;
-};
-template <class Labels>
-using LabelValue = typename LabelValueOf<Labels>::type;
-
 /// Reads a polygon soup of triangles into flat arrays and rewrites it from the result, in linear
 /// time. Points and triangles that are left keep their order.
-template <class Points, class Triangles, class PointMap, class Attributes, class Labels>
+template <class Points, class Triangles, class PointMap, class Attributes, class Labels, class Maps>
 class SoupAdapter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
   SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes,
-              Labels labels, Workspace& workspace)
+              Labels labels, Maps channels, Workspace& workspace)
       : workspace_(&workspace), points_(points), triangles_(triangles), map_(map),
-        attributes_(attributes), labels_(labels) {}
+        attributes_(attributes), labels_(labels), channels_(std::move(channels)) {}
 
   /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
   /// there, and for a point that is not finite.
@@ -59,9 +51,12 @@ public:
       require_finite(surface.positions.back(), v);
     }
     for (const auto& triangle : triangles_)
-      surface.triangles.push_back(read_triangle(triangle, surface));
+      surface.triangles.push_back(
+          read_triangle(triangle, surface.triangles.size(), surface.positions.size()));
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
+    channels_.read(std::ranges::size(points_), std::ranges::size(triangles_), *workspace_,
+                   surface.channels);
     return surface;
   }
 
@@ -92,19 +87,23 @@ public:
     const Array<Index> input_faces = result.input_faces();
     const Array<Index> faces = in_order(input_faces, result.input_face_count());
     for (Index face : faces)
-      triangles.push_back(
-          renumbered(triangles_[input_faces[face]], result.corners(face), new_index));
+      triangles.push_back(renumbered(
+          triangles_[input_faces[face]],
+          [&, corners = result.corners(face)](std::size_t i) { return new_index[corners[i]]; }));
+    auto channels = channels_.rewritten(result, faces);
     Undo undo;
     try {
       move_points(result, vertices, points, undo);
       write_attributes(result, vertices, inputs, undo);
-      write_labels(faces, input_faces, undo);
+      labels_.write(faces, input_faces);
+      channels_.write(result, vertices, inputs);
     } catch (...) {
       undo.run(*this, points);
       throw;
     }
     std::swap(points_, points);
     std::swap(triangles_, triangles);
+    channels_.swap(channels);
     return 0;
   }
 
@@ -113,7 +112,6 @@ private:
   struct Undo {
     std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
     std::vector<AttributeValue<Attributes>> attributes;
-    std::vector<LabelValue<Labels>> labels;
 
     void run(SoupAdapter& adapter, Points& new_points) const {
       for (const auto& [i, p] : points)
@@ -121,18 +119,10 @@ private:
       if constexpr (Attributes::size > 0)
         for (std::size_t i = 0; i < attributes.size(); ++i)
           adapter.attributes_.put_raw(i, attributes[i]);
-      if constexpr (has_labels<Labels>)
-        for (std::size_t i = 0; i < labels.size(); ++i)
-          put(adapter.labels_.map, i, labels[i]);
+      adapter.labels_.undo();
+      adapter.channels_.undo();
     }
   };
-
-  // The numbers of the result in the order of their inputs, which are below `count`.
-  static Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
-    Array<Index> order = places(inputs, count);
-    std::erase(order, none);
-    return order;
-  }
 
   // `numbers` are those of the result, by inputs.
   template <class Result, class Tell>
@@ -145,50 +135,12 @@ private:
     }
   }
 
-  // With the same allocator, else they can't be swapped.
-  template <class Container>
-  static Container empty_like(const Container& container) {
-    if constexpr (requires { Container(container.get_allocator()); })
-      return Container(container.get_allocator());
-    else
-      return Container();
-  }
-
   Vector<dimension> read_position(std::size_t v) {
     const Vector<3> position = position_of(get(map_, points_[v]));
     if constexpr (Attributes::size > 0)
       return join(position, attributes_.read(v));
     else
       return position;
-  }
-
-  template <class Triangle>
-  TriangleComplex::Triangle read_triangle(const Triangle& triangle,
-                                          const SurfaceInput<dimension>& surface) const {
-    const auto refuse = [&](const std::string& what) {
-      throw std::invalid_argument("quadrille::simplify: face " +
-                                  std::to_string(surface.triangles.size()) + what);
-    };
-    if (std::ranges::size(triangle) != 3)
-      refuse(" is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so");
-    TriangleComplex::Triangle result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!std::in_range<Index>(triangle[i]) ||
-          std::cmp_greater_equal(triangle[i], surface.positions.size()))
-        refuse(" names point " + std::to_string(triangle[i]) + " of " +
-               std::to_string(surface.positions.size()));
-      result[i] = static_cast<Index>(triangle[i]);
-    }
-    return result;
-  }
-
-  template <class Triangle>
-  static Triangle renumbered(Triangle triangle, const TriangleComplex::Triangle& corners,
-                             const Array<Index>& new_index) {
-    using Integer = std::ranges::range_value_t<Triangle>;
-    for (std::size_t i = 0; i < 3; ++i)
-      triangle[i] = static_cast<Integer>(new_index[corners[i]]);
-    return triangle;
   }
 
   template <class Result>
@@ -214,22 +166,13 @@ private:
       }
   }
 
-  // The labels of the faces that are left, in front. A new index is never above the old one.
-  void write_labels([[maybe_unused]] const Array<Index>& faces,
-                    [[maybe_unused]] const Array<Index>& inputs, [[maybe_unused]] Undo& undo) {
-    if constexpr (has_labels<Labels>)
-      for (std::size_t i = 0; i < faces.size(); ++i) {
-        undo.labels.push_back(get(labels_.map, i));
-        put(labels_.map, i, get(labels_.map, std::size_t{inputs[faces[i]]}));
-      }
-  }
-
   Workspace* workspace_;
   Points& points_;
   Triangles& triangles_;
   PointMap map_;
   QUADRILLE_NO_UNIQUE_ADDRESS Attributes attributes_;
-  QUADRILLE_NO_UNIQUE_ADDRESS Labels labels_;
+  SoupLabels<Labels> labels_;
+  SoupChannels<Maps> channels_;
 };
 
 } // namespace quadrille::internal

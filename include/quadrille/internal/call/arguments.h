@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_ARGUMENTS_H
 #define QUADRILLE_INTERNAL_CALL_ARGUMENTS_H
 
+#include <quadrille/channels.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/threads.h>
@@ -39,6 +40,8 @@ enum class Kind {
   filter,
   topology,
   labels,
+  channel,
+  split_vertices,
   named_parameters,
   unknown
 };
@@ -47,6 +50,17 @@ template <class T>
 inline constexpr bool is_labels = false;
 template <class Map>
 inline constexpr bool is_labels<Labels<Map>> = true;
+
+template <class T>
+inline constexpr bool is_channel = false;
+template <class Source>
+inline constexpr bool is_channel<Texture<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Normals<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Colors<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Attributes<Source>> = true;
 
 /// Is a type meant to be a cost? Nothing else has these members.
 template <class T>
@@ -76,6 +90,10 @@ constexpr Kind kind_of() {
     return Kind::topology;
   else if constexpr (is_labels<T>)
     return Kind::labels;
+  else if constexpr (is_channel<T>)
+    return Kind::channel;
+  else if constexpr (std::same_as<T, SplitVertices>)
+    return Kind::split_vertices;
   else if constexpr (std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)
@@ -185,10 +203,11 @@ concept Fitting =
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
 template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
-          class Threads, class Labels, class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, std::optional<Topology>,
-         std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Filters...>;
+          class Threads, class Labels, class Channels, class Splits, class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels, Splits,
+         std::optional<Topology>, std::tuple<Filters...>)
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels, Splits,
+                Filters...>;
 
 /// The labels of a call: an argument, or the named parameter face_patch_map.
 template <class Cost, class... Arguments>
@@ -205,6 +224,20 @@ auto pick_labels(const Arguments&... arguments) {
     return Labels{patches};
   else
     return NoLabels{};
+}
+
+/// The channels among the arguments, as a tuple.
+template <class Cost, class... Arguments>
+auto pick_channels(const Arguments&... arguments) {
+  static_assert(Cost::dimension == 3 || (!is_channel<Arguments> && ...),
+                "This cost has attributes of its own: channels (Texture, Normals, Colors, "
+                "Attributes) go with costs in space, as Quadric.");
+  return std::tuple_cat([](const auto& argument) {
+    if constexpr (is_channel<std::remove_cvref_t<decltype(argument)>>)
+      return std::tuple(argument);
+    else
+      return std::tuple();
+  }(arguments)...);
 }
 
 inline namespace QUADRILLE_THREADING {
@@ -256,6 +289,8 @@ auto pick_policies(const Arguments&... arguments) {
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
       pick_labels<Cost>(arguments...),
+      pick_channels<Cost>(arguments...),
+      std::bool_constant<(std::same_as<Arguments, SplitVertices> || ...)>(),
       topology,
       pick_filters<Cost>(arguments...)};
   validate(policies.cost);
@@ -263,6 +298,7 @@ auto pick_policies(const Arguments&... arguments) {
   validate(policies.stop);
   validate(policies.order);
   validate(policies.labels);
+  std::apply([](const auto&... channel) { (validate(channel), ...); }, policies.channels);
   policies.threads.validate();
   return policies;
 }

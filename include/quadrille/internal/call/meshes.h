@@ -1,9 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_CALL_MESHES_H
 #define QUADRILLE_INTERNAL_CALL_MESHES_H
 
+#include <quadrille/internal/adapter/channel_map.h>
 #include <quadrille/internal/adapter/face_graph_adapter.h>
 #include <quadrille/internal/adapter/label_numbers.h>
 #include <quadrille/internal/adapter/soup_adapter.h>
+#include <quadrille/internal/adapter/split_soup_adapter.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/call/run.h>
@@ -21,6 +23,7 @@
 #include <concepts>
 #include <ranges>
 #include <type_traits>
+#include <utility>
 
 /// The two kinds of surface that `simplify` takes, from their named parameters to a run.
 
@@ -69,6 +72,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
+  static_assert(!Policies::splits_vertices,
+                "quadrille::simplify: SplitVertices is for soups; a mesh has halfedges for maps.");
   namespace np = CGAL::internal_np;
   check_named<Cost, NamedParameters>(
       Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
@@ -82,8 +87,10 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(memory_needs<Policies>(num_vertices(mesh), num_faces(mesh)));
-  FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes)> adapter(
-      mesh, points, indices, attributes, workspace);
+  auto channels = channel_maps(policies.channels);
+  FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes),
+                   decltype(channels)>
+      adapter(mesh, points, indices, attributes, workspace, std::move(channels));
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
@@ -129,8 +136,20 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
       memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));
-  SoupAdapter<Points, Triangles, decltype(map), decltype(attributes), typename Policies::Labels>
-      adapter(points, triangles, map, attributes, policies.labels, workspace);
+  auto channels = channel_maps(policies.channels);
+  auto adapter = [&] {
+    if constexpr (Policies::splits_vertices) {
+      static_assert(Cost::dimension == 3, "quadrille::simplify: SplitVertices goes with costs in "
+                                          "space: pass attributes as channels.");
+      return SplitSoupAdapter<Points, Triangles, decltype(map), typename Policies::Labels,
+                              decltype(channels)>(points, triangles, map, policies.labels,
+                                                  std::move(channels), workspace);
+    } else {
+      return SoupAdapter<Points, Triangles, decltype(map), decltype(attributes),
+                         typename Policies::Labels, decltype(channels)>(
+          points, triangles, map, attributes, policies.labels, std::move(channels), workspace);
+    }
+  }();
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);

@@ -42,7 +42,7 @@ MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
   constexpr std::size_t columns =
       bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +
       bytes_a_vertex<typename LocalTermsOf<Cost>::type> + bytes_a_vertex<LinkCondition> +
-      bytes_a_vertex<MovedVertices<Cost::dimension>> + (has_labels ? bytes_a_vertex<Regions> : 0);
+      bytes_a_vertex<MovedVertices<Cost::dimension>> + (has_labels ? bytes_a_vertex<SeamGraph> : 0);
   // Beside these: its list of corners, its label, what it has become part of; with a queue, since
   // when its pairs hold, and those that were refused.
   constexpr std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);

@@ -6,7 +6,8 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/regions.h>
+#include <quadrille/internal/contraction/seam_graph.h>
+#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
@@ -34,17 +35,18 @@ public:
 
   Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
          const Geometry<dimension>& geometry, const LinkCondition& link_condition,
-         const Regions& regions, bool is_topology_kept)
+         const SeamGraph& seams, const ChannelsOf<Policies>& channels, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        link_condition_(link_condition), regions_(regions), is_topology_kept_(is_topology_kept) {}
+        link_condition_(link_condition), seams_(seams), channels_(channels),
+        is_topology_kept_(is_topology_kept) {}
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
   /// that costs the same suits them, it goes there.
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
-    if constexpr (has_labels<typename Policies::Labels>)
-      if (regions_.are_changed_by(star, a, b))
+    if constexpr (keeps_seams<Policies>)
+      if (seams_.is_changed_by(star, a, b))
         return Rejection::seam;
     if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(star, a, b))
       return Rejection::constraint;
@@ -81,6 +83,10 @@ private:
     };
     std::apply([&](const auto&... filter) { (looks_and_refuses(filter) || ...); },
                policies_.filters);
+    if constexpr (has_channels<typename Policies::Channels>)
+      if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
+                                        contraction.second(), target))
+        return Rejection::texture;
     return cause;
   }
 
@@ -117,7 +123,8 @@ private:
   const TriangleComplex& complex_;
   const Geometry<dimension>& geometry_;
   const LinkCondition& link_condition_;
-  const Regions& regions_;
+  const SeamGraph& seams_;
+  const ChannelsOf<Policies>& channels_;
   bool is_topology_kept_;
 };
 

@@ -2,10 +2,13 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_FINISHED_SURFACE_H
 
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/cost/channel.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
+
+#include <vector>
 
 namespace quadrille::internal {
 
@@ -19,6 +22,7 @@ struct FinishedSurface {
   Array<unsigned char> is_moved;
   UninitializedArray<typename Cost::Memory> memories; ///< if they were asked for
   Numbering numbering;
+  std::vector<Channel> channels;
 };
 
 } // namespace quadrille::internal

@@ -45,6 +45,19 @@ public:
     return surface_.scale.position_of_mesh(surface_.positions[vertices_[v]]);
   }
 
+  const Channel& channel(std::size_t c) const { return surface_.channels[c]; }
+  /// Of a corner of a face, in a channel.
+  Index wedge(std::size_t c, Index face, std::size_t corner) const {
+    const Index f = faces_[face];
+    return channel(c).wedge(complex(), f, complex().vertices(f)[corner]);
+  }
+  /// The first one of a vertex.
+  Index wedge(std::size_t, Index v) const { return vertices_[v]; }
+  /// How many numbers of wedges a channel may use.
+  std::size_t wedge_count(std::size_t c) const {
+    return channel(c).wedge_count(complex().vertex_capacity());
+  }
+
   /// As vertex_quadric_map tells it.
   auto mean_quadric(Index v) const {
     static_assert(std::same_as<typename Cost::Memory, QuadricForm<Cost::dimension>>,

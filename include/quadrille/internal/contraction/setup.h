@@ -61,6 +61,8 @@ Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& i
 /// The label of each face, in the order of the complex.
 inline Array<Index> labels_by_face(const Array<Index>& by_input, const InputIndices& faces,
                                    const TriangleComplex& complex) {
+  if (by_input.empty())
+    return Array<Index>(complex.workspace());
   Array<Index> labels(complex.face_capacity(), complex.workspace());
   for (Index face = 0; face < labels.size(); ++face)
     labels[face] = by_input[faces[face]];

@@ -15,8 +15,10 @@
 #include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/progress.h>
 #include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
+#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/cost/vertex_memories.h>
@@ -25,6 +27,7 @@
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/channel_weights.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -33,6 +36,7 @@
 #include <quadrille/report.h>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <tuple>
@@ -63,9 +67,9 @@ public:
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
-        terms_(policies.cost, geometry_, complex_, link_condition_),
-        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_),
-        checks_(policies, scale_, complex_, geometry_, link_condition_, regions_,
+        terms_(policies.cost, geometry_, complex_, link_condition_), channels_(complex_, geometry_),
+        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, channels_),
+        checks_(policies, scale_, complex_, geometry_, link_condition_, seams_, channels_,
                 is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
@@ -73,8 +77,8 @@ public:
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       Cleanup(complex_, scratch()).remove_all_duplicate_faces();
-    if constexpr (has_labels<typename Policies::Labels>)
-      find_regions(labels_by_face(input.labels, numbering_.faces, complex_));
+    if constexpr (keeps_seams<Policies>)
+      find_seams(input);
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
       classify(box);
@@ -170,7 +174,8 @@ public:
             geometry_.take_positions(),
             moved_.take(),
             keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
-            std::move(numbering_)};
+            std::move(numbering_),
+            channels_.take()};
   }
 
 private:
@@ -181,9 +186,9 @@ private:
   auto observers() {
     return std::tuple_cat(
         tie_if<asks_for_distance>(bounds_),
+        tie_if<has_channels<typename Policies::Channels>>(channels_),
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
-        tie_if<has_labels<typename Policies::Labels>>(regions_),
-        tie_if<has_local_terms<Cost>>(terms_));
+        tie_if<keeps_seams<Policies>>(seams_), tie_if<has_local_terms<Cost>>(terms_));
   }
 
   // Passes merge nothing before few faces are left.
@@ -195,11 +200,18 @@ private:
     return policies_.topology.value_or(by_default) == Topology::kept;
   }
 
-  // Vertices at corners of the seams between them stay where they are.
-  void find_regions(Array<Index> labels) {
-    regions_ = Regions(complex_, std::move(labels));
-    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
-      if (regions_.is_corner(v))
+  // Vertices at corners of the graph stay where they are.
+  void find_seams(const SurfaceInput<dimension>& input) {
+    if constexpr (has_channels<typename Policies::Channels>)
+      for (const ChannelInput& channel : input.channels)
+        channels_.add(Channel(
+            channel, numbering_, complex_,
+            squared_channel_weights(channel, numbering_, complex_, geometry_.positions(), scale_),
+            pairs_.are_edges()));
+    seams_ = SeamGraph(complex_, labels_by_face(input.labels, numbering_.faces, complex_),
+                       channels_.all());
+    for (Index v = 0; v < complex_.vertex_capacity() && !seams_.is_empty(); ++v)
+      if (seams_.is_corner(v))
         geometry_.fix(v);
   }
 
@@ -222,10 +234,24 @@ private:
     VertexLabels& labels = scratch().labels;
     memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
                        creases_.left(numbering_), is_interior, policies_.threads);
-    if constexpr (has_labels<typename Policies::Labels>)
-      memories_.remember_creases(policies_.cost, policies_.labels.border_weight,
-                                 geometry_.positions(), complex_, regions_.borders(complex_));
+    if constexpr (keeps_seams<Policies>)
+      remember_seams();
     terms_.sum_up(labels);
+  }
+
+  void remember_seams() {
+    std::vector<std::array<Index, 2>> edges;
+    if constexpr (has_channels<typename Policies::Channels>)
+      channels_.remember(memories_);
+    seams_.for_each_seam([&](Index v, Index w, Index face, Index other) {
+      edges.push_back({v, w});
+      if constexpr (has_channels<typename Policies::Channels>)
+        channels_.hold_borders(face, other, v, w, memories_);
+    });
+    double weight = 1;
+    if constexpr (has_labels<typename Policies::Labels>)
+      weight = policies_.labels.border_weight;
+    memories_.remember_creases(policies_.cost, weight, geometry_.positions(), complex_, edges);
   }
 
   // What is gone takes no more time or room in a cache. Local terms are summed up anew behind it.
@@ -234,12 +260,14 @@ private:
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
     numbering_.faces.pack_if(is_left);
     bounds_.pack_if(is_left);
-    regions_.pack_if(is_left);
+    seams_.pack_if(is_left);
+    if constexpr (has_channels<typename Policies::Channels>)
+      channels_.pack_channels(vertices, is_left);
     parallel_for(policies_.threads, 2, [&](std::size_t part, std::size_t) {
       if (part == 0)
         complex_.pack(vertices);
       else
-        pack_columns(vertices, geometry_, memories_, link_condition_, regions_, moved_);
+        pack_columns(vertices, geometry_, memories_, link_condition_, seams_, channels_, moved_);
     });
     complex_.fill_lists(policies_.threads);
     numbering_.vertices.pack(std::move(vertices));
@@ -282,11 +310,12 @@ private:
   DistanceBounds bounds_{0}; // of no face where nobody asks
   NamedCreases creases_;
   Numbering numbering_;
-  Regions regions_;
+  SeamGraph seams_;
   Geometry<dimension> geometry_;
   MovedVertices<dimension> moved_;
   VertexMemories<Cost> memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
+  QUADRILLE_NO_UNIQUE_ADDRESS ChannelsOf<Policies> channels_;
   PairEvaluator<Policies> evaluator_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;

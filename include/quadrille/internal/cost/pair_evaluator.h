@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/candidate.h>
+#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/two_lanes.h>
 #include <quadrille/internal/cost/vertex_memories.h>
@@ -39,23 +40,27 @@ public:
   using Geometry = internal::Geometry<Cost::dimension>;
   using Memories = VertexMemories<Cost>;
   using Terms = typename LocalTermsOf<Cost>::type;
+  using Channels = ChannelsOf<Policies>;
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
-                const Terms& terms)
+                const Terms& terms, const Channels& channels)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        memories_(memories), terms_(terms) {}
+        memories_(memories), terms_(terms), channels_(channels) {}
 
   const Cost& cost() const { return policies_.cost; }
   const TriangleComplex& complex() const { return complex_; }
   const Geometry& geometry() const { return geometry_; }
   const Memories& memories() const { return memories_; }
   const Terms& terms() const { return terms_; }
+  const Channels& channels() const { return channels_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     prefetch_columns(geometry_, v);
     prefetch_columns(memories_, v);
     prefetch_columns(terms_, v);
+    if constexpr (has_channels<typename Policies::Channels>)
+      channels_.prefetch(v);
   }
 
   /// Where the pair goes and what that costs; `first` is below `second`.
@@ -93,7 +98,7 @@ public:
     keys.clear();
     float* const values = keys.extend(pairs.size() + 1); // two at a time
     keys.add(pairs.size());
-    if constexpr (has_two_lanes<Cost, Placement>)
+    if constexpr (has_two_lanes<Cost, Placement> && !has_channels<typename Policies::Channels>)
       if (!geometry_.is_any_fixed()) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         return;
@@ -121,6 +126,8 @@ private:
     if constexpr (has_local_terms<Cost>)
       pair.current =
           policies_.cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
+    if constexpr (has_channels<typename Policies::Channels>)
+      channels_.add_to(pair, a, b);
     return pair;
   }
 
@@ -157,6 +164,7 @@ private:
   const Geometry& geometry_;
   const Memories& memories_;
   const Terms& terms_;
+  const Channels& channels_;
 };
 
 } // namespace quadrille::internal

@@ -24,6 +24,7 @@ public:
   explicit VertexMemories(Workspace* workspace) : memories_(workspace) {}
 
   const Memory& operator[](Index v) const { return memories_[v]; }
+  Memory& operator[](Index v) { return memories_[v]; }
 
   /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
   /// boundary edge for certain.

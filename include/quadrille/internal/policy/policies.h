@@ -78,9 +78,14 @@ struct NoLabels {};
 template <class Labels>
 inline constexpr bool has_labels = !std::same_as<Labels, NoLabels>;
 
+/// Where attributes are not carried beside the cost. Else a tuple of Texture, Normals, …
+using NoChannelArguments = std::tuple<>;
+template <class Channels>
+inline constexpr bool has_channels = !std::same_as<Channels, NoChannelArguments>;
+
 /// Everything that `simplify` was asked for, each with its default where it was not named.
 template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
-          class Threads_, class Labels_, class... Filters>
+          class Threads_, class Labels_, class Channels_, class Splits_, class... Filters>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
@@ -90,6 +95,8 @@ struct Policies {
   using Visitor = Visitor_;
   using Threads = Threads_;
   using Labels = Labels_;
+  using Channels = Channels_;
+  static constexpr bool splits_vertices = Splits_::value;
 
   Cost cost;
   Placement placement;
@@ -99,9 +106,16 @@ struct Policies {
   Visitor visitor;
   Threads threads;                  // as many as the order asks for
   Labels labels;                    // of faces, or NoLabels
+  Channels channels;                // of attributes
+  Splits_ splits;                   // is there a SplitVertices?
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;
 };
+
+/// Are there seams that may have to be kept?
+template <class Policies>
+inline constexpr bool keeps_seams =
+    has_labels<typename Policies::Labels> || has_channels<typename Policies::Channels>;
 
 /// Expresses what is remembered about the point d, where the cost keeps its memory about its
 /// vertex.

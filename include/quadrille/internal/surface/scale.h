@@ -67,6 +67,7 @@ public:
     return p;
   }
 
+  double length_from_mesh(double length) const { return to_engine_(length); }
   double length_of_mesh(double length) const { return to_mesh_(length); }
 
   Vector<N> position_of_mesh(Vector<N> p) const {

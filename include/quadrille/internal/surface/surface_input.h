@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/vector.h>
 
 #include <array>
@@ -26,7 +27,8 @@ struct SurfaceInput {
   Array<Index> input_vertices, input_faces;  ///< see InputIndices
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
-  Array<Index> labels;              ///< of each face, small numbers; empty if there are none
+  Array<Index> labels; ///< of each face, small numbers; empty if there are none
+  std::vector<ChannelInput> channels;
   bool has_duplicate_faces = false; ///< may it have them? They are dropped then.
 
   /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a

@@ -1,0 +1,188 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_CHANNEL_MAP_H
+#define QUADRILLE_INTERNAL_ADAPTER_CHANNEL_MAP_H
+
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/channels.h>
+#include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/base/attribute_values.h>
+#include <quadrille/internal/surface/channel_input.h>
+#include <quadrille/vector.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The values of a container as a property map over their indices.
+template <class Values>
+struct ValueMap {
+  using key_type = std::size_t;
+  using value_type = std::ranges::range_value_t<Values>;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  Values* values;
+
+  friend value_type get(const ValueMap& map, std::size_t i) { return (*map.values)[i]; }
+  friend void put(const ValueMap& map, std::size_t i, const value_type& value) {
+    (*map.values)[i] = value;
+  }
+};
+
+template <class Source>
+inline constexpr bool is_indexed = false;
+template <class Values, class Triples>
+inline constexpr bool is_indexed<IndexedValues<Values, Triples>> = true;
+
+template <class Source>
+struct MapOfSource {
+  using type = Source;
+  static const type& of(const Source& source) { return source; }
+};
+template <class Values, class Triples>
+struct MapOfSource<IndexedValues<Values, Triples>> {
+  using type = ValueMap<Values>;
+  static type of(const IndexedValues<Values, Triples>& source) { return {source.values}; }
+};
+
+/// Which attributes a channel holds, and how many components.
+template <class Channel>
+struct ChannelKind;
+template <class Source>
+struct ChannelKind<Texture<Source>> {
+  static constexpr Attribute attribute = Attribute::texture;
+  template <class Value>
+  static constexpr std::size_t components = 2;
+};
+template <class Source>
+struct ChannelKind<Normals<Source>> {
+  static constexpr Attribute attribute = Attribute::normal;
+  template <class Value>
+  static constexpr std::size_t components = 3;
+};
+template <class Source>
+struct ChannelKind<Colors<Source>> {
+  static constexpr Attribute attribute = Attribute::color;
+  template <class Value>
+  static constexpr std::size_t components = component_count<Value>() == 4 ? 4 : 3;
+};
+template <class Source>
+struct ChannelKind<Attributes<Source>> {
+  static constexpr Attribute attribute = Attribute::any;
+  template <class Value>
+  static constexpr std::size_t components = component_count<Value>();
+};
+
+/// The values of a channel of the user's, read and written by key.
+template <class Channel>
+class ChannelMap {
+public:
+  using Source = typename Channel::Source;
+  using Map = typename MapOfSource<Source>::type;
+  using Key = typename boost::property_traits<Map>::key_type;
+  using Value = typename boost::property_traits<Map>::value_type;
+  static constexpr Attribute attribute = ChannelKind<Channel>::attribute;
+  static constexpr std::size_t size = ChannelKind<Channel>::template components<Value>;
+  static_assert(size < (std::numeric_limits<std::size_t>::max)(),
+                "quadrille: the type of these values does not tell how many components they have: "
+                "use std::array<double, n>, say.");
+  using Values = AttributeMap<Map, size, attribute>;
+
+  std::vector<std::pair<Key, Value>> overwritten; ///< by an adapter, which may put them back
+
+  explicit ChannelMap(const Channel& channel)
+      : channel_(channel), values_(MapOfSource<Source>::of(channel.source)) {}
+
+  const Source& source() const { return channel_.source; }
+
+  /// With all but values and corners. Throws std::invalid_argument for weights that are not one for
+  /// each component.
+  ChannelInput input(Workspace& workspace) const {
+    const ChannelOptions& options = channel_.options;
+    if (!options.weights.empty() && options.weights.size() != size)
+      throw std::invalid_argument("quadrille::simplify: a channel of " + std::to_string(size) +
+                                  " components has " + std::to_string(options.weights.size()) +
+                                  " weights");
+    ChannelInput input(&workspace);
+    input.components = size;
+    input.weights = options.weights;
+    input.importance = options.importance;
+    input.is_texture = attribute == Attribute::texture;
+    input.seams = options.seams.value_or(input.is_texture ? Seams::kept : Seams::priced);
+    input.border_weight = options.border_weight;
+    return input;
+  }
+
+  void read(const Key& key, ChannelInput& input) const {
+    const Vector<size> value = values_.read(key);
+    input.values.insert(input.values.end(), value.coordinates.begin(), value.coordinates.end());
+  }
+  /// What is written stays in the limits of what was read.
+  void end_of_reading(const ChannelInput& input) {
+    input.require_finite();
+    if (input.values.empty())
+      return;
+    Vector<size> low, high;
+    for (std::size_t c = 0; c < size; ++c)
+      low[c] = high[c] = input.value(0, c);
+    for (std::size_t i = 0; i < input.values.size(); ++i) {
+      low[i % size] = (std::min)(low[i % size], input.values[i]);
+      high[i % size] = (std::max)(high[i % size], input.values[i]);
+    }
+    values_.limit_to(low, high);
+  }
+
+  /// A value that a simplification has changed, in the range of its type, with what else an old one
+  /// has; or one that it has not.
+  Value changed(const Value& old, const Vector<size>& value) const {
+    return values_.changed(old, value);
+  }
+  Value unchanged(const Value& old, const Vector<size>& value) const {
+    return Values::value(old, value);
+  }
+  Vector<size> components(const Value& value) const { return Values::components(value); }
+
+  Value raw(const Key& key) const { return values_.raw(key); }
+  void put_raw(const Key& key, const Value& value) { values_.put_raw(key, value); }
+
+private:
+  Channel channel_;
+  Values values_;
+};
+
+/// The value of a wedge of a result.
+template <std::size_t N, class Result>
+Vector<N> value_of(const Result& result, std::size_t channel, Index wedge) {
+  Vector<N> value;
+  for (std::size_t c = 0; c < N; ++c)
+    value[c] = result.channel(channel).value(wedge, c);
+  return value;
+}
+
+/// Channels of the user's as a tuple of their maps.
+template <class... Channel>
+auto channel_maps(const std::tuple<Channel...>& channels) {
+  return std::apply([](const auto&... channel) { return std::tuple(ChannelMap(channel)...); },
+                    channels);
+}
+
+/// Calls visit(map, c) for each of a tuple.
+template <class Maps, class Visit>
+void for_each_channel(Maps& maps, Visit visit) {
+  std::size_t c = 0;
+  std::apply([&](auto&... map) { (visit(map, c++), ...); }, maps);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_CHANNEL_MAP_H

@@ -1,0 +1,247 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_SOUP_CHANNELS_H
+#define QUADRILLE_INTERNAL_ADAPTER_SOUP_CHANNELS_H
+
+#include <quadrille/internal/adapter/channel_map.h>
+#include <quadrille/internal/adapter/split_points.h>
+#include <quadrille/internal/base/containers.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/surface/channel_input.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The channels of a soup: in maps over the indices of its points, or values with an index triple
+/// for each triangle.
+template <class Maps>
+class SoupChannels {
+public:
+  explicit SoupChannels(Maps maps) : maps_(std::move(maps)) {}
+
+  /// Throws std::invalid_argument for index triples that are not one for each triangle, or name a
+  /// value that is not there.
+  void read(std::size_t points, std::size_t triangles, Workspace& workspace,
+            std::vector<ChannelInput>& inputs) {
+    for_each_channel(maps_, [&](auto& map, std::size_t) {
+      ChannelInput input = map.input(workspace);
+      if constexpr (is_indexed<SourceOf<decltype(map)>>) {
+        if (std::ranges::empty(*map.source().values) && std::ranges::empty(*map.source().triples))
+          input = ChannelInput(&workspace); // of no component: no channel at all
+        else
+          read_indexed(map, triangles, input);
+      } else {
+        for (std::size_t i = 0; i < points; ++i)
+          map.read(i, input);
+      }
+      map.end_of_reading(input);
+      inputs.push_back(std::move(input));
+    });
+  }
+
+  /// Builds what values and triples become. `faces` are numbers of the result, in the order in
+  /// which they are written.
+  template <class Result>
+  auto rewritten(const Result& result, const Array<Index>& faces) const {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return std::make_tuple(this->rewritten(result, faces, I, std::get<I>(maps_))...);
+    }
+    (Indices());
+  }
+  /// Puts that in place, which does not throw.
+  template <class Rewritten>
+  void swap(Rewritten& rewritten) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (this->swap(std::get<I>(maps_), std::get<I>(rewritten)), ...);
+    }
+    (Indices());
+  }
+
+  /// Writes the values of points to maps. `vertices` are numbers of the result, in the order in
+  /// which they are written, and `inputs` the points that they were. If anything throws, undo()
+  /// puts back what there was.
+  template <class Result>
+  void write(const Result& result, const Array<Index>& vertices, const Array<Index>& inputs) {
+    for_each_channel(maps_, [&](auto& map, std::size_t c) {
+      if constexpr (!is_indexed<SourceOf<decltype(map)>>)
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+          // A new index is never above the old one, so nothing is overwritten that is needed.
+          const auto old = map.raw(std::size_t{inputs[vertices[i]]});
+          map.overwritten.emplace_back(i, map.raw(i));
+          map.put_raw(i, value_left(result, c, result.wedge(c, vertices[i]), old, map));
+        }
+    });
+  }
+  /// The same for points that are split.
+  template <class Result>
+  void write_split(const Result& result, const SplitPoints& points) {
+    for_each_channel(maps_, [&](auto& map, std::size_t c) {
+      if constexpr (!is_indexed<SourceOf<decltype(map)>>) {
+        std::vector<typename std::remove_cvref_t<decltype(map)>::Value> values;
+        for (std::size_t i = 0; i < points.size(); ++i)
+          values.push_back(value_left(result, c, result.wedge(c, points.face(i), points.corner(i)),
+                                      map.raw(std::size_t{points.origin(i)}), map));
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          map.overwritten.emplace_back(i, map.raw(i));
+          map.put_raw(i, values[i]);
+        }
+      }
+    });
+  }
+  /// Which channels are maps over points.
+  std::vector<std::size_t> of_points() {
+    std::vector<std::size_t> channels;
+    for_each_channel(maps_, [&](auto& map, std::size_t c) {
+      if constexpr (!is_indexed<SourceOf<decltype(map)>>)
+        channels.push_back(c);
+    });
+    return channels;
+  }
+  void undo() {
+    for_each_channel(maps_, [](auto& map, std::size_t) {
+      for (const auto& [key, value] : map.overwritten)
+        map.put_raw(key, value);
+    });
+  }
+
+private:
+  using Indices = std::make_index_sequence<std::tuple_size_v<Maps>>;
+
+  template <class Map>
+  using SourceOf = typename std::remove_cvref_t<Map>::Source;
+
+  template <class Map>
+  static void read_indexed(const Map& map, std::size_t triangles, ChannelInput& input) {
+    const auto& triples = *map.source().triples;
+    const std::size_t count = std::ranges::size(*map.source().values);
+    if (std::ranges::size(triples) != triangles)
+      throw std::invalid_argument("quadrille::simplify: a channel has index triples for " +
+                                  std::to_string(std::ranges::size(triples)) + " triangles of " +
+                                  std::to_string(triangles));
+    for (std::size_t i = 0; i < count; ++i)
+      map.read(i, input);
+    for (const auto& triple : triples)
+      input.corners.push_back(read_triple(triple, count, input.corners.size()));
+  }
+
+  template <class Triple>
+  static std::array<Index, 3> read_triple(const Triple& triple, std::size_t count,
+                                          std::size_t face) {
+    const auto refuse = [&](const std::string& what) {
+      throw std::invalid_argument("quadrille::simplify: face " + std::to_string(face) + what);
+    };
+    if (std::ranges::size(triple) != 3)
+      refuse(" has " + std::to_string(std::ranges::size(triple)) + " indices of a channel, not 3");
+    std::array<Index, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!std::in_range<Index>(triple[i]) || std::cmp_greater_equal(triple[i], count))
+        refuse(" names value " + std::to_string(triple[i]) + " of " + std::to_string(count) +
+               " of a channel");
+      corners[i] = static_cast<Index>(triple[i]);
+    }
+    return corners;
+  }
+
+  // What a wedge has instead of an old value.
+  template <class Result, class Map>
+  static auto value_left(const Result& result, std::size_t c, Index wedge,
+                         const typename Map::Value& old, const Map& map) {
+    const auto value = value_of<Map::size>(result, c, wedge);
+    if (map.components(old) == value)
+      return old;
+    return result.channel(c).origin(wedge) == none ? map.changed(old, value)
+                                                   : map.unchanged(old, value);
+  }
+
+  struct Nothing {};
+  template <class Result, class Map>
+  static auto rewritten(const Result& result, const Array<Index>& faces, std::size_t c,
+                        const Map& map) {
+    if constexpr (is_indexed<typename Map::Source>)
+      return rewritten_triples(result, faces, c, map);
+    else
+      return Nothing{};
+  }
+
+  // Values that are left keep their order; one that has changed stands where its first wedge met
+  // it: behind the values of old that come before.
+  template <class Result, class Map>
+  static auto rewritten_triples(const Result& result, const Array<Index>& faces, std::size_t c,
+                                const Map& map) {
+    using Values = std::remove_cvref_t<decltype(*map.source().values)>;
+    using Triples = std::remove_cvref_t<decltype(*map.source().triples)>;
+    std::pair<Values, Triples> left{empty_like(*map.source().values),
+                                    empty_like(*map.source().triples)};
+    if (std::ranges::empty(*map.source().triples))
+      return left;
+    const Array<Index> input_faces = result.input_faces();
+    std::vector<Use> uses = uses_of(result, faces, input_faces, c, map);
+    std::vector<Index> place(result.wedge_count(c), none);
+    const Use* last = nullptr;
+    for (const Use& use : uses) {
+      if (!last || use.old != last->old || use.wedge_value != last->wedge_value)
+        left.first.push_back(value_left(result, c, use.wedge, map.raw(std::size_t{use.old}), map));
+      place[use.wedge] = static_cast<Index>(std::ranges::size(left.first) - 1);
+      last = &use;
+    }
+    for (Index face : faces)
+      left.second.push_back(renumbered((*map.source().triples)[input_faces[face]],
+                                       [&](auto i) { return place[result.wedge(c, face, i)]; }));
+    return left;
+  }
+
+  // A wedge that is left, by the first value of its corners; wedges of equal values share one.
+  struct Use {
+    Index old;
+    std::vector<double> wedge_value; // empty: as it was
+    Index wedge;
+    friend auto operator<=>(const Use&, const Use&) = default;
+  };
+
+  template <class Result, class Map>
+  static std::vector<Use> uses_of(const Result& result, const Array<Index>& faces,
+                                  const Array<Index>& input_faces, std::size_t c, const Map& map) {
+    std::vector<Index> old(result.wedge_count(c), none);
+    for (Index face : faces)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto index = static_cast<Index>((*map.source().triples)[input_faces[face]][i]);
+        Index& first = old[result.wedge(c, face, i)];
+        first = (std::min)(first, index);
+      }
+    std::vector<Use> uses;
+    for (Index wedge = 0; wedge < old.size(); ++wedge) {
+      if (old[wedge] == none)
+        continue;
+      const Index origin = result.channel(c).origin(wedge);
+      Use use{origin == none ? old[wedge] : origin, {}, wedge};
+      for (std::size_t k = 0; k < Map::size && origin == none; ++k)
+        use.wedge_value.push_back(result.channel(c).value(wedge, k));
+      uses.push_back(std::move(use));
+    }
+    std::sort(uses.begin(), uses.end());
+    return uses;
+  }
+
+  template <class Map>
+  static void swap(Map& map, auto& rewritten) {
+    if constexpr (is_indexed<typename Map::Source>) {
+      std::swap(*map.source().values, rewritten.first);
+      std::swap(*map.source().triples, rewritten.second);
+    }
+  }
+
+  Maps maps_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_SOUP_CHANNELS_H

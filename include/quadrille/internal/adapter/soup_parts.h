@@ -1,0 +1,83 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_SOUP_PARTS_H
+#define QUADRILLE_INTERNAL_ADAPTER_SOUP_PARTS_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
+#include <quadrille/internal/policy/policies.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What the adapters of soups have in common.
+
+namespace quadrille::internal {
+
+/// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
+/// there.
+template <class Triangle>
+TriangleComplex::Triangle read_triangle(const Triangle& triangle, std::size_t face,
+                                        std::size_t points) {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument("quadrille::simplify: face " + std::to_string(face) + what);
+  };
+  if (std::ranges::size(triangle) != 3)
+    refuse(" is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so");
+  TriangleComplex::Triangle result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!std::in_range<Index>(triangle[i]) || std::cmp_greater_equal(triangle[i], points))
+      refuse(" names point " + std::to_string(triangle[i]) + " of " + std::to_string(points));
+    result[i] = static_cast<Index>(triangle[i]);
+  }
+  return result;
+}
+
+/// The numbers of a result in the order of their inputs, which are below `count`.
+inline Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
+  Array<Index> order = places(inputs, count);
+  std::erase(order, none);
+  return order;
+}
+
+/// The labels of a soup's triangles.
+template <class Labels>
+class SoupLabels {
+public:
+  explicit SoupLabels(Labels labels) : labels_(std::move(labels)) {}
+
+  /// Moves those of the faces that are left to the front; `inputs` are the triangles that these
+  /// were, in their order. If anything throws, undo() puts back what there was.
+  void write(const Array<Index>& faces, const Array<Index>& inputs) {
+    for (std::size_t i = 0; i < faces.size(); ++i) { // a new index is never above the old one
+      overwritten_.push_back(get(labels_.map, i));
+      put(labels_.map, i, get(labels_.map, std::size_t{inputs[faces[i]]}));
+    }
+  }
+  void undo() {
+    for (std::size_t i = 0; i < overwritten_.size(); ++i)
+      put(labels_.map, i, overwritten_[i]);
+  }
+
+private:
+  Labels labels_;
+  std::vector<typename boost::property_traits<decltype(Labels::map)>::value_type> overwritten_;
+};
+template <>
+class SoupLabels<NoLabels> {
+public:
+  explicit SoupLabels(NoLabels) {}
+  void write(const Array<Index>&, const Array<Index>&) {}
+  void undo() {}
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_SOUP_PARTS_H

@@ -1,0 +1,159 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_SPLIT_SOUP_ADAPTER_H
+#define QUADRILLE_INTERNAL_ADAPTER_SPLIT_SOUP_ADAPTER_H
+
+#include <quadrille/internal/adapter/soup_channels.h>
+#include <quadrille/internal/adapter/soup_parts.h>
+#include <quadrille/internal/adapter/split_points.h>
+#include <quadrille/internal/base/containers.h>
+#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/vector.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Reads a soup whose vertices are split at seams, so that points at one place are one vertex, and
+/// splits them again behind the simplification: one point for each combination of values at a
+/// place. O(n log n) for n points.
+template <class Points, class Triangles, class PointMap, class Labels, class Maps>
+class SplitSoupAdapter {
+public:
+  using Point = typename boost::property_traits<PointMap>::value_type;
+
+  SplitSoupAdapter(Points& points, Triangles& triangles, PointMap map, Labels labels, Maps channels,
+                   Workspace& workspace)
+      : workspace_(&workspace), points_(points), triangles_(triangles), map_(map), labels_(labels),
+        channels_(std::move(channels)), vertex_of_(&workspace) {}
+
+  /// Throws as SoupAdapter::read does.
+  SurfaceInput<3> read() {
+    TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
+    SurfaceInput<3> surface(workspace_);
+    surface.has_duplicate_faces = true;
+    weld(surface);
+    Array<TriangleComplex::Triangle> corners(workspace_);
+    for (const auto& triangle : triangles_) {
+      corners.push_back(read_triangle(triangle, corners.size(), vertex_of_.size()));
+      const auto [a, b, c] = corners.back();
+      surface.triangles.push_back({vertex_of_[a], vertex_of_[b], vertex_of_[c]});
+    }
+    channels_.read(vertex_of_.size(), corners.size(), *workspace_, surface.channels);
+    for (ChannelInput& channel : surface.channels)
+      if (channel.corners.empty() && channel.components > 0)
+        channel.corners = corners;
+    return surface;
+  }
+
+  /// Fixes the vertices of which get(map, index) is true for a point.
+  template <class Map>
+  void fix_vertices(Map map, SurfaceInput<3>& surface) const {
+    for (std::size_t i = 0; i < vertex_of_.size(); ++i)
+      if (get(map, i))
+        surface.fix(vertex_of_[i]);
+  }
+
+  /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
+  template <class Result, class Tell>
+  std::size_t write(const Result& result, Tell tell) {
+    static_assert(!Tell::asks_for_images, "quadrille::simplify: vertex_image_map and SplitVertices "
+                                          "do not go together: a point may become several.");
+    const Array<Index> inputs = result.input_faces();
+    const Array<Index> faces = in_order(inputs, result.input_face_count());
+    const SplitPoints split(result, faces, inputs, triangles_, channels_.of_points());
+    if (split.size() > vertex_of_.size())
+      throw std::length_error("quadrille::simplify: split vertices would become more, " +
+                              std::to_string(split.size()) + " of " +
+                              std::to_string(vertex_of_.size()));
+    Points points = empty_like(points_);
+    for (std::size_t i = 0; i < split.size(); ++i) {
+      points.push_back(points_[split.origin(i)]);
+      tell.vertex(i, split.vertex(i), result);
+    }
+    Triangles triangles = empty_like(triangles_);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      triangles.push_back(renumbered(triangles_[inputs[faces[f]]],
+                                     [&](std::size_t i) { return split.number(f, i); }));
+    auto channels = channels_.rewritten(result, faces);
+    std::vector<std::pair<std::size_t, Point>> overwritten;
+    try {
+      move_points(result, split, points, overwritten);
+      labels_.write(faces, inputs);
+      channels_.write_split(result, split);
+    } catch (...) {
+      for (const auto& [i, p] : overwritten)
+        put(map_, points[i], p);
+      labels_.undo();
+      channels_.undo();
+      throw;
+    }
+    std::swap(points_, points);
+    std::swap(triangles_, triangles);
+    channels_.swap(channels);
+    return 0;
+  }
+
+private:
+  // Points at one place are one vertex, which has the number of the first among the vertices.
+  void weld(SurfaceInput<3>& surface) {
+    Array<Vector<3>> places(workspace_);
+    for (const auto& point : points_) {
+      places.push_back(position_of(get(map_, point)));
+      require_finite(places.back(), places.size() - 1);
+    }
+    Array<Index> order(places.size(), workspace_);
+    std::iota(order.begin(), order.end(), Index{0});
+    const auto key = [&](Index i) { return std::tie(places[i][0], places[i][1], places[i][2], i); };
+    std::sort(order.begin(), order.end(), [&](Index i, Index j) { return key(i) < key(j); });
+    Array<Index> first(places.size(), workspace_);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const bool is_same = k > 0 && places[order[k]] == places[order[k - 1]];
+      first[order[k]] = is_same ? first[order[k - 1]] : order[k];
+    }
+    vertex_of_.resize(places.size());
+    for (Index i = 0; i < places.size(); ++i)
+      if (first[i] == i) {
+        vertex_of_[i] = static_cast<Index>(surface.positions.size());
+        surface.positions.push_back(places[i]);
+      } else {
+        vertex_of_[i] = vertex_of_[first[i]];
+      }
+  }
+
+  template <class Result>
+  void move_points(const Result& result, const SplitPoints& split, Points& points,
+                   std::vector<std::pair<std::size_t, Point>>& overwritten) {
+    for (std::size_t i = 0; i < split.size(); ++i) {
+      const Vector<3> position = result.position(split.vertex(i));
+      const Point old = get(map_, points[i]);
+      if (position_of(old) == position)
+        continue;
+      overwritten.emplace_back(i, old);
+      put(map_, points[i], point_at<Point>(position));
+    }
+  }
+
+  Workspace* workspace_;
+  Points& points_;
+  Triangles& triangles_;
+  PointMap map_;
+  SoupLabels<Labels> labels_;
+  SoupChannels<Maps> channels_;
+  Array<Index> vertex_of_; // of each point
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_SPLIT_SOUP_ADAPTER_H

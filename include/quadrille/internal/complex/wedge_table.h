@@ -1,0 +1,263 @@
+#ifndef QUADRILLE_INTERNAL_COMPLEX_WEDGE_TABLE_H
+#define QUADRILLE_INTERNAL_COMPLEX_WEDGE_TABLE_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/prefetch.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A few wedges.
+using WedgeList = boost::container::small_vector<Index, 8>;
+
+/// The wedges of a channel: corners around a vertex that have one value. The first wedge of a
+/// vertex has its number; others follow behind. A table of one wedge a vertex holds nothing.
+class WedgeTable {
+public:
+  using Corners = std::array<Index, 3>;
+
+  explicit WedgeTable(Workspace* workspace) : corners_(workspace), next_(workspace) {}
+
+  /// Has any vertex ever had several wedges?
+  bool has_seams() const { return !corners_.empty(); }
+  bool has_one(Index vertex) const { return !has_seams() || next_[vertex] == none; }
+
+  /// Makes wedges of corners: those around a vertex that are connected by edges at which
+  /// are_one(v, face, i, face', j) holds of both corners at v. Calls found(wedge, face, i) for a
+  /// corner of each wedge.
+  template <class AreOne, class Found>
+  void build(const TriangleComplex& complex, AreOne are_one, Found found) {
+    corners_.assign(complex.face_capacity(), Corners{none, none, none});
+    next_.assign(complex.vertex_capacity(), none);
+    Fans fans;
+    for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+      fans.gather(complex, v, are_one);
+      Index last = none;
+      fans.for_each([&](const auto& corners) {
+        const Index wedge = last == none ? v : add_behind(last);
+        last = wedge;
+        for (const auto& [face, i] : corners)
+          corners_[face][i] = wedge;
+        found(wedge, corners.front().first, corners.front().second);
+      });
+    }
+  }
+  /// As few as there are vertices, if the table holds no more.
+  void simplify_if_possible(std::size_t vertices) {
+    if (next_.size() == vertices) {
+      corners_ = Array<Corners>(corners_.get_allocator());
+      next_ = Array<Index>(next_.get_allocator());
+    }
+  }
+
+  /// How many wedges have a number, of so many vertices.
+  std::size_t size(std::size_t vertices) const { return has_seams() ? next_.size() : vertices; }
+
+  /// The wedge of a face's corner i, which is at a vertex.
+  Index at(Index face, std::size_t i, Index vertex) const {
+    return has_seams() ? corners_[face][i] : vertex;
+  }
+  /// The wedge of a face at one of its vertices.
+  Index at(const TriangleComplex& complex, Index face, Index vertex) const {
+    return has_seams() ? corners_[face][place(complex.vertices(face), vertex)] : vertex;
+  }
+
+  /// All wedges of a vertex, the first one first.
+  void append_all(WedgeList& wedges, Index vertex) const {
+    wedges.push_back(vertex);
+    if (has_seams())
+      for (Index w = next_[vertex]; w != none; w = next_[w])
+        wedges.push_back(w);
+  }
+
+  /// Calls visit(wedge at a, wedge at b) for each face of both.
+  template <class Visit>
+  void for_each_shared(const TriangleComplex& complex, Index a, Index b, Visit visit) const {
+    complex.for_each_corner(a, [&](Index face, Index i) {
+      if (star_face_at(complex, face, i).has(b))
+        visit(at(face, i, a), at(complex, face, b));
+    });
+  }
+
+  /// The wedges that a vertex has now: `wedges`, the first of which is its own.
+  void chain(const WedgeList& wedges) {
+    for (std::size_t k = 0; k < wedges.size(); ++k)
+      next_[wedges[k]] = k + 1 < wedges.size() ? wedges[k + 1] : none;
+  }
+  /// The corner of a face at a vertex belongs to another wedge now: renamed(old wedge).
+  template <class Rename>
+  void rename_corner(const TriangleComplex& complex, Index face, Index vertex, Rename renamed) {
+    Index& wedge = corners_[face][place(complex.vertices(face), vertex)];
+    wedge = renamed(wedge);
+  }
+
+  /// Leaves out what belongs to faces for which is_left does not hold and to vertices that are not
+  /// in an ascending list. Returns the old numbers of what is left, by the new ones.
+  template <class IsLeft>
+  Array<Index> pack(const Array<Index>& vertices, IsLeft is_left) {
+    Array<Index> old(vertices.begin(), vertices.end(), vertices.get_allocator());
+    if (!has_seams())
+      return old;
+    Array<Index> new_number(next_.size(), none, next_.get_allocator());
+    Array<Index> next(vertices.size(), none, next_.get_allocator());
+    for (Index v = 0; v < vertices.size(); ++v) {
+      new_number[vertices[v]] = v;
+      Index last = v;
+      for (Index w = next_[vertices[v]]; w != none; w = next_[w]) {
+        new_number[w] = next[last] = static_cast<Index>(old.size());
+        last = new_number[w];
+        next.push_back(none);
+        old.push_back(w);
+      }
+    }
+    next_ = std::move(next);
+    pack_if(corners_, is_left);
+    for (Corners& corners : corners_)
+      for (Index& wedge : corners)
+        wedge = new_number[wedge];
+    return old;
+  }
+
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
+    if (has_seams())
+      internal::prefetch(&next_[vertex]);
+  }
+
+private:
+  static std::size_t place(const TriangleComplex::Triangle& vertices, Index vertex) {
+    return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
+  }
+
+  Index add_behind(Index last) {
+    const auto wedge = static_cast<Index>(next_.size());
+    next_.push_back(none);
+    next_[last] = wedge;
+    return wedge;
+  }
+
+  // The corners around a vertex, in parts that are connected by edges.
+  class Fans {
+  public:
+    using Corner = std::pair<Index, Index>; // face, place
+
+    template <class AreOne>
+    void gather(const TriangleComplex& complex, Index v, AreOne are_one) {
+      corners_.clear();
+      sides_.clear();
+      complex.for_each_corner(v, [&](Index face, Index i) {
+        const StarFace f = star_face_at(complex, face, i);
+        const auto corner = static_cast<Index>(corners_.size());
+        sides_.push_back({f.second, corner});
+        sides_.push_back({f.third, corner});
+        corners_.push_back({face, i});
+      });
+      parent_.resize(corners_.size());
+      std::iota(parent_.begin(), parent_.end(), Index{0});
+      std::sort(sides_.begin(), sides_.end());
+      for (std::size_t s = 0; s < sides_.size(); ++s)
+        for (std::size_t t = s + 1; t < sides_.size() && sides_[t].first == sides_[s].first; ++t) {
+          const auto [face, i] = corners_[sides_[s].second];
+          const auto [other, j] = corners_[sides_[t].second];
+          if (are_one(v, face, i, other, j))
+            join(sides_[s].second, sides_[t].second);
+        }
+    }
+
+    // Calls visit(corners) for each part, in the order of its first corner.
+    template <class Visit>
+    void for_each(Visit visit) {
+      order_.clear();
+      for (Index c = 0; c < corners_.size(); ++c)
+        order_.push_back({root(c), c});
+      std::sort(order_.begin(), order_.end());
+      for (auto begin = order_.begin(); begin != order_.end();) {
+        part_.clear();
+        const Index part = begin->first;
+        for (; begin != order_.end() && begin->first == part; ++begin)
+          part_.push_back(corners_[begin->second]);
+        visit(part_);
+      }
+    }
+
+  private:
+    Index root(Index c) {
+      while (parent_[c] != c)
+        c = parent_[c] = parent_[parent_[c]];
+      return c;
+    }
+    void join(Index c, Index d) { // the lower one is the root
+      const Index one = root(c), other = root(d);
+      parent_[(std::max)(one, other)] = (std::min)(one, other);
+    }
+
+    std::vector<Corner> corners_, part_;
+    std::vector<std::pair<Index, Index>> sides_; // the other end of an edge, the corner
+    std::vector<std::pair<Index, Index>> order_; // the part, the corner
+    std::vector<Index> parent_;
+  };
+
+  Array<Corners> corners_; // of each face
+  Array<Index> next_;      // of each wedge, the next one of its vertex
+};
+
+/// Which wedges become one where a pair is contracted: those that a face of both ends joins.
+class WedgeJoins {
+public:
+  /// Wedges at the first end and at the second that become one.
+  struct Group {
+    WedgeList first, second;
+  };
+
+  void add(Index at_first, Index at_second) {
+    const std::array pair{at_first, at_second};
+    if (std::find(pairs_.begin(), pairs_.end(), pair) == pairs_.end())
+      pairs_.push_back(pair);
+  }
+
+  /// Calls visit(group) for each, in the order of their first pairs.
+  template <class Visit>
+  void for_each_group(Visit visit) const {
+    boost::container::small_vector<bool, 4> is_done(pairs_.size(), false);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      if (is_done[p])
+        continue;
+      Group group;
+      collect(p, group, is_done);
+      visit(group);
+    }
+  }
+
+private:
+  template <class Flags>
+  void collect(std::size_t p, Group& group, Flags& is_done) const {
+    is_done[p] = true;
+    const auto [at_first, at_second] = pairs_[p];
+    add_once(group.first, at_first);
+    add_once(group.second, at_second);
+    for (std::size_t q = 0; q < pairs_.size(); ++q)
+      if (!is_done[q] && (pairs_[q][0] == at_first || pairs_[q][1] == at_second))
+        collect(q, group, is_done);
+  }
+  static void add_once(WedgeList& wedges, Index wedge) {
+    if (std::find(wedges.begin(), wedges.end(), wedge) == wedges.end())
+      wedges.push_back(wedge);
+  }
+
+  boost::container::small_vector<std::array<Index, 2>, 4> pairs_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COMPLEX_WEDGE_TABLE_H

@@ -1,0 +1,200 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
+#define QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
+
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/cost/channel.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Where a vertex is on the seams of a surface: on none, on a line, or where other than two of
+/// their edges meet.
+enum class SeamKind : std::uint8_t { free, line, corner };
+
+/// The graph of seams in a surface: edges between two labels, edges at which a channel is
+/// discontinuous whose seams are kept, edges at which a texture is mirrored, and edges of other
+/// than two faces.
+///
+/// A contraction keeps the graph, beside the topology of the surface, if an edge between two of its
+/// vertices is one of its own, no two corners become one, and no third vertex is joined to both
+/// ends by seams. Source: Vivodtzev, Bonneau and Le Texier, Topology preserving simplification of
+/// 2D non-manifold meshes with embedded structures, 2005.
+class SeamGraph {
+public:
+  SeamGraph() = default;
+  /// `labels`: of each face, or empty. `channels` stay where they are.
+  SeamGraph(const TriangleComplex& complex, Array<Index> labels, std::span<const Channel> channels)
+      : complex_(&complex), channels_(channels), label_(std::move(labels)),
+        kind_(complex.workspace()) {
+    if (!has_seams())
+      return;
+    kind_.resize(complex.vertex_capacity(), SeamKind::free);
+    Edges edges;
+    for (Index v = 0; v < kind_.size(); ++v) {
+      gather(edges, v);
+      std::size_t seams = 0;
+      for_each_edge(edges, v, [&](Index, bool is_seam, const auto&) { seams += is_seam; });
+      kind_[v] = seams == 0 ? SeamKind::free : seams == 2 ? SeamKind::line : SeamKind::corner;
+    }
+  }
+
+  /// Has the surface any seam but those of edges of other than two faces?
+  bool is_empty() const { return kind_.empty(); }
+  bool is_corner(Index v) const { return kind_[v] == SeamKind::corner; }
+
+  /// Would the contraction of the pair ab change the graph?
+  bool is_changed_by(const PairStar& star, Index a, Index b) const {
+    if (is_empty() || kind_[a] == SeamKind::free || kind_[b] == SeamKind::free)
+      return false;
+    return !is_seam_edge(star.shared, a, b) || (is_corner(a) && is_corner(b)) ||
+           has_common_seam(star, a, b);
+  }
+
+  /// Calls visit(v, w, face, other) for each seam of two faces, once.
+  template <class Visit>
+  void for_each_seam(Visit visit) const {
+    Edges edges;
+    for (Index v = 0; v < kind_.size(); ++v) {
+      if (kind_[v] == SeamKind::free)
+        continue;
+      gather(edges, v);
+      for_each_edge(edges, v, [&](Index w, bool is_seam, const auto& sides) {
+        if (is_seam && sides.size() == 2 && v < w)
+          visit(v, w, sides[0].second, sides[1].second);
+      });
+    }
+  }
+
+  static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
+  /// Leaves out those of faces for which is_left(face) is false.
+  template <class IsLeft>
+  void pack_if(IsLeft is_left) {
+    internal::pack_if(label_, is_left);
+  }
+
+  template <class Event>
+  void after(const Event& event) {
+    if (!is_empty())
+      kind_[event.kept] = (std::max)(kind_[event.kept], kind_[event.gone]);
+  }
+
+private:
+  // Edges at a vertex: the other end, a face. Those of one edge are side by side once sorted.
+  using Edges = std::vector<std::pair<Index, Index>>;
+
+  bool has_seams() const {
+    return std::any_of(label_.begin(), label_.end(),
+                       [this](Index label) { return label != label_[0]; }) ||
+           std::any_of(channels_.begin(), channels_.end(), [this](const Channel& channel) {
+             return channel.are_seams_kept() && (channel.has_seams() || is_mirrored(channel));
+           });
+  }
+
+  // Has the texture faces of both orientations?
+  bool is_mirrored(const Channel& channel) const {
+    if (!channel.is_texture())
+      return false;
+    bool is_any_positive = false, is_any_negative = false;
+    for (Index face = 0; face < complex_->face_capacity(); ++face) {
+      if (complex_->is_removed(face))
+        continue;
+      const double area = channel.doubled_texture_area(*complex_, face);
+      is_any_positive = is_any_positive || area > 0;
+      is_any_negative = is_any_negative || area < 0;
+    }
+    return is_any_positive && is_any_negative;
+  }
+
+  static void add(Edges& edges, const StarFace& f) {
+    edges.push_back({f.second, f.face});
+    edges.push_back({f.third, f.face});
+  }
+  void gather(Edges& edges, Index v) const {
+    edges.clear();
+    complex_->for_each_corner(
+        v, [&](Index face, Index i) { add(edges, star_face_at(*complex_, face, i)); });
+  }
+
+  // Calls visit(other, is_seam, sides) for each edge at a vertex, in the order of the other ends.
+  template <class Visit>
+  void for_each_edge(Edges& edges, Index v, Visit visit) const {
+    std::sort(edges.begin(), edges.end());
+    for (auto side = edges.begin(); side != edges.end();) {
+      const auto end = std::find_if(
+          side, edges.end(), [w = side->first](const auto& next) { return next.first != w; });
+      const std::span sides(side, end);
+      visit(side->first,
+            sides.size() != 2 || is_seam(sides[0].second, sides[1].second, v, side->first), sides);
+      side = end;
+    }
+  }
+
+  // Is the edge vw of two faces a seam?
+  bool is_seam(Index face, Index other, Index v, Index w) const {
+    return (!label_.empty() && label_[face] != label_[other]) ||
+           std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
+             return channel.are_seams_kept() && (channel.has_seam(*complex_, face, other, v, w) ||
+                                                 is_fold(channel, face, other));
+           });
+  }
+  bool is_fold(const Channel& channel, Index face, Index other) const {
+    if (!channel.is_texture())
+      return false;
+    const double area = channel.doubled_texture_area(*complex_, face);
+    const double other_area = channel.doubled_texture_area(*complex_, other);
+    return (area > 0 && other_area < 0) || (area < 0 && other_area > 0);
+  }
+
+  // Of the edge ab that has these faces; a pair without a face is no edge.
+  bool is_seam_edge(const AppendBuffer<StarFace>& faces, Index a, Index b) const {
+    return faces.size() == 1 || faces.size() > 2 ||
+           (faces.size() == 2 && is_seam(faces[0].face, faces[1].face, a, b));
+  }
+
+  // The vertices that seams join to an end v of the pair, in order, but the other end. The faces
+  // at that end alone are given.
+  std::vector<Index> seam_neighbours(Index v, const AppendBuffer<StarFace>& faces,
+                                     const PairStar& star, Index b) const {
+    Edges edges;
+    for (const StarFace& f : faces)
+      add(edges, f);
+    for (const StarFace& f : star.shared)
+      edges.push_back({f.other_than(b), f.face});
+    std::vector<Index> neighbours;
+    for_each_edge(edges, v, [&](Index other, bool is_seam, const auto&) {
+      if (is_seam)
+        neighbours.push_back(other);
+    });
+    return neighbours;
+  }
+
+  // Is there a vertex that seams join to both ends?
+  bool has_common_seam(const PairStar& star, Index a, Index b) const {
+    const std::vector<Index> at_first = seam_neighbours(a, star.first, star, b);
+    const std::vector<Index> at_second = seam_neighbours(b, star.second, star, b);
+    std::vector<Index> common;
+    std::set_intersection(at_first.begin(), at_first.end(), at_second.begin(), at_second.end(),
+                          std::back_inserter(common));
+    return !common.empty();
+  }
+
+  const TriangleComplex* complex_ = nullptr;
+  std::span<const Channel> channels_;
+  Array<Index> label_;   // of each face; empty if there are none
+  Array<SeamKind> kind_; // of each vertex; empty if there are no seams
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H

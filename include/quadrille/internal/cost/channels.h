@@ -1,0 +1,176 @@
+#ifndef QUADRILLE_INTERNAL_COST_CHANNELS_H
+#define QUADRILLE_INTERNAL_COST_CHANNELS_H
+
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/cost/channel.h>
+#include <quadrille/internal/cost/vertex_memories.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/columns.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/symmetric_matrix.h>
+#include <quadrille/vector.h>
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Do the vertices remember what channels leave in what they remember anyway?
+template <class Cost>
+inline constexpr bool remembers_forms = std::same_as<typename Cost::Memory, QuadricForm<3>>;
+
+/// Does a cost add what channels leave to what it sees now?
+template <class Cost>
+inline constexpr bool sees_forms = requires(PairOf<Cost>& pair, const QuadricForm<3>& form) {
+  pair.current.quadric += form;
+};
+
+/// The channels of a surface, and what they cost. A cost that takes no quadric does not count them,
+/// but they are carried along.
+template <class Cost>
+class Channels {
+public:
+  using Geometry = internal::Geometry<Cost::dimension>;
+  using Position = Vector<3>;
+
+  Channels(const TriangleComplex& complex, const Geometry& geometry)
+      : complex_(complex), geometry_(geometry), forms_(complex.workspace()) {}
+
+  void add(Channel channel) { channels_.push_back(std::move(channel)); }
+  std::span<const Channel> all() const { return channels_; }
+  std::vector<Channel> take() { return std::move(channels_); }
+
+  /// All vertices remember the attributes as they are now.
+  void remember(VertexMemories<Cost>& memories) {
+    if constexpr (!remembers_forms<Cost>)
+      forms_.assign(geometry_.positions().size(), QuadricForm<3>());
+    for (Channel& channel : channels_)
+      channel.remember(geometry_.positions(), complex_,
+                       [&](Index v, const SymmetricMatrix<3>& matrix) {
+                         form_at(v, memories) += QuadricForm<3>(matrix);
+                       });
+  }
+
+  /// Holds charts at both sides of the edge vw of two faces, if they end there.
+  void hold_borders(Index face, Index other, Index v, Index w, VertexMemories<Cost>& memories) {
+    const double squared = squared_distance(geometry_.position(v), geometry_.position(w));
+    for (Channel& channel : channels_) {
+      if (!channel.holds_borders() || !channel.has_seam(complex_, face, other, v, w))
+        continue;
+      for (Index side : {face, other}) {
+        channel.hold_border(complex_, side, v, w, squared, form_at(v, memories));
+        channel.hold_border(complex_, side, w, v, squared, form_at(w, memories));
+      }
+    }
+  }
+
+  /// What the attributes cost at a pair is seen by the cost of the pair.
+  QUADRILLE_ALWAYS_INLINE void add_to(PairOf<Cost>& pair, Index a, Index b) const {
+    if constexpr (remembers_forms<Cost>)
+      add_joins(pair.memory, contracted(a, b));
+    else if constexpr (sees_forms<Cost>)
+      pair.current.quadric += form(contracted(a, b));
+  }
+
+  /// The pair of a contraction.
+  ContractedPair contracted(Index a, Index b) const {
+    return {a, b, geometry_.position(b) - geometry_.position(a), geometry_.is_fixed(a),
+            geometry_.is_fixed(b)};
+  }
+
+  /// What the joins of a pair cost, about its first end.
+  QUADRILLE_ALWAYS_INLINE void add_joins(QuadricForm<3>& form, const ContractedPair& pair) const {
+    for (const Channel& channel : channels_)
+      channel.add_joins(complex_, pair, form);
+  }
+
+  /// Would a contraction turn a face over in a texture?
+  bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
+    const ContractedPair pair = contracted(a, b);
+    for (const Channel& channel : channels_) {
+      if (!channel.is_texture() || !channel.are_seams_kept())
+        continue;
+      QuadricForm<3> form;
+      if (channel.turns_over(complex_, star, pair,
+                             channel.changes(complex_, pair, target - geometry_.position(a), form)))
+        return true;
+    }
+    return false;
+  }
+
+  template <class Event>
+  void before(const Event& event) {
+    const auto& contraction = event.contraction;
+    const ContractedPair pair = contracted(contraction.first(), contraction.second());
+    const Position target = contraction.target() - geometry_.position(pair.first);
+    QuadricForm<3> joins;
+    for (Channel& channel : channels_)
+      channel.apply(complex_, contraction.star(), pair, event.kept,
+                    channel.changes(complex_, pair, target, joins));
+    if constexpr (!remembers_forms<Cost>) {
+      QuadricForm<3>& form = forms_[event.kept];
+      joins +=
+          QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
+      joins.move_origin(target);
+      form = joins;
+    }
+  }
+
+  static auto vertex_columns(auto& self) { return std::tie(self.forms_); }
+  template <class IsLeft>
+  void pack_channels(const Array<Index>& vertices, IsLeft is_left) {
+    for (Channel& channel : channels_)
+      channel.pack(vertices, is_left);
+  }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
+    for (const Channel& channel : channels_)
+      channel.prefetch(v);
+    if constexpr (sees_forms<Cost>)
+      prefetch_columns(*this, v);
+  }
+
+private:
+  QuadricForm<3>& form_at(Index v, VertexMemories<Cost>& memories) {
+    if constexpr (remembers_forms<Cost>)
+      return memories[v];
+    else
+      return forms_[v];
+  }
+
+  // All that the attributes of a pair cost, about its first end.
+  QuadricForm<3> form(const ContractedPair& pair) const {
+    auto form =
+        QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
+    add_joins(form, pair);
+    return form;
+  }
+
+  const TriangleComplex& complex_;
+  const Geometry& geometry_;
+  std::vector<Channel> channels_;
+  Array<QuadricForm<3>> forms_; // of each vertex, where its memory does not hold them
+};
+
+/// Of a surface that has none.
+struct NoChannels {
+  template <class Geometry>
+  NoChannels(const TriangleComplex&, const Geometry&) {}
+  std::span<const Channel> all() const { return {}; }
+  std::vector<Channel> take() { return {}; }
+  static auto vertex_columns(auto&) { return std::tuple<>(); }
+};
+
+template <class Policies>
+using ChannelsOf = std::conditional_t<has_channels<typename Policies::Channels>,
+                                      Channels<typename Policies::Cost>, NoChannels>;
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_CHANNELS_H

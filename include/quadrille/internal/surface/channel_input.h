@@ -1,0 +1,56 @@
+#ifndef QUADRILLE_INTERNAL_SURFACE_CHANNEL_INPUT_H
+#define QUADRILLE_INTERNAL_SURFACE_CHANNEL_INPUT_H
+
+#include <quadrille/channels.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/memory/array.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A channel as an adapter reads it: values, and which of them each corner of a face has.
+struct ChannelInput {
+  explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
+
+  std::size_t components = 0;
+  Array<double> values; ///< the components of each value, one value after the other
+  /// Of each input face, its values in the order of its corners; empty: a value has the index of
+  /// its vertex.
+  Array<std::array<Index, 3>> corners;
+  std::vector<double> weights; ///< of the components, in the mesh's unit; empty: by default
+  double importance = 1;
+  Seams seams = Seams::priced;
+  bool is_texture = false;
+  double border_weight = 0; ///< see ChannelOptions
+
+  double value(Index i, std::size_t component) const { return values[i * components + component]; }
+  /// Of a corner of an input face, which is at an input vertex.
+  Index value_at(Index face, std::size_t corner, Index vertex) const {
+    return corners.empty() ? vertex : corners[face][corner];
+  }
+  bool are_equal(Index i, Index j) const {
+    if (i == j)
+      return true;
+    for (std::size_t c = 0; c < components; ++c)
+      if (value(i, c) != value(j, c))
+        return false;
+    return true;
+  }
+
+  void require_finite() const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i]))
+        throw std::invalid_argument("quadrille::simplify: value " + std::to_string(i / components) +
+                                    " of a channel is not finite");
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_SURFACE_CHANNEL_INPUT_H
