@@ -5,6 +5,8 @@
 #include <quadrille/channels.h>
 #include <quadrille/internal/adapter/attributes.h>
 #include <quadrille/internal/base/attribute_values.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/vector.h>
 
@@ -127,18 +129,19 @@ public:
     const Vector<size> value = values_.read(key);
     input.values.insert(input.values.end(), value.coordinates.begin(), value.coordinates.end());
   }
-  /// What is written stays in the limits of what was read.
-  void end_of_reading(const ChannelInput& input) {
+  /// What is written stays in the limits of what faces had.
+  void end_of_reading(const ChannelInput& input,
+                      const Array<TriangleComplex::Triangle>& triangles) {
     input.require_finite();
-    if (input.values.empty())
-      return;
     Vector<size> low, high;
-    for (std::size_t c = 0; c < size; ++c)
-      low[c] = high[c] = input.value(0, c);
-    for (std::size_t i = 0; i < input.values.size(); ++i) {
-      low[i % size] = (std::min)(low[i % size], input.values[i]);
-      high[i % size] = (std::max)(high[i % size], input.values[i]);
-    }
+    low.coordinates.fill((std::numeric_limits<double>::max)());
+    high.coordinates.fill(std::numeric_limits<double>::lowest());
+    for (const auto& value_triple : input.corners.empty() ? triangles : input.corners)
+      for (Index value : value_triple)
+        for (std::size_t c = 0; c < size && input.components > 0; ++c) {
+          low[c] = (std::min)(low[c], input.value(value, c));
+          high[c] = (std::max)(high[c], input.value(value, c));
+        }
     values_.limit_to(low, high);
   }
 

@@ -55,7 +55,8 @@ public:
     read_faces(surface);
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
-    channels_.read(mesh_, vertices_, *workspace_, surface.channels);
+    if constexpr (dimension == 3)
+      channels_.read(mesh_, vertices_, *workspace_, surface);
     return surface;
   }
   /// Gives memory back that write() can fill anew.

@@ -4,7 +4,7 @@
 #include <quadrille/internal/adapter/channel_map.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
+#include <quadrille/internal/surface/surface_input.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -31,7 +31,7 @@ public:
   /// `vertices` are those of the mesh, in the order in which they were read.
   template <class Vertices>
   void read(const Mesh& mesh, const Vertices& vertices, Workspace& workspace,
-            std::vector<ChannelInput>& inputs) {
+            SurfaceInput<3>& surface) {
     for_each_channel(maps_, [&](auto& map, std::size_t) {
       using Key = typename std::remove_cvref_t<decltype(map)>::Key;
       static_assert(std::same_as<Key, Vertex> || std::same_as<Key, Halfedge>,
@@ -43,8 +43,8 @@ public:
           map.read(vertices[v], input);
       else
         read_corners(mesh, map, input);
-      map.end_of_reading(input);
-      inputs.push_back(std::move(input));
+      map.end_of_reading(input, surface.triangles);
+      surface.channels.push_back(std::move(input));
     });
   }
 

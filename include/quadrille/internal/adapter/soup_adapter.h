@@ -55,8 +55,8 @@ public:
           read_triangle(triangle, surface.triangles.size(), surface.positions.size()));
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
-    channels_.read(std::ranges::size(points_), std::ranges::size(triangles_), *workspace_,
-                   surface.channels);
+    if constexpr (dimension == 3)
+      channels_.read(std::ranges::size(points_), *workspace_, surface);
     return surface;
   }
 

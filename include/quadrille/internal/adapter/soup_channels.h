@@ -6,7 +6,7 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
+#include <quadrille/internal/surface/surface_input.h>
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ public:
 
   /// Throws std::invalid_argument for index triples that are not one for each triangle, or name a
   /// value that is not there.
-  void read(std::size_t points, std::size_t triangles, Workspace& workspace,
-            std::vector<ChannelInput>& inputs) {
+  void read(std::size_t points, Workspace& workspace, SurfaceInput<3>& surface) {
+    const std::size_t triangles = surface.triangles.size();
     for_each_channel(maps_, [&](auto& map, std::size_t) {
       ChannelInput input = map.input(workspace);
       if constexpr (is_indexed<SourceOf<decltype(map)>>) {
@@ -43,8 +43,8 @@ public:
         for (std::size_t i = 0; i < points; ++i)
           map.read(i, input);
       }
-      map.end_of_reading(input);
-      inputs.push_back(std::move(input));
+      map.end_of_reading(input, surface.triangles);
+      surface.channels.push_back(std::move(input));
     });
   }
 

@@ -37,31 +37,45 @@ public:
   SeamGraph(const TriangleComplex& complex, Array<Index> labels, std::span<const Channel> channels)
       : complex_(&complex), channels_(channels), label_(std::move(labels)),
         kind_(complex.workspace()) {
-    if (!has_seams())
+    if (label_.empty() && !keeps_channels())
       return;
     kind_.resize(complex.vertex_capacity(), SeamKind::free);
+    bool is_any_inside = false;
     Edges edges;
     for (Index v = 0; v < kind_.size(); ++v) {
       gather(edges, v);
       std::size_t seams = 0;
-      for_each_edge(edges, v, [&](Index, bool is_seam, const auto&) { seams += is_seam; });
+      for_each_edge(edges, v, [&](Index, bool is_seam, const auto& sides) {
+        seams += is_seam;
+        is_any_inside = is_any_inside || (is_seam && sides.size() == 2);
+      });
       kind_[v] = seams == 0 ? SeamKind::free : seams == 2 ? SeamKind::line : SeamKind::corner;
     }
+    if (!is_any_inside)
+      kind_.clear();
   }
 
   /// Has the surface any seam but those of edges of other than two faces?
   bool is_empty() const { return kind_.empty(); }
+  /// Of each face; or empty.
+  const Array<Index>& labels() const { return label_; }
   bool is_corner(Index v) const { return kind_[v] == SeamKind::corner; }
 
   /// Would the contraction of the pair ab change the graph?
   bool is_changed_by(const PairStar& star, Index a, Index b) const {
-    if (is_empty() || kind_[a] == SeamKind::free || kind_[b] == SeamKind::free)
+    if (is_empty())
       return false;
-    return !is_seam_edge(star.shared, a, b) || (is_corner(a) && is_corner(b)) ||
-           has_common_seam(star, a, b);
+    if (kind_[a] != SeamKind::free && kind_[b] != SeamKind::free &&
+        (!is_seam_edge(star.shared, a, b) || (is_corner(a) && is_corner(b)) ||
+         has_common_seam(star, a, b)))
+      return true;
+    return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
+      return channel.are_seams_kept() && channel.has_seams() &&
+             (channel.closes_seam(*complex_, star, a, b) || opens_seam(channel, star, a, b));
+    });
   }
 
-  /// Calls visit(v, w, face, other) for each seam of two faces, once.
+  /// Calls visit(v, w, sides) for each seam, once; the second of each side is a face.
   template <class Visit>
   void for_each_seam(Visit visit) const {
     Edges edges;
@@ -70,8 +84,8 @@ public:
         continue;
       gather(edges, v);
       for_each_edge(edges, v, [&](Index w, bool is_seam, const auto& sides) {
-        if (is_seam && sides.size() == 2 && v < w)
-          visit(v, w, sides[0].second, sides[1].second);
+        if (is_seam && v < w)
+          visit(v, w, sides);
       });
     }
   }
@@ -93,27 +107,9 @@ private:
   // Edges at a vertex: the other end, a face. Those of one edge are side by side once sorted.
   using Edges = std::vector<std::pair<Index, Index>>;
 
-  bool has_seams() const {
-    return std::any_of(label_.begin(), label_.end(),
-                       [this](Index label) { return label != label_[0]; }) ||
-           std::any_of(channels_.begin(), channels_.end(), [this](const Channel& channel) {
-             return channel.are_seams_kept() && (channel.has_seams() || is_mirrored(channel));
-           });
-  }
-
-  // Has the texture faces of both orientations?
-  bool is_mirrored(const Channel& channel) const {
-    if (!channel.is_texture())
-      return false;
-    bool is_any_positive = false, is_any_negative = false;
-    for (Index face = 0; face < complex_->face_capacity(); ++face) {
-      if (complex_->is_removed(face))
-        continue;
-      const double area = channel.doubled_texture_area(*complex_, face);
-      is_any_positive = is_any_positive || area > 0;
-      is_any_negative = is_any_negative || area < 0;
-    }
-    return is_any_positive && is_any_negative;
+  bool keeps_channels() const {
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [](const Channel& channel) { return channel.are_seams_kept(); });
   }
 
   static void add(Edges& edges, const StarFace& f) {
@@ -145,15 +141,8 @@ private:
     return (!label_.empty() && label_[face] != label_[other]) ||
            std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
              return channel.are_seams_kept() && (channel.has_seam(*complex_, face, other, v, w) ||
-                                                 is_fold(channel, face, other));
+                                                 channel.has_fold(*complex_, face, other, v, w));
            });
-  }
-  bool is_fold(const Channel& channel, Index face, Index other) const {
-    if (!channel.is_texture())
-      return false;
-    const double area = channel.doubled_texture_area(*complex_, face);
-    const double other_area = channel.doubled_texture_area(*complex_, other);
-    return (area > 0 && other_area < 0) || (area < 0 && other_area > 0);
   }
 
   // Of the edge ab that has these faces; a pair without a face is no edge.
@@ -187,6 +176,31 @@ private:
     std::set_intersection(at_first.begin(), at_first.end(), at_second.begin(), at_second.end(),
                           std::back_inserter(common));
     return !common.empty();
+  }
+
+  // Where two edges to a vertex c become one, is that a seam though neither was, or none though one
+  // was? Half seams can do so, at which the channel is discontinuous at one end only.
+  bool opens_seam(const Channel& channel, const PairStar& star, Index a, Index b) const {
+    const auto face_with = [](const AppendBuffer<StarFace>& faces, Index c) {
+      const auto f = std::find_if(faces.begin(), faces.end(),
+                                  [c](const StarFace& face) { return face.has(c); });
+      return f == faces.end() ? none : f->face;
+    };
+    return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
+      const Index c = f.other_than(b);
+      if (channel.has_one_wedge(c))
+        return false;
+      const Index at_a = face_with(star.first, c), at_b = face_with(star.second, c);
+      if (at_a == none || at_b == none)
+        return false;
+      const auto differ = [&](Index face, Index other, Index v) {
+        return channel.wedge(*complex_, face, v) != channel.wedge(*complex_, other, v);
+      };
+      const bool was = (differ(at_a, f.face, a) && differ(at_a, f.face, c)) ||
+                       (differ(at_b, f.face, b) && differ(at_b, f.face, c));
+      const bool is = differ(at_a, at_b, c) && (differ(at_a, f.face, a) || differ(at_b, f.face, b));
+      return was != is;
+    });
   }
 
   const TriangleComplex* complex_ = nullptr;

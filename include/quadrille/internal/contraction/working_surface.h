@@ -202,14 +202,14 @@ private:
 
   // Vertices at corners of the graph stay where they are.
   void find_seams(const SurfaceInput<dimension>& input) {
+    Array<Index> labels = labels_by_face(input.labels, numbering_.faces, complex_);
     if constexpr (has_channels<typename Policies::Channels>)
       for (const ChannelInput& channel : input.channels)
         channels_.add(Channel(
             channel, numbering_, complex_,
-            squared_channel_weights(channel, numbering_, complex_, geometry_.positions(), scale_),
+            channel_weights(channel, numbering_, complex_, geometry_.positions(), labels, scale_),
             pairs_.are_edges()));
-    seams_ = SeamGraph(complex_, labels_by_face(input.labels, numbering_.faces, complex_),
-                       channels_.all());
+    seams_ = SeamGraph(complex_, std::move(labels), channels_.all());
     for (Index v = 0; v < complex_.vertex_capacity() && !seams_.is_empty(); ++v)
       if (seams_.is_corner(v))
         geometry_.fix(v);
@@ -242,11 +242,13 @@ private:
   void remember_seams() {
     std::vector<std::array<Index, 2>> edges;
     if constexpr (has_channels<typename Policies::Channels>)
-      channels_.remember(memories_);
-    seams_.for_each_seam([&](Index v, Index w, Index face, Index other) {
-      edges.push_back({v, w});
+      channels_.remember(seams_.labels(), memories_);
+    seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
+      if (sides.size() == 2)
+        edges.push_back({v, w});
       if constexpr (has_channels<typename Policies::Channels>)
-        channels_.hold_borders(face, other, v, w, memories_);
+        for (const auto& [end, face] : sides)
+          channels_.hold_borders(face, v, w, memories_);
     });
     double weight = 1;
     if constexpr (has_labels<typename Policies::Labels>)

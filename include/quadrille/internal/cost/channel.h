@@ -7,9 +7,12 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/wedge_table.h>
 #include <quadrille/internal/cost/affine_maps.h>
+#include <quadrille/internal/cost/channel_reader.h>
+#include <quadrille/internal/cost/wedge_records.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/internal/surface/channel_input.h>
+#include <quadrille/internal/surface/channel_weights.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
@@ -42,33 +45,38 @@ public:
   };
   using Changes = boost::container::small_vector<Change, 2>;
 
-  /// `squared_weights`: see MapJoiner. Where pairs may be no edges, wedges of different values may
-  /// come together anywhere.
+  /// `squared_weights`: see MapJoiner. `factors`: how much more each label weighs; none if all
+  /// weigh the same. Where pairs may be no edges, wedges of different values may come together
+  /// anywhere.
   template <class Numbering>
   Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
-          std::vector<double> squared_weights, bool are_pairs_edges)
-      : components_(input.components), seams_(input.seams), is_texture_(input.is_texture),
-        border_weight_(input.border_weight),
+          ChannelWeights weights, bool are_pairs_edges)
+      : seams_(input.seams), is_texture_(input.is_texture), border_weight_(input.border_weight),
         has_one_a_vertex_(input.corners.empty() || input.seams == Seams::free),
-        are_pairs_edges_(are_pairs_edges || has_one_a_vertex_), table_(complex.workspace()),
-        joiner_(std::move(squared_weights)), weights_(complex.workspace()),
-        maps_(complex.workspace()), borders_(complex.workspace()), origins_(complex.workspace()) {
-    read_values(input, numbering, complex);
+        are_pairs_edges_(are_pairs_edges || has_one_a_vertex_),
+        factors_(std::move(weights.factors)), table_(complex.workspace()),
+        joiner_(std::move(weights.squared)), records_(input.components, complex.workspace()) {
+    const ChannelReader reader(input, numbering, complex);
+    if (has_one_a_vertex_)
+      reader.read_vertices(records_);
+    else
+      reader.read_wedges(table_, records_, are_pairs_edges_);
   }
 
   bool is_texture() const { return is_texture_; }
   bool are_seams_kept() const { return seams_ == Seams::kept; }
   bool has_seams() const { return table_.has_seams(); }
-  std::size_t components() const { return components_; }
+  std::size_t components() const { return records_.components(); }
 
   Index wedge(const TriangleComplex& complex, Index face, Index vertex) const {
     return table_.at(complex, face, vertex);
   }
+  bool has_one_wedge(Index vertex) const { return table_.has_one(vertex); }
   double value(Index wedge, std::size_t component) const {
-    return maps_[wedge * components_ + component].value;
+    return records_.value(wedge, component);
   }
-  /// The index of the value that an adapter has read and that the wedge still has; or none.
-  Index origin(Index wedge) const { return origins_[wedge]; }
+  /// See WedgeRecords.
+  Index origin(Index wedge) const { return records_.origin(wedge); }
   std::size_t wedge_count(std::size_t vertices) const { return table_.size(vertices); }
 
   /// Is the channel discontinuous between two faces at both ends of an edge?
@@ -76,47 +84,68 @@ public:
     return table_.has_seams() && wedge(complex, face, v) != wedge(complex, other, v) &&
            wedge(complex, face, w) != wedge(complex, other, w);
   }
-  /// Twice the area of a face in the texture, negative if it is mirrored.
-  double doubled_texture_area(const TriangleComplex& complex, Index face) const {
-    const auto [p, q, r] = complex.vertices(face);
-    return doubled_area(texture_at(wedge(complex, face, p)), texture_at(wedge(complex, face, q)),
-                        texture_at(wedge(complex, face, r)));
+  /// Does the texture of two faces at the edge vw lie on one side of it, so that it is folded?
+  bool has_fold(const TriangleComplex& complex, Index face, Index other, Index v, Index w) const {
+    if (!is_texture_)
+      return false;
+    const auto side = [&](Index f) {
+      const auto& corners = complex.vertices(f);
+      const auto third =
+          std::find_if(corners.begin(), corners.end(), [&](Index x) { return x != v && x != w; });
+      return third == corners.end()
+                 ? 0.0
+                 : doubled_area(texture_at(complex, f, v), texture_at(complex, f, w),
+                                texture_at(complex, f, *third));
+    };
+    const double one = side(face), two = side(other);
+    return (one > 0 && two > 0) || (one < 0 && two < 0);
+  }
+
+  /// Would the contraction of a pair make one wedge of two between which there is a seam?
+  bool closes_seam(const TriangleComplex& complex, const PairStar& star, Index a, Index b) const {
+    if (table_.has_one(a) && table_.has_one(b))
+      return false;
+    bool closes = false;
+    joins(complex, a, b).for_each_group([&](const WedgeJoins::Group& group) {
+      closes = closes || has_seam_within(complex, star.first, a, group.first) ||
+               has_seam_within(complex, star.second, b, group.second);
+    });
+    return closes;
   }
 
   /// Maps of the attributes as they are now. What the faces of a wedge disagree about goes to its
-  /// vertex: add(v, matrix).
+  /// vertex: add(v, matrix). `labels`: of each face; or empty.
   template <class Positions, class Add>
-  void remember(const Positions& positions, const TriangleComplex& complex, Add add) {
-    std::fill(weights_.begin(), weights_.end(), 0.0);
-    std::fill(borders_.begin(), borders_.end(), Matrix2{});
-    for (AffineMap& map : maps_)
-      map.gradient = {};
-    if (components_ == 0)
+  void remember(const Positions& positions, const TriangleComplex& complex,
+                const Array<Index>& labels, Add add) {
+    records_.forget_faces();
+    if (components() == 0)
       return;
-    std::vector<Vector<3>> gradients(components_);
+    std::vector<Vector<3>> gradients(components());
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_removed(face))
         continue;
-      const double weight = find_gradients(positions, complex, face, gradients);
+      double weight = find_gradients(positions, complex, face, gradients);
+      if (!factors_.empty() && !labels.empty())
+        weight *= factors_[labels[face]];
       if (!(weight > 0))
         continue;
       const auto& vertices = complex.vertices(face);
       for (std::size_t i = 0; i < 3; ++i)
-        add(vertices[i], joined_gradients(table_.at(face, i, vertices[i]), weight, gradients));
+        add(vertices[i], records_.join_face(table_.at(face, i, vertices[i]), weight, gradients,
+                                            joiner_.squared_weights()));
     }
   }
 
   /// Are charts held where they end?
-  bool holds_borders() const {
-    return is_texture_ && seams_ == Seams::kept && table_.has_seams() && border_weight_ > 0;
-  }
+  bool holds_borders() const { return is_texture_ && seams_ == Seams::kept && border_weight_ > 0; }
   /// Holds the chart of a face at its edge vw, as long as the square tells: the texture may slide
   /// along the edge and not off it. What that leaves at v goes to `form`.
   void hold_border(const TriangleComplex& complex, Index face, Index v, Index w,
                    double squared_length_of_edge, QuadricForm<3>& form) {
-    borders_.resize(weights_.size());
+    records_.hold_borders();
     const Index at_v = wedge(complex, face, v);
-    const Vector<2> p = texture_at(at_v), q = texture_at(wedge(complex, face, w));
+    const Vector<2> p = records_.texture_at(at_v), q = texture_at(complex, face, w);
     const Vector<2> along = q - p;
     const double squared = squared_length(along);
     if (!(squared > 0))
@@ -127,9 +156,9 @@ public:
     edge.border = {factor * along[1] * along[1], -factor * along[0] * along[1],
                    factor * along[0] * along[0]};
     edge.maps = {AffineMap{{}, p[0]}, AffineMap{{}, p[1]}};
-    WedgeMap chart = map(at_v);
+    WedgeMap chart = records_.map(at_v);
     joiner_.join(chart, edge, {}, form);
-    write(at_v, chart);
+    records_.write(at_v, chart);
   }
 
   /// Adds what wedges of a pair disagree about that its contraction joins.
@@ -137,9 +166,9 @@ public:
                                          QuadricForm<3>& form) const {
     const Index a = pair.first, b = pair.second;
     if (are_pairs_edges_ && table_.has_one(a) && table_.has_one(b) && !pair.is_first_fixed &&
-        !pair.is_second_fixed && borders_.empty())
-      joiner_.add_difference(weights_[a], &maps_[a * components_], weights_[b],
-                             &maps_[b * components_], -1.0 * pair.to_second, form);
+        !pair.is_second_fixed && !records_.have_borders())
+      joiner_.add_difference(records_.weight(a), records_.maps(a), records_.weight(b),
+                             records_.maps(b), -1.0 * pair.to_second, form);
     else
       changes(complex, pair, {}, form);
   }
@@ -163,10 +192,8 @@ public:
     WedgeList wedges;
     table_.append_all(wedges, kept);
     table_.append_all(wedges, kept == pair.first ? pair.second : pair.first);
-    for (std::size_t k = 0; k < changes.size(); ++k) {
-      write(wedges[k], changes[k].map);
-      origins_[wedges[k]] = changes[k].origin;
-    }
+    for (std::size_t k = 0; k < changes.size(); ++k)
+      records_.write(wedges[k], changes[k].map, changes[k].origin);
     if (!table_.has_seams())
       return;
     const auto renamed = [&](Index old) { return wedges[index_of(changes, old)]; };
@@ -183,10 +210,10 @@ public:
                   const Changes& changes) const {
     const auto turns = [&](const StarFace& f, Index vertex) {
       const Index old = wedge(complex, f.face, vertex);
-      const Vector<2> second = texture_at(wedge(complex, f.face, f.second));
-      const Vector<2> third = texture_at(wedge(complex, f.face, f.third));
+      const Vector<2> second = texture_at(complex, f.face, f.second);
+      const Vector<2> third = texture_at(complex, f.face, f.third);
       const auto& maps = changes[index_of(changes, old)].map.maps;
-      const double before = doubled_area(texture_at(old), second, third);
+      const double before = doubled_area(records_.texture_at(old), second, third);
       const double after = doubled_area({maps[0].value, maps[1].value}, second, third);
       return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
     };
@@ -200,90 +227,15 @@ public:
   /// not hold.
   template <class IsLeft>
   void pack(const Array<Index>& vertices, IsLeft is_left) {
-    const Array<Index> left = table_.pack(vertices, is_left);
-    pack_records(weights_, left, 1);
-    pack_records(maps_, left, components_);
-    pack_records(borders_, left, 1);
-    pack_records(origins_, left, 1);
+    records_.pack(table_.pack(vertices, is_left));
   }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
-    internal::prefetch(&weights_[vertex]);
-    internal::prefetch(&maps_[vertex * components_]);
+    records_.prefetch(vertex);
     table_.prefetch(vertex);
   }
 
 private:
-  template <class Numbering>
-  void read_values(const ChannelInput& input, const Numbering& numbering,
-                   const TriangleComplex& complex) {
-    const auto value_at = [&](Index face, std::size_t i) {
-      return input.value_at(numbering.faces[face], i,
-                            numbering.vertices[complex.vertices(face)[i]]);
-    };
-    origins_.assign(complex.vertex_capacity(), none);
-    const auto found = [&](Index wedge, Index face, Index i) {
-      origins_.resize((std::max)(origins_.size(), std::size_t{wedge} + 1), none);
-      origins_[wedge] = value_at(face, i);
-    };
-    if (!has_one_a_vertex_) {
-      table_.build(
-          complex,
-          [&](Index, Index face, Index i, Index other, Index j) {
-            return input.are_equal(value_at(face, i), value_at(other, j));
-          },
-          found);
-      if (are_pairs_edges_)
-        table_.simplify_if_possible(complex.vertex_capacity());
-    } else {
-      for (Index v = 0; v < complex.vertex_capacity(); ++v)
-        origins_[v] = first_value(complex, v, value_at);
-    }
-    copy_values(input);
-    if (seams_ == Seams::free && !input.corners.empty())
-      take_means(input, complex, value_at);
-  }
-
-  template <class ValueAt>
-  static Index first_value(const TriangleComplex& complex, Index v, ValueAt value_at) {
-    Index first = none;
-    complex.for_each_corner(v, [&](Index face, Index i) {
-      if (first == none)
-        first = value_at(face, i);
-    });
-    return first;
-  }
-
-  void copy_values(const ChannelInput& input) {
-    weights_.assign(origins_.size(), 0);
-    maps_.resize(origins_.size() * components_);
-    for (std::size_t w = 0; w < origins_.size(); ++w)
-      for (std::size_t c = 0; c < components_ && origins_[w] != none; ++c)
-        maps_[w * components_ + c].value = input.value(origins_[w], c);
-  }
-
-  // Of the values at the corners of each vertex, where these differ.
-  template <class ValueAt>
-  void take_means(const ChannelInput& input, const TriangleComplex& complex, ValueAt value_at) {
-    for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-      std::size_t count = 0;
-      bool are_equal = true;
-      std::vector<double> sum(components_, 0.0);
-      complex.for_each_corner(v, [&](Index face, Index i) {
-        const Index value = value_at(face, i);
-        are_equal = are_equal && input.are_equal(value, origins_[v]);
-        for (std::size_t c = 0; c < components_; ++c)
-          sum[c] += input.value(value, c);
-        ++count;
-      });
-      if (are_equal)
-        continue;
-      origins_[v] = none;
-      for (std::size_t c = 0; c < components_; ++c)
-        maps_[v * components_ + c].value = sum[c] / static_cast<double>(count);
-    }
-  }
-
   // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
   // change by more than a length for each length, so that slivers do not count without bound.
   template <class Positions>
@@ -301,29 +253,12 @@ private:
     const std::array<Index, 3> w{table_.at(face, 0, v[0]), table_.at(face, 1, v[1]),
                                  table_.at(face, 2, v[2])};
     double steepness = 0;
-    for (std::size_t c = 0; c < components_; ++c) {
+    for (std::size_t c = 0; c < components(); ++c) {
       gradients[c] = (value(w[1], c) - value(w[0], c)) * first_way +
                      (value(w[2], c) - value(w[0], c)) * second_way;
       steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
     }
-    return 0.5 * std::sqrt(squared) / (1 + steepness / static_cast<double>(components_));
-  }
-
-  // Joins a face to one of its wedges, at which it has the same values. Returns what they disagree
-  // about.
-  SymmetricMatrix<3> joined_gradients(Index wedge, double weight,
-                                      const std::vector<Vector<3>>& gradients) {
-    SymmetricMatrix<3> difference;
-    const double part = weight / (weights_[wedge] + weight);
-    for (std::size_t c = 0; c < components_; ++c) {
-      Vector<3>& gradient = maps_[wedge * components_ + c].gradient;
-      const Vector<3> off = gradients[c] - gradient;
-      difference += SymmetricMatrix<3>::outer_product(off, weights_[wedge] * part *
-                                                               joiner_.squared_weights()[c]);
-      gradient += part * off;
-    }
-    weights_[wedge] += weight;
-    return difference;
+    return 0.5 * std::sqrt(squared) / (1 + steepness / static_cast<double>(components()));
   }
 
   WedgeJoins joins(const TriangleComplex& complex, Index a, Index b) const {
@@ -348,23 +283,33 @@ private:
     table_.append_all(at_b, b);
     for (Index w : at_a)
       for (Index x : at_b)
-        if (have_equal_values(w, x))
+        if (records_.have_equal_values(w, x))
           joins.add(w, x);
   }
-  bool have_equal_values(Index w, Index x) const {
-    for (std::size_t c = 0; c < components_; ++c)
-      if (value(w, c) != value(x, c))
-        return false;
-    return true;
+  // Is there a seam at a vertex between two of some wedges?
+  bool has_seam_within(const TriangleComplex& complex, const AppendBuffer<StarFace>& faces, Index v,
+                       const WedgeList& wedges) const {
+    if (wedges.size() < 2)
+      return false;
+    const auto is_within = [&](const StarFace& f) {
+      return std::find(wedges.begin(), wedges.end(), wedge(complex, f.face, v)) != wedges.end();
+    };
+    for (const StarFace& f : faces)
+      for (const StarFace& g : faces)
+        for (Index w : {f.second, f.third})
+          if (f.face < g.face && g.has(w) && has_seam(complex, f.face, g.face, v, w) &&
+              is_within(f) && is_within(g))
+            return true;
+    return false;
   }
 
   Change joined(const WedgeJoins::Group& group, const ContractedPair& pair, const Vector<3>& target,
                 QuadricForm<3>& form) const {
-    Change change{map(group.first[0]), group.first, none};
+    Change change{records_.map(group.first[0]), group.first, none};
     for (std::size_t k = 1; k < group.first.size(); ++k)
-      joiner_.join(change.map, map(group.first[k]), {}, form);
+      joiner_.join(change.map, records_.map(group.first[k]), {}, form);
     for (Index wedge : group.second)
-      joiner_.join(change.map, map(wedge), -1.0 * pair.to_second, form);
+      joiner_.join(change.map, records_.map(wedge), -1.0 * pair.to_second, form);
     change.wedges.insert(change.wedges.end(), group.second.begin(), group.second.end());
     if (pair.is_first_fixed || pair.is_second_fixed) {
       change.map.move_origin(pair.is_first_fixed ? Vector<3>{} : pair.to_second);
@@ -378,11 +323,11 @@ private:
 
   // The wedge of a fixed vertex keeps its values.
   void hold(Change& change, Index wedge, QuadricForm<3>& form) const {
-    std::vector<double> values(components_);
-    for (std::size_t c = 0; c < components_; ++c)
+    std::vector<double> values(components());
+    for (std::size_t c = 0; c < components(); ++c)
       values[c] = value(wedge, c);
     joiner_.hold(change.map, values.data(), form);
-    for (std::size_t c = 0; c < components_; ++c)
+    for (std::size_t c = 0; c < components(); ++c)
       change.map.maps[c].value = values[c];
   }
 
@@ -394,7 +339,7 @@ private:
     for (Index wedge : wedges) {
       if (index_of(changes, wedge) < changes.size())
         continue;
-      Change change{map(wedge), {wedge}, none};
+      Change change{records_.map(wedge), {wedge}, none};
       if (target != origin)
         change.map.move_origin(target - origin);
       change.origin = origin_of(change);
@@ -412,59 +357,28 @@ private:
 
   // A value that has not changed has the index that it had.
   Index origin_of(const Change& change) const {
-    for (Index wedge : change.wedges) {
-      bool is_equal = origins_[wedge] != none;
-      for (std::size_t c = 0; c < components_ && is_equal; ++c)
-        is_equal = value(wedge, c) == change.map.maps[c].value;
-      if (is_equal)
-        return origins_[wedge];
-    }
+    for (Index wedge : change.wedges)
+      if (records_.is_origin_of(wedge, change.map))
+        return records_.origin(wedge);
     return none;
   }
 
-  WedgeMap map(Index wedge) const {
-    WedgeMap map;
-    map.weight = weights_[wedge];
-    if (!borders_.empty())
-      map.border = borders_[wedge];
-    const AffineMap* const first = &maps_[wedge * components_];
-    map.maps.assign(first, first + components_);
-    return map;
+  Vector<2> texture_at(const TriangleComplex& complex, Index face, Index vertex) const {
+    return records_.texture_at(wedge(complex, face, vertex));
   }
-  void write(Index wedge, const WedgeMap& map) {
-    weights_[wedge] = map.weight;
-    if (!borders_.empty())
-      borders_[wedge] = map.border;
-    std::copy(map.maps.begin(), map.maps.end(), &maps_[wedge * components_]);
-  }
-
-  Vector<2> texture_at(Index wedge) const { return {value(wedge, 0), value(wedge, 1)}; }
   static double doubled_area(const Vector<2>& p, const Vector<2>& q, const Vector<2>& r) {
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
-  template <class Values>
-  static void pack_records(Values& values, const Array<Index>& left, std::size_t size) {
-    if (values.empty())
-      return;
-    Values packed(left.size() * size, values.get_allocator());
-    for (std::size_t i = 0; i < left.size(); ++i)
-      std::copy_n(&values[left[i] * size], size, &packed[i * size]);
-    values = std::move(packed);
-  }
-
-  std::size_t components_;
   Seams seams_;
   bool is_texture_;
   double border_weight_;
   bool has_one_a_vertex_; // whatever its pairs
   bool are_pairs_edges_;
+  std::vector<double> factors_; // of each label; or none
   WedgeTable table_;
   MapJoiner joiner_;
-  Array<double> weights_;  // of each wedge
-  Array<AffineMap> maps_;  // of each wedge, one a component
-  Array<Matrix2> borders_; // of each wedge; empty if no chart is held
-  Array<Index> origins_;   // of each wedge, see origin()
+  WedgeRecords records_;
 };
 
 } // namespace quadrille::internal

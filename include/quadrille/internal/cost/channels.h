@@ -47,27 +47,25 @@ public:
   std::span<const Channel> all() const { return channels_; }
   std::vector<Channel> take() { return std::move(channels_); }
 
-  /// All vertices remember the attributes as they are now.
-  void remember(VertexMemories<Cost>& memories) {
+  /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
+  void remember(const Array<Index>& labels, VertexMemories<Cost>& memories) {
     if constexpr (!remembers_forms<Cost>)
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
     for (Channel& channel : channels_)
-      channel.remember(geometry_.positions(), complex_,
+      channel.remember(geometry_.positions(), complex_, labels,
                        [&](Index v, const SymmetricMatrix<3>& matrix) {
                          form_at(v, memories) += QuadricForm<3>(matrix);
                        });
   }
 
-  /// Holds charts at both sides of the edge vw of two faces, if they end there.
-  void hold_borders(Index face, Index other, Index v, Index w, VertexMemories<Cost>& memories) {
+  /// Holds the charts of a face at its edge vw, where they end.
+  void hold_borders(Index face, Index v, Index w, VertexMemories<Cost>& memories) {
     const double squared = squared_distance(geometry_.position(v), geometry_.position(w));
     for (Channel& channel : channels_) {
-      if (!channel.holds_borders() || !channel.has_seam(complex_, face, other, v, w))
+      if (!channel.holds_borders())
         continue;
-      for (Index side : {face, other}) {
-        channel.hold_border(complex_, side, v, w, squared, form_at(v, memories));
-        channel.hold_border(complex_, side, w, v, squared, form_at(w, memories));
-      }
+      channel.hold_border(complex_, face, v, w, squared, form_at(v, memories));
+      channel.hold_border(complex_, face, w, v, squared, form_at(w, memories));
     }
   }
 

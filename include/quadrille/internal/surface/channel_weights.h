@@ -18,12 +18,19 @@
 
 namespace quadrille::internal {
 
+/// How a channel counts. The squares of the lengths, in the engine's unit, that a step of 1 in each
+/// component counts as; and how much more than these the faces of each label, or none.
+struct ChannelWeights {
+  std::vector<double> squared, factors;
+};
+
 /// How a channel lies on a surface: areas, and the range of its values at faces.
 class ChannelExtent {
 public:
   template <class Numbering, class Positions>
   ChannelExtent(const ChannelInput& channel, const Numbering& numbering,
-                const TriangleComplex& complex, const Positions& positions)
+                const TriangleComplex& complex, const Positions& positions,
+                const Array<Index>& labels)
       : low_(channel.components, (std::numeric_limits<double>::max)()),
         high_(channel.components, std::numeric_limits<double>::lowest()) {
     for (Index face = 0; face < complex.face_capacity(); ++face) {
@@ -34,14 +41,29 @@ public:
       for (std::size_t i = 0; i < 3; ++i)
         values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
       add_values(channel, values);
-      area_ += std::sqrt(squared_length(
-          normal_vector(space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
+      const std::size_t label = labels.empty() ? 0 : labels[face];
+      areas_.resize((std::max)(areas_.size(), label + 1));
+      areas_[label].surface += std::sqrt(squared_length(normal_vector(
+          space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
+      if (channel.is_texture)
+        areas_[label].texture += texture_area(channel, values);
     }
   }
 
-  /// √(area of the surface / area of the texture); 0 if either is 0.
-  double length_of_texture() const {
-    return area_ > 0 && texture_area_ > 0 ? std::sqrt(area_ / texture_area_) : 0;
+  /// Area of the surface / area of the texture; 0 if either is 0.
+  double squared_length_of_texture() const {
+    Areas sum;
+    for (const Areas& areas : areas_)
+      sum = {sum.surface + areas.surface, sum.texture + areas.texture};
+    return sum.ratio();
+  }
+  /// By how much that differs where a label is; 1 where it can't be told.
+  std::vector<double> factors_by_label() const {
+    const double all = squared_length_of_texture();
+    std::vector<double> factors;
+    for (const Areas& areas : areas_)
+      factors.push_back(all > 0 && areas.ratio() > 0 ? areas.ratio() / all : 1);
+    return factors;
   }
   /// The largest of the components.
   double range() const {
@@ -58,47 +80,52 @@ private:
         low_[c] = (std::min)(low_[c], channel.value(value, c));
         high_[c] = (std::max)(high_[c], channel.value(value, c));
       }
-    if (!channel.is_texture)
-      return;
+  }
+  static double texture_area(const ChannelInput& channel, const std::array<Index, 3>& values) {
     const auto difference = [&](std::size_t i, std::size_t c) {
       return channel.value(values[i], c) - channel.value(values[0], c);
     };
-    texture_area_ +=
-        std::abs(difference(1, 0) * difference(2, 1) - difference(1, 1) * difference(2, 0));
+    return std::abs(difference(1, 0) * difference(2, 1) - difference(1, 1) * difference(2, 0));
   }
 
+  struct Areas {
+    double surface = 0, texture = 0; // twice
+    double ratio() const { return surface > 0 && texture > 0 ? surface / texture : 0; }
+  };
+
   std::vector<double> low_, high_;
-  double area_ = 0, texture_area_ = 0; // twice
+  std::vector<Areas> areas_; // of each label
 };
 
-/// The squares of the lengths, in the engine's unit, that a step of 1 in each component of a
-/// channel counts as: see ChannelOptions. Throws std::invalid_argument if these are no lengths that
-/// can be told beside those of the surface.
+/// The weights of a channel: see ChannelOptions. `labels`: of each face; or empty. Throws
+/// std::invalid_argument if these are no lengths that can be told beside those of the surface.
 template <class Numbering, class Positions, std::size_t N>
-std::vector<double> squared_channel_weights(const ChannelInput& channel, const Numbering& numbering,
-                                            const TriangleComplex& complex,
-                                            const Positions& positions, const Scale<N>& scale) {
+ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& numbering,
+                               const TriangleComplex& complex, const Positions& positions,
+                               const Array<Index>& labels, const Scale<N>& scale) {
   constexpr double part_of_diagonal = 0.02;
-  const ChannelExtent extent(channel, numbering, complex, positions);
+  const ChannelExtent extent(channel, numbering, complex, positions, labels);
   const double range = extent.range();
   double by_default = 1;
-  if (channel.is_texture && extent.length_of_texture() > 0)
-    by_default = extent.length_of_texture();
-  else if (range > 0 && scale.diagonal() > 0)
+  ChannelWeights weights;
+  if (channel.is_texture && extent.squared_length_of_texture() > 0) {
+    by_default = std::sqrt(extent.squared_length_of_texture());
+    if (channel.weights.empty() && !labels.empty())
+      weights.factors = extent.factors_by_label();
+  } else if (range > 0 && scale.diagonal() > 0)
     by_default = part_of_diagonal * scale.length_from_mesh(scale.diagonal()) / range;
-  std::vector<double> squared;
   for (std::size_t c = 0; c < channel.components; ++c) {
     const double weight =
         channel.importance *
         (channel.weights.empty() ? by_default : scale.length_from_mesh(channel.weights[c]));
-    squared.push_back(weight * weight);
+    weights.squared.push_back(weight * weight);
     if (!std::isnormal(weight * weight) || !(weight * range < 0x1p40))
       throw std::invalid_argument("quadrille::simplify: component " + std::to_string(c) +
                                   " of a channel, of a range of " + text_of(range) + ", weighs " +
                                   text_of(scale.length_of_mesh(weight)) +
                                   ": that is no length beside those of the surface");
   }
-  return squared;
+  return weights;
 }
 
 } // namespace quadrille::internal

@@ -1,0 +1,148 @@
+#ifndef QUADRILLE_INTERNAL_COST_WEDGE_RECORDS_H
+#define QUADRILLE_INTERNAL_COST_WEDGE_RECORDS_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/prefetch.h>
+#include <quadrille/internal/cost/affine_maps.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/surface/channel_input.h>
+#include <quadrille/symmetric_matrix.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What a channel keeps of each wedge: a weight, a map of its attributes about its vertex, and from
+/// which value of the input they are.
+class WedgeRecords {
+public:
+  WedgeRecords(std::size_t components, Workspace* workspace)
+      : components_(components), weights_(workspace), maps_(workspace), borders_(workspace),
+        origins_(workspace) {}
+
+  std::size_t components() const { return components_; }
+  double weight(Index wedge) const { return weights_[wedge]; }
+  const AffineMap* maps(Index wedge) const { return &maps_[wedge * components_]; }
+  double value(Index wedge, std::size_t component) const {
+    return maps_[wedge * components_ + component].value;
+  }
+  Vector<2> texture_at(Index wedge) const { return {value(wedge, 0), value(wedge, 1)}; }
+  bool have_equal_values(Index w, Index x) const {
+    for (std::size_t c = 0; c < components_; ++c)
+      if (value(w, c) != value(x, c))
+        return false;
+    return true;
+  }
+  /// The index of the value that an adapter has read and that the wedge still has; or none.
+  Index origin(Index wedge) const { return origins_[wedge]; }
+  /// Does any wedge hold the border of a chart?
+  bool have_borders() const { return !borders_.empty(); }
+
+  /// Wedges with the values of an input that `origins` names, or `none` for no value.
+  void read(const ChannelInput& input, Array<Index> origins) {
+    origins_ = std::move(origins);
+    weights_.assign(origins_.size(), 0);
+    maps_.resize(origins_.size() * components_);
+    for (std::size_t w = 0; w < origins_.size(); ++w)
+      for (std::size_t c = 0; c < components_ && origins_[w] != none; ++c)
+        maps_[w * components_ + c].value = input.value(origins_[w], c);
+  }
+  /// Values that are not of the input.
+  void set_values(Index wedge, const std::vector<double>& values) {
+    origins_[wedge] = none;
+    for (std::size_t c = 0; c < components_; ++c)
+      maps_[wedge * components_ + c].value = values[c];
+  }
+
+  /// Leaves nothing but values.
+  void forget_faces() {
+    std::fill(weights_.begin(), weights_.end(), 0.0);
+    std::fill(borders_.begin(), borders_.end(), Matrix2{});
+    for (AffineMap& map : maps_)
+      map.gradient = {};
+  }
+  /// Joins a face to a wedge, at which it has the same values. Returns what they disagree about.
+  SymmetricMatrix<3> join_face(Index wedge, double weight, const std::vector<Vector<3>>& gradients,
+                               const std::vector<double>& squared_weights) {
+    SymmetricMatrix<3> difference;
+    const double part = weight / (weights_[wedge] + weight);
+    for (std::size_t c = 0; c < components_; ++c) {
+      Vector<3>& gradient = maps_[wedge * components_ + c].gradient;
+      const Vector<3> off = gradients[c] - gradient;
+      difference +=
+          SymmetricMatrix<3>::outer_product(off, weights_[wedge] * part * squared_weights[c]);
+      gradient += part * off;
+    }
+    weights_[wedge] += weight;
+    return difference;
+  }
+  void hold_borders() { borders_.resize(weights_.size()); }
+
+  WedgeMap map(Index wedge) const {
+    WedgeMap map;
+    map.weight = weights_[wedge];
+    if (have_borders())
+      map.border = borders_[wedge];
+    map.maps.assign(maps(wedge), maps(wedge) + components_);
+    return map;
+  }
+  void write(Index wedge, const WedgeMap& map) {
+    weights_[wedge] = map.weight;
+    if (have_borders())
+      borders_[wedge] = map.border;
+    std::copy(map.maps.begin(), map.maps.end(), &maps_[wedge * components_]);
+  }
+  void write(Index wedge, const WedgeMap& map, Index origin) {
+    write(wedge, map);
+    origins_[wedge] = origin;
+  }
+
+  /// The origin of a wedge with the values of a map.
+  bool is_origin_of(Index wedge, const WedgeMap& map) const {
+    if (origins_[wedge] == none)
+      return false;
+    for (std::size_t c = 0; c < components_; ++c)
+      if (value(wedge, c) != map.maps[c].value)
+        return false;
+    return true;
+  }
+
+  /// Leaves out all wedges but those of a list, which get the numbers 0, 1, …
+  void pack(const Array<Index>& left) {
+    pack(weights_, left, 1);
+    pack(maps_, left, components_);
+    pack(borders_, left, 1);
+    pack(origins_, left, 1);
+  }
+
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index wedge) const {
+    internal::prefetch(&weights_[wedge]);
+    internal::prefetch(maps(wedge));
+  }
+
+private:
+  template <class Values>
+  static void pack(Values& values, const Array<Index>& left, std::size_t size) {
+    if (values.empty())
+      return;
+    Values packed(left.size() * size, values.get_allocator());
+    for (std::size_t i = 0; i < left.size(); ++i)
+      std::copy_n(&values[left[i] * size], size, &packed[i * size]);
+    values = std::move(packed);
+  }
+
+  std::size_t components_;
+  Array<double> weights_;
+  Array<AffineMap> maps_;  // one a component
+  Array<Matrix2> borders_; // empty if no chart is held
+  Array<Index> origins_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_WEDGE_RECORDS_H
