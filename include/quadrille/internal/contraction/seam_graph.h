@@ -47,7 +47,7 @@ public:
       std::size_t seams = 0;
       for_each_edge(edges, v, [&](Index, bool is_seam, const auto& sides) {
         seams += is_seam;
-        is_any_inside = is_any_inside || (is_seam && sides.size() == 2);
+        is_any_inside = is_any_inside || (is_seam && sides.size() > 1);
       });
       kind_[v] = seams == 0 ? SeamKind::free : seams == 2 ? SeamKind::line : SeamKind::corner;
     }

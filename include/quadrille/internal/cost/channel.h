@@ -166,7 +166,7 @@ public:
                                          QuadricForm<3>& form) const {
     const Index a = pair.first, b = pair.second;
     if (are_pairs_edges_ && table_.has_one(a) && table_.has_one(b) && !pair.is_first_fixed &&
-        !pair.is_second_fixed && !records_.have_borders())
+        !pair.is_second_fixed && !records_.holds_border(a) && !records_.holds_border(b))
       joiner_.add_difference(records_.weight(a), records_.maps(a), records_.weight(b),
                              records_.maps(b), -1.0 * pair.to_second, form);
     else

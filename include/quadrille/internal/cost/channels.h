@@ -41,7 +41,8 @@ public:
   using Position = Vector<3>;
 
   Channels(const TriangleComplex& complex, const Geometry& geometry)
-      : complex_(complex), geometry_(geometry), forms_(complex.workspace()) {}
+      : complex_(complex), geometry_(geometry), forms_(complex.workspace()),
+        traces_(complex.workspace()) {}
 
   void add(Channel channel) { channels_.push_back(std::move(channel)); }
   std::span<const Channel> all() const { return channels_; }
@@ -51,10 +52,12 @@ public:
   void remember(const Array<Index>& labels, VertexMemories<Cost>& memories) {
     if constexpr (!remembers_forms<Cost>)
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
+    traces_.assign(geometry_.positions().size(), 0);
     for (Channel& channel : channels_)
       channel.remember(geometry_.positions(), complex_, labels,
                        [&](Index v, const SymmetricMatrix<3>& matrix) {
                          form_at(v, memories) += QuadricForm<3>(matrix);
+                         traces_[v] += matrix.trace();
                        });
   }
 
@@ -64,8 +67,12 @@ public:
     for (Channel& channel : channels_) {
       if (!channel.holds_borders())
         continue;
-      channel.hold_border(complex_, face, v, w, squared, form_at(v, memories));
-      channel.hold_border(complex_, face, w, v, squared, form_at(w, memories));
+      for (const auto& [end, other] : {std::pair(v, w), std::pair(w, v)}) {
+        QuadricForm<3> held;
+        channel.hold_border(complex_, face, end, other, squared, held);
+        form_at(end, memories) += held;
+        traces_[end] += held.trace();
+      }
     }
   }
 
@@ -75,6 +82,20 @@ public:
       add_joins(pair.memory, contracted(a, b));
     else if constexpr (sees_forms<Cost>)
       pair.current.quadric += form(contracted(a, b));
+  }
+
+  /// The weight of a pair with what channels add, divided by that of the shape alone: an error is a
+  /// distance by the latter.
+  double error_factor(const PairOf<Cost>& pair, Index a, Index b) const {
+    double weight = 0;
+    if constexpr (remembers_forms<Cost>)
+      weight = pair.memory.trace();
+    else if constexpr (sees_forms<Cost>)
+      weight = pair.current.quadric.trace();
+    QuadricForm<3> joins;
+    add_joins(joins, contracted(a, b));
+    const double of_shape = weight - (traces_[a] + traces_[b] + joins.trace());
+    return of_shape > 0 ? weight / of_shape : 1;
   }
 
   /// The pair of a contraction.
@@ -112,6 +133,7 @@ public:
     for (Channel& channel : channels_)
       channel.apply(complex_, contraction.star(), pair, event.kept,
                     channel.changes(complex_, pair, target, joins));
+    traces_[event.kept] = traces_[pair.first] + traces_[pair.second] + joins.trace();
     if constexpr (!remembers_forms<Cost>) {
       QuadricForm<3>& form = forms_[event.kept];
       joins +=
@@ -121,7 +143,7 @@ public:
     }
   }
 
-  static auto vertex_columns(auto& self) { return std::tie(self.forms_); }
+  static auto vertex_columns(auto& self) { return std::tie(self.forms_, self.traces_); }
   template <class IsLeft>
   void pack_channels(const Array<Index>& vertices, IsLeft is_left) {
     for (Channel& channel : channels_)
@@ -130,8 +152,8 @@ public:
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     for (const Channel& channel : channels_)
       channel.prefetch(v);
-    if constexpr (sees_forms<Cost>)
-      prefetch_columns(*this, v);
+    if constexpr (!remembers_forms<Cost>)
+      prefetch_value(forms_, v);
   }
 
 private:
@@ -154,6 +176,7 @@ private:
   const Geometry& geometry_;
   std::vector<Channel> channels_;
   Array<QuadricForm<3>> forms_; // of each vertex, where its memory does not hold them
+  Array<double> traces_;        // of what channels have left at each vertex
 };
 
 /// Of a surface that has none.

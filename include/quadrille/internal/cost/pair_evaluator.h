@@ -41,6 +41,8 @@ public:
   using Memories = VertexMemories<Cost>;
   using Terms = typename LocalTermsOf<Cost>::type;
   using Channels = ChannelsOf<Policies>;
+  static constexpr bool counts_channels = has_channels<typename Policies::Channels>;
+  static constexpr bool keeps_corners = keeps_seams<Policies>;
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
@@ -59,7 +61,7 @@ public:
     prefetch_columns(geometry_, v);
     prefetch_columns(memories_, v);
     prefetch_columns(terms_, v);
-    if constexpr (has_channels<typename Policies::Channels>)
+    if constexpr (counts_channels)
       channels_.prefetch(v);
   }
 
@@ -75,7 +77,9 @@ public:
   QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
     candidate.cost = policies_.cost(candidate.pair, candidate.target);
     candidate.key = key(candidate.pair, candidate.target, candidate.cost);
-    const double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
+    double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
+    if constexpr (counts_channels)
+      squared *= channels_.error_factor(candidate.pair, candidate.first, candidate.second);
     candidate.error = scale_.length_of_mesh(std::sqrt((std::max)(0.0, squared)));
   }
 
@@ -98,8 +102,8 @@ public:
     keys.clear();
     float* const values = keys.extend(pairs.size() + 1); // two at a time
     keys.add(pairs.size());
-    if constexpr (has_two_lanes<Cost, Placement> && !has_channels<typename Policies::Channels>)
-      if (!geometry_.is_any_fixed()) {
+    if constexpr (has_two_lanes<Cost, Placement> && (!counts_channels || remembers_forms<Cost>))
+      if (keeps_corners || !geometry_.is_any_fixed()) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         return;
       }
@@ -126,7 +130,7 @@ private:
     if constexpr (has_local_terms<Cost>)
       pair.current =
           policies_.cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
-    if constexpr (has_channels<typename Policies::Channels>)
+    if constexpr (counts_channels)
       channels_.add_to(pair, a, b);
     return pair;
   }

@@ -31,7 +31,7 @@ inline constexpr bool has_two_lanes<MemorylessQuadric, OptimalPlacement> = true;
 template <>
 inline constexpr bool has_two_lanes<ThinFeatureQuadric, OptimalPlacement> = true;
 
-/// Costs pairs two at a time, of which no end is fixed. What the kernel cannot solve is left to the
+/// Costs pairs two at a time. What the kernel cannot solve is left to the
 /// evaluator, which gives the same to the rounding of a float.
 template <class Evaluator>
 class TwoLanes {
@@ -46,9 +46,9 @@ public:
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
       const Two two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
-      const Lanes values =
-          least_values({&memories[p.first], &memories[q.first]},
-                       {&memories[p.second], &memories[q.second]}, ways(two), squared_reaches(two));
+      const Lanes values = least_values({&memories[p.first], &memories[q.first]},
+                                        {&memories[p.second], &memories[q.second]}, ways(two),
+                                        squared_reaches(two), joins(two));
       write(two, values, keys + i);
     }
   }
@@ -77,6 +77,20 @@ private:
   using Two = std::array<VertexPair, 2>;
 
   const auto& positions() const { return evaluator_.geometry().positions(); }
+
+  // What channels disagree about at each pair.
+  auto joins(const Two& two) const {
+    if constexpr (Evaluator::counts_channels) {
+      std::array<QuadricForm<3>, 2> forms;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto& channels = evaluator_.channels();
+        channels.add_joins(forms[k], channels.contracted(two[k].first, two[k].second));
+      }
+      return forms;
+    } else {
+      return NothingAdded{};
+    }
+  }
 
   template <class Star>
   void evaluate_around(const Star& star, const AppendBuffer<VertexPair>& pairs, std::size_t i,
@@ -111,7 +125,16 @@ private:
 
   void write(const Two& two, Lanes values, float* keys) const {
     for (std::size_t k = 0; k < 2; ++k)
-      keys[k] = std::isnan(values[k]) ? evaluator_.key_of(two[k]) : Evaluator::as_key(values[k]);
+      keys[k] = std::isnan(values[k]) || is_fixed(two[k]) ? evaluator_.key_of(two[k])
+                                                          : Evaluator::as_key(values[k]);
+  }
+
+  // Where seams are kept, the corners of their graph are fixed; else no vertex is.
+  bool is_fixed(const VertexPair& p) const {
+    if constexpr (Evaluator::keeps_corners)
+      return evaluator_.geometry().is_fixed(p.first) || evaluator_.geometry().is_fixed(p.second);
+    else
+      return false;
   }
 
   std::array<Vector<3>, 2> ways(const Two& two) const {

@@ -10,6 +10,7 @@
 #include <quadrille/vector.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 
@@ -111,26 +112,38 @@ inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
   return select(factorization.is_regular() & is_within, value, Lanes{no_number, no_number});
 }
 
+struct NothingAdded {};
+
 /// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
 /// point `displacement` from it, with what tells those of equal cost apart (see TieBreak). A value
 /// that can't be had so, because the matrix is singular or the position lies further than √reach
 /// from both points, is NaN.
+///
+/// `added` are further quadrics about the first points, or NothingAdded.
+template <class Added>
 QUADRILLE_ALWAYS_INLINE inline Lanes
 least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
              const std::array<const QuadricForm<3>*, 2>& others,
-             const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
+             const std::array<Vector<3>, 2>& displacements, Lanes squared_reach,
+             [[maybe_unused]] const Added& added) {
   // The sum, about the first point: see QuadricForm::sum_about_first.
   const auto& [p, q] = firsts;
   const auto& [r, s] = others;
   const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
   const LaneMatrix b = LaneMatrix::of(r->matrix(), s->matrix());
   const LaneVector h = LaneVector::of(r->gradient(), s->gradient());
-  const LaneMatrix a = LaneMatrix::of(p->matrix(), q->matrix()) + b;
+  LaneMatrix a = LaneMatrix::of(p->matrix(), q->matrix()) + b;
+  if constexpr (!std::same_as<Added, NothingAdded>)
+    a = a + LaneMatrix::of(added[0].matrix(), added[1].matrix());
   const Lanes weight = shape_weight * a.trace(); // half of it at each end
   const LaneVector bd = b * d + 0.5 * weight * d;
-  const LaneVector g = LaneVector::of(p->gradient(), q->gradient()) + h - bd;
-  const Lanes c = Lanes{p->constant(), q->constant()} + Lanes{r->constant(), s->constant()} +
-                  dot(d, bd) - 2.0 * dot(h, d);
+  LaneVector g = LaneVector::of(p->gradient(), q->gradient()) + h - bd;
+  Lanes c = Lanes{p->constant(), q->constant()} + Lanes{r->constant(), s->constant()} + dot(d, bd) -
+            2.0 * dot(h, d);
+  if constexpr (!std::same_as<Added, NothingAdded>) {
+    g = g + LaneVector::of(added[0].gradient(), added[1].gradient());
+    c = c + Lanes{added[0].constant(), added[1].constant()};
+  }
 
   const LaneFactorization factorization(a + weight);
   const LaneVector x = factorization.solve(-g);

@@ -40,8 +40,8 @@ public:
   }
   /// The index of the value that an adapter has read and that the wedge still has; or none.
   Index origin(Index wedge) const { return origins_[wedge]; }
-  /// Does any wedge hold the border of a chart?
-  bool have_borders() const { return !borders_.empty(); }
+  /// Does a wedge hold the border of a chart?
+  bool holds_border(Index wedge) const { return !borders_.empty() && borders_[wedge] != Matrix2{}; }
 
   /// Wedges with the values of an input that `origins` names, or `none` for no value.
   void read(const ChannelInput& input, Array<Index> origins) {
@@ -86,14 +86,14 @@ public:
   WedgeMap map(Index wedge) const {
     WedgeMap map;
     map.weight = weights_[wedge];
-    if (have_borders())
+    if (!borders_.empty())
       map.border = borders_[wedge];
     map.maps.assign(maps(wedge), maps(wedge) + components_);
     return map;
   }
   void write(Index wedge, const WedgeMap& map) {
     weights_[wedge] = map.weight;
-    if (have_borders())
+    if (!borders_.empty())
       borders_[wedge] = map.border;
     std::copy(map.maps.begin(), map.maps.end(), &maps_[wedge * components_]);
   }
