@@ -226,6 +226,21 @@ public:
       pairs_.push_back(pair);
   }
 
+  /// Does each group have one wedge of each end?
+  bool are_of_two() const {
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      for (std::size_t q = 0; q < p; ++q)
+        if (pairs_[p][0] == pairs_[q][0] || pairs_[p][1] == pairs_[q][1])
+          return false;
+    return true;
+  }
+  /// Calls visit(at first, at second) for each pair.
+  template <class Visit>
+  void for_each_pair(Visit visit) const {
+    for (const auto& [at_first, at_second] : pairs_)
+      visit(at_first, at_second);
+  }
+
   /// Calls visit(group) for each, in the order of their first pairs.
   template <class Visit>
   void for_each_group(Visit visit) const {

@@ -67,7 +67,8 @@ public:
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
-        terms_(policies.cost, geometry_, complex_, link_condition_), channels_(complex_, geometry_),
+        terms_(policies.cost, geometry_, complex_, link_condition_),
+        channels_(complex_, geometry_, memories_),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, channels_),
         checks_(policies, scale_, complex_, geometry_, link_condition_, seams_, channels_,
                 is_topology_kept_),
@@ -242,13 +243,13 @@ private:
   void remember_seams() {
     std::vector<std::array<Index, 2>> edges;
     if constexpr (has_channels<typename Policies::Channels>)
-      channels_.remember(seams_.labels(), memories_);
+      channels_.remember(seams_.labels());
     seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
       if (sides.size() == 2)
         edges.push_back({v, w});
       if constexpr (has_channels<typename Policies::Channels>)
         for (const auto& [end, face] : sides)
-          channels_.hold_borders(face, v, w, memories_);
+          channels_.hold_borders(face, v, w);
     });
     double weight = 1;
     if constexpr (has_labels<typename Policies::Labels>)

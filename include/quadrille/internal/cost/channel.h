@@ -43,7 +43,7 @@ public:
     WedgeList wedges; ///< that become it
     Index origin;     ///< see origin()
   };
-  using Changes = boost::container::small_vector<Change, 2>;
+  using Changes = boost::container::small_vector<Change, 4>;
 
   /// `squared_weights`: see MapJoiner. `factors`: how much more each label weighs; none if all
   /// weigh the same. Where pairs may be no edges, wedges of different values may come together
@@ -105,8 +105,11 @@ public:
   bool closes_seam(const TriangleComplex& complex, const PairStar& star, Index a, Index b) const {
     if (table_.has_one(a) && table_.has_one(b))
       return false;
+    const WedgeJoins joins = this->joins(complex, a, b);
+    if (joins.are_of_two())
+      return false;
     bool closes = false;
-    joins(complex, a, b).for_each_group([&](const WedgeJoins::Group& group) {
+    joins.for_each_group([&](const WedgeJoins::Group& group) {
       closes = closes || has_seam_within(complex, star.first, a, group.first) ||
                has_seam_within(complex, star.second, b, group.second);
     });
@@ -161,16 +164,33 @@ public:
     records_.write(at_v, chart);
   }
 
+  /// Does the contraction of a pair only join the one wedge of each of its ends, freely?
+  QUADRILLE_ALWAYS_INLINE bool joins_two(const ContractedPair& pair) const {
+    return are_pairs_edges_ && table_.has_one(pair.first) && table_.has_one(pair.second) &&
+           !pair.is_first_fixed && !pair.is_second_fixed && !records_.holds_border(pair.first) &&
+           !records_.holds_border(pair.second);
+  }
+
   /// Adds what wedges of a pair disagree about that its contraction joins.
   QUADRILLE_ALWAYS_INLINE void add_joins(const TriangleComplex& complex, const ContractedPair& pair,
                                          QuadricForm<3>& form) const {
-    const Index a = pair.first, b = pair.second;
-    if (are_pairs_edges_ && table_.has_one(a) && table_.has_one(b) && !pair.is_first_fixed &&
-        !pair.is_second_fixed && !records_.holds_border(a) && !records_.holds_border(b))
-      joiner_.add_difference(records_.weight(a), records_.maps(a), records_.weight(b),
-                             records_.maps(b), -1.0 * pair.to_second, form);
+    if (joins_two(pair))
+      joiner_.add_difference(records_.weight(pair.first), records_.maps(pair.first),
+                             records_.weight(pair.second), records_.maps(pair.second),
+                             -1.0 * pair.to_second, form);
     else
-      changes(complex, pair, {}, form);
+      add_other_joins(complex, pair, form);
+  }
+
+  /// Carries the contraction of a pair out that joins two wedges: see joins_two().
+  void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
+                  Index kept, const Vector<3>& target, QuadricForm<3>& form) {
+    joiner_.add_difference(records_.weight(pair.first), records_.maps(pair.first),
+                           records_.weight(pair.second), records_.maps(pair.second),
+                           -1.0 * pair.to_second, form);
+    records_.join(pair.first, pair.second, pair.to_second, target, kept);
+    if (table_.has_seams())
+      rename_corners(complex, star, pair, [kept](Index) { return kept; });
   }
 
   /// What becomes of the wedges of a pair at a target, given from the first end. What those that
@@ -179,7 +199,7 @@ public:
                   const Vector<3>& target, QuadricForm<3>& form) const {
     Changes changes;
     joins(complex, pair.first, pair.second).for_each_group([&](const WedgeJoins::Group& group) {
-      changes.push_back(joined(group, pair, target, form));
+      changes.emplace_back(joined(group, pair, target, form));
     });
     add_others(pair.first, {}, target, changes);
     add_others(pair.second, pair.to_second, target, changes);
@@ -197,10 +217,7 @@ public:
     if (!table_.has_seams())
       return;
     const auto renamed = [&](Index old) { return wedges[index_of(changes, old)]; };
-    for (const StarFace& f : star.first)
-      table_.rename_corner(complex, f.face, pair.first, renamed);
-    for (const StarFace& f : star.second)
-      table_.rename_corner(complex, f.face, pair.second, renamed);
+    rename_corners(complex, star, pair, renamed);
     wedges.resize(changes.size());
     table_.chain(wedges);
   }
@@ -261,6 +278,25 @@ private:
     return 0.5 * std::sqrt(squared) / (1 + steepness / static_cast<double>(components()));
   }
 
+  QUADRILLE_NOINLINE void add_other_joins(const TriangleComplex& complex,
+                                          const ContractedPair& pair, QuadricForm<3>& form) const {
+    const WedgeJoins joins = this->joins(complex, pair.first, pair.second);
+    const bool is_fixed = pair.is_first_fixed || pair.is_second_fixed;
+    if (!is_fixed && joins.are_of_two())
+      joins.for_each_pair([&](Index w, Index x) { add_join(w, x, pair.to_second, form); });
+    else
+      joins.for_each_group([&](const WedgeJoins::Group& group) { joined(group, pair, {}, form); });
+  }
+  void add_join(Index w, Index x, const Vector<3>& to_second, QuadricForm<3>& form) const {
+    if (!records_.holds_border(w) && !records_.holds_border(x)) {
+      joiner_.add_difference(records_.weight(w), records_.maps(w), records_.weight(x),
+                             records_.maps(x), -1.0 * to_second, form);
+    } else {
+      WedgeMap map = records_.map(w);
+      joiner_.join(map, records_.map(x), -1.0 * to_second, form);
+    }
+  }
+
   WedgeJoins joins(const TriangleComplex& complex, Index a, Index b) const {
     WedgeJoins joins;
     if (are_pairs_edges_ && table_.has_one(a) && table_.has_one(b)) {
@@ -286,6 +322,15 @@ private:
         if (records_.have_equal_values(w, x))
           joins.add(w, x);
   }
+  template <class Rename>
+  void rename_corners(const TriangleComplex& complex, const PairStar& star,
+                      const ContractedPair& pair, Rename renamed) {
+    for (const StarFace& f : star.first)
+      table_.rename_corner(complex, f.face, pair.first, renamed);
+    for (const StarFace& f : star.second)
+      table_.rename_corner(complex, f.face, pair.second, renamed);
+  }
+
   // Is there a seam at a vertex between two of some wedges?
   bool has_seam_within(const TriangleComplex& complex, const AppendBuffer<StarFace>& faces, Index v,
                        const WedgeList& wedges) const {
@@ -343,7 +388,7 @@ private:
       if (target != origin)
         change.map.move_origin(target - origin);
       change.origin = origin_of(change);
-      changes.push_back(change);
+      changes.push_back(std::move(change));
     }
   }
 

@@ -40,8 +40,8 @@ public:
   using Geometry = internal::Geometry<Cost::dimension>;
   using Position = Vector<3>;
 
-  Channels(const TriangleComplex& complex, const Geometry& geometry)
-      : complex_(complex), geometry_(geometry), forms_(complex.workspace()),
+  Channels(const TriangleComplex& complex, const Geometry& geometry, VertexMemories<Cost>& memories)
+      : complex_(complex), geometry_(geometry), memories_(memories), forms_(complex.workspace()),
         traces_(complex.workspace()) {}
 
   void add(Channel channel) { channels_.push_back(std::move(channel)); }
@@ -49,20 +49,20 @@ public:
   std::vector<Channel> take() { return std::move(channels_); }
 
   /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
-  void remember(const Array<Index>& labels, VertexMemories<Cost>& memories) {
+  void remember(const Array<Index>& labels) {
     if constexpr (!remembers_forms<Cost>)
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
     traces_.assign(geometry_.positions().size(), 0);
     for (Channel& channel : channels_)
       channel.remember(geometry_.positions(), complex_, labels,
                        [&](Index v, const SymmetricMatrix<3>& matrix) {
-                         form_at(v, memories) += QuadricForm<3>(matrix);
+                         form_at(v).matrix() += matrix;
                          traces_[v] += matrix.trace();
                        });
   }
 
   /// Holds the charts of a face at its edge vw, where they end.
-  void hold_borders(Index face, Index v, Index w, VertexMemories<Cost>& memories) {
+  void hold_borders(Index face, Index v, Index w) {
     const double squared = squared_distance(geometry_.position(v), geometry_.position(w));
     for (Channel& channel : channels_) {
       if (!channel.holds_borders())
@@ -70,7 +70,7 @@ public:
       for (const auto& [end, other] : {std::pair(v, w), std::pair(w, v)}) {
         QuadricForm<3> held;
         channel.hold_border(complex_, face, end, other, squared, held);
-        form_at(end, memories) += held;
+        form_at(end) += held;
         traces_[end] += held.trace();
       }
     }
@@ -87,14 +87,17 @@ public:
   /// The weight of a pair with what channels add, divided by that of the shape alone: an error is a
   /// distance by the latter.
   double error_factor(const PairOf<Cost>& pair, Index a, Index b) const {
-    double weight = 0;
-    if constexpr (remembers_forms<Cost>)
+    double weight = 0, joins = 0;
+    if constexpr (remembers_forms<Cost>) {
       weight = pair.memory.trace();
-    else if constexpr (sees_forms<Cost>)
+      joins = weight - memories_[a].trace() - memories_[b].trace();
+    } else if constexpr (sees_forms<Cost>) {
       weight = pair.current.quadric.trace();
-    QuadricForm<3> joins;
-    add_joins(joins, contracted(a, b));
-    const double of_shape = weight - (traces_[a] + traces_[b] + joins.trace());
+      QuadricForm<3> form;
+      add_joins(form, contracted(a, b));
+      joins = form.trace();
+    }
+    const double of_shape = weight - (traces_[a] + traces_[b] + joins);
     return of_shape > 0 ? weight / of_shape : 1;
   }
 
@@ -131,8 +134,11 @@ public:
     const Position target = contraction.target() - geometry_.position(pair.first);
     QuadricForm<3> joins;
     for (Channel& channel : channels_)
-      channel.apply(complex_, contraction.star(), pair, event.kept,
-                    channel.changes(complex_, pair, target, joins));
+      if (channel.joins_two(pair))
+        channel.apply_join(complex_, contraction.star(), pair, event.kept, target, joins);
+      else
+        channel.apply(complex_, contraction.star(), pair, event.kept,
+                      channel.changes(complex_, pair, target, joins));
     traces_[event.kept] = traces_[pair.first] + traces_[pair.second] + joins.trace();
     if constexpr (!remembers_forms<Cost>) {
       QuadricForm<3>& form = forms_[event.kept];
@@ -157,9 +163,9 @@ public:
   }
 
 private:
-  QuadricForm<3>& form_at(Index v, VertexMemories<Cost>& memories) {
+  QuadricForm<3>& form_at(Index v) {
     if constexpr (remembers_forms<Cost>)
-      return memories[v];
+      return memories_[v];
     else
       return forms_[v];
   }
@@ -174,6 +180,7 @@ private:
 
   const TriangleComplex& complex_;
   const Geometry& geometry_;
+  VertexMemories<Cost>& memories_;
   std::vector<Channel> channels_;
   Array<QuadricForm<3>> forms_; // of each vertex, where its memory does not hold them
   Array<double> traces_;        // of what channels have left at each vertex
@@ -181,8 +188,8 @@ private:
 
 /// Of a surface that has none.
 struct NoChannels {
-  template <class Geometry>
-  NoChannels(const TriangleComplex&, const Geometry&) {}
+  template <class Geometry, class Memories>
+  NoChannels(const TriangleComplex&, const Geometry&, Memories&) {}
   std::span<const Channel> all() const { return {}; }
   std::vector<Channel> take() { return {}; }
   static auto vertex_columns(auto&) { return std::tuple<>(); }

@@ -81,6 +81,26 @@ public:
     weights_[wedge] += weight;
     return difference;
   }
+  /// Joins the wedges of two ends without borders, `to_second` apart, and moves the map to a
+  /// target, given from the first: `kept`, which is one of them, has it then.
+  void join(Index first, Index second, const Vector<3>& to_second, const Vector<3>& target,
+            Index kept) {
+    const double sum = weights_[first] + weights_[second];
+    const double part = sum > 0 ? weights_[second] / sum : 0;
+    bool is_first = origins_[first] != none, is_second = origins_[second] != none;
+    for (std::size_t c = 0; c < components_; ++c) {
+      const AffineMap one = maps_[first * components_ + c];
+      const AffineMap other = maps_[second * components_ + c];
+      AffineMap& map = maps_[kept * components_ + c];
+      map.gradient = one.gradient + part * (other.gradient - one.gradient);
+      map.value = one.value + part * (other.at(-1.0 * to_second) - one.value);
+      map.value = map.at(target);
+      is_first = is_first && map.value == one.value;
+      is_second = is_second && map.value == other.value;
+    }
+    weights_[kept] = sum;
+    origins_[kept] = is_first ? origins_[first] : is_second ? origins_[second] : none;
+  }
   void hold_borders() { borders_.resize(weights_.size()); }
 
   WedgeMap map(Index wedge) const {

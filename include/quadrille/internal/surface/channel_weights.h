@@ -41,12 +41,13 @@ public:
       for (std::size_t i = 0; i < 3; ++i)
         values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
       add_values(channel, values);
+      if (!channel.is_texture)
+        continue;
       const std::size_t label = labels.empty() ? 0 : labels[face];
       areas_.resize((std::max)(areas_.size(), label + 1));
-      areas_[label].surface += std::sqrt(squared_length(normal_vector(
-          space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
-      if (channel.is_texture)
-        areas_[label].texture += texture_area(channel, values);
+      areas_[label].surface += std::sqrt(squared_length(
+          normal_vector(space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
+      areas_[label].texture += texture_area(channel, values);
     }
   }
 
