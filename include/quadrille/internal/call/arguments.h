@@ -5,11 +5,11 @@
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
-#include <quadrille/labels.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
@@ -45,22 +45,6 @@ enum class Kind {
   named_parameters,
   unknown
 };
-
-template <class T>
-inline constexpr bool is_labels = false;
-template <class Map>
-inline constexpr bool is_labels<Labels<Map>> = true;
-
-template <class T>
-inline constexpr bool is_channel = false;
-template <class Source>
-inline constexpr bool is_channel<Texture<Source>> = true;
-template <class Source>
-inline constexpr bool is_channel<Normals<Source>> = true;
-template <class Source>
-inline constexpr bool is_channel<Colors<Source>> = true;
-template <class Source>
-inline constexpr bool is_channel<Attributes<Source>> = true;
 
 /// Is a type meant to be a cost? Nothing else has these members.
 template <class T>
@@ -209,37 +193,6 @@ Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels
     -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels, Splits,
                 Filters...>;
 
-/// The labels of a call: an argument, or the named parameter face_patch_map.
-template <class Cost, class... Arguments>
-auto pick_labels(const Arguments&... arguments) {
-  const auto patches =
-      CGAL::parameters::get_parameter(pick_named(arguments...), CGAL::internal_np::face_patch);
-  constexpr bool are_patches = is_given<decltype(patches)>;
-  constexpr std::size_t count = count_of<Kind::labels, Cost, Arguments...>;
-  static_assert(count + are_patches <= 1,
-                "simplify takes the labels of faces once: as Labels{map} or as face_patch_map.");
-  if constexpr (count > 0)
-    return pick<Kind::labels, Cost, NoLabels>(arguments...);
-  else if constexpr (are_patches)
-    return Labels{patches};
-  else
-    return NoLabels{};
-}
-
-/// The channels among the arguments, as a tuple.
-template <class Cost, class... Arguments>
-auto pick_channels(const Arguments&... arguments) {
-  static_assert(Cost::dimension == 3 || (!is_channel<Arguments> && ...),
-                "This cost has attributes of its own: channels (Texture, Normals, Colors, "
-                "Attributes) go with costs in space, as Quadric.");
-  return std::tuple_cat([](const auto& argument) {
-    if constexpr (is_channel<std::remove_cvref_t<decltype(argument)>>)
-      return std::tuple(argument);
-    else
-      return std::tuple();
-  }(arguments)...);
-}
-
 inline namespace QUADRILLE_THREADING {
 
 /// All policies of a call, checked for fitting together. Cost and placement may be template
@@ -288,9 +241,9 @@ auto pick_policies(const Arguments&... arguments) {
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
-      pick_labels<Cost>(arguments...),
+      pick_labels(arguments...),
       pick_channels<Cost>(arguments...),
-      std::bool_constant<(std::same_as<Arguments, SplitVertices> || ...)>(),
+      Splits<Arguments...>(),
       topology,
       pick_filters<Cost>(arguments...)};
   validate(policies.cost);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/channel.h>
+#include <quadrille/internal/cost/channel_contraction.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 
@@ -71,7 +72,8 @@ public:
       return true;
     return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
       return channel.are_seams_kept() && channel.has_seams() &&
-             (channel.closes_seam(*complex_, star, a, b) || opens_seam(channel, star, a, b));
+             (ChannelContraction(channel, *complex_, {a, b, {}}).closes_seam(star) ||
+              opens_seam(channel, star, a, b));
     });
   }
 

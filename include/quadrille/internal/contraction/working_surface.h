@@ -5,6 +5,7 @@
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/appearance.h>
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
@@ -15,10 +16,8 @@
 #include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/progress.h>
 #include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
-#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/cost/vertex_memories.h>
@@ -27,7 +26,6 @@
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/channel_weights.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -68,10 +66,11 @@ public:
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
         terms_(policies.cost, geometry_, complex_, link_condition_),
-        channels_(complex_, geometry_, memories_),
-        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, channels_),
-        checks_(policies, scale_, complex_, geometry_, link_condition_, seams_, channels_,
-                is_topology_kept_),
+        appearance_(policies, complex_, geometry_, memories_),
+        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_,
+                   appearance_.channels()),
+        checks_(policies, scale_, complex_, geometry_, link_condition_, appearance_.seams(),
+                appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
         target_rules_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
@@ -79,7 +78,7 @@ public:
     if (!is_topology_kept_ || input.has_duplicate_faces)
       Cleanup(complex_, scratch()).remove_all_duplicate_faces();
     if constexpr (keeps_seams<Policies>)
-      find_seams(input);
+      appearance_.read(input, numbering_, scale_, pairs_.are_edges());
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
       classify(box);
@@ -176,7 +175,7 @@ public:
             moved_.take(),
             keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
             std::move(numbering_),
-            channels_.take()};
+            appearance_.take_channels()};
   }
 
 private:
@@ -186,10 +185,9 @@ private:
   // before the geometry, and who looks at the surface as it is comes last.
   auto observers() {
     return std::tuple_cat(
-        tie_if<asks_for_distance>(bounds_),
-        tie_if<has_channels<typename Policies::Channels>>(channels_),
+        tie_if<asks_for_distance>(bounds_), appearance_.observers(),
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
-        tie_if<keeps_seams<Policies>>(seams_), tie_if<has_local_terms<Cost>>(terms_));
+        tie_if<has_local_terms<Cost>>(terms_));
   }
 
   // Passes merge nothing before few faces are left.
@@ -199,21 +197,6 @@ private:
   bool keeps_topology() const {
     const Topology by_default = pairs_.has_others() ? Topology::free : Topology::kept;
     return policies_.topology.value_or(by_default) == Topology::kept;
-  }
-
-  // Vertices at corners of the graph stay where they are.
-  void find_seams(const SurfaceInput<dimension>& input) {
-    Array<Index> labels = labels_by_face(input.labels, numbering_.faces, complex_);
-    if constexpr (has_channels<typename Policies::Channels>)
-      for (const ChannelInput& channel : input.channels)
-        channels_.add(Channel(
-            channel, numbering_, complex_,
-            channel_weights(channel, numbering_, complex_, geometry_.positions(), labels, scale_),
-            pairs_.are_edges()));
-    seams_ = SeamGraph(complex_, std::move(labels), channels_.all());
-    for (Index v = 0; v < complex_.vertex_capacity() && !seams_.is_empty(); ++v)
-      if (seams_.is_corner(v))
-        geometry_.fix(v);
   }
 
   void classify(const Box<dimension>& box) {
@@ -236,25 +219,8 @@ private:
     memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
                        creases_.left(numbering_), is_interior, policies_.threads);
     if constexpr (keeps_seams<Policies>)
-      remember_seams();
+      appearance_.remember();
     terms_.sum_up(labels);
-  }
-
-  void remember_seams() {
-    std::vector<std::array<Index, 2>> edges;
-    if constexpr (has_channels<typename Policies::Channels>)
-      channels_.remember(seams_.labels());
-    seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
-      if (sides.size() == 2)
-        edges.push_back({v, w});
-      if constexpr (has_channels<typename Policies::Channels>)
-        for (const auto& [end, face] : sides)
-          channels_.hold_borders(face, v, w);
-    });
-    double weight = 1;
-    if constexpr (has_labels<typename Policies::Labels>)
-      weight = policies_.labels.border_weight;
-    memories_.remember_creases(policies_.cost, weight, geometry_.positions(), complex_, edges);
   }
 
   // What is gone takes no more time or room in a cache. Local terms are summed up anew behind it.
@@ -263,14 +229,12 @@ private:
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
     numbering_.faces.pack_if(is_left);
     bounds_.pack_if(is_left);
-    seams_.pack_if(is_left);
-    if constexpr (has_channels<typename Policies::Channels>)
-      channels_.pack_channels(vertices, is_left);
+    appearance_.pack(vertices, is_left);
     parallel_for(policies_.threads, 2, [&](std::size_t part, std::size_t) {
       if (part == 0)
         complex_.pack(vertices);
       else
-        pack_columns(vertices, geometry_, memories_, link_condition_, seams_, channels_, moved_);
+        pack_columns(vertices, geometry_, memories_, link_condition_, appearance_, moved_);
     });
     complex_.fill_lists(policies_.threads);
     numbering_.vertices.pack(std::move(vertices));
@@ -313,12 +277,11 @@ private:
   DistanceBounds bounds_{0}; // of no face where nobody asks
   NamedCreases creases_;
   Numbering numbering_;
-  SeamGraph seams_;
   Geometry<dimension> geometry_;
   MovedVertices<dimension> moved_;
   VertexMemories<Cost> memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
-  QUADRILLE_NO_UNIQUE_ADDRESS ChannelsOf<Policies> channels_;
+  Appearance<Policies> appearance_;
   PairEvaluator<Policies> evaluator_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;

@@ -17,8 +17,6 @@
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -34,17 +32,10 @@ struct ContractedPair {
   bool is_first_fixed = false, is_second_fixed = false;
 };
 
-/// One channel of a surface: its wedges, and of each a map of the attributes.
+/// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
+/// to it, ChannelContraction tells.
 class Channel {
 public:
-  /// What a contraction leaves instead of some wedges.
-  struct Change {
-    WedgeMap map;     ///< about the first end, later about the target
-    WedgeList wedges; ///< that become it
-    Index origin;     ///< see origin()
-  };
-  using Changes = boost::container::small_vector<Change, 4>;
-
   /// `squared_weights`: see MapJoiner. `factors`: how much more each label weighs; none if all
   /// weigh the same. Where pairs may be no edges, wedges of different values may come together
   /// anywhere.
@@ -79,6 +70,14 @@ public:
   Index origin(Index wedge) const { return records_.origin(wedge); }
   std::size_t wedge_count(std::size_t vertices) const { return table_.size(vertices); }
 
+  Vector<2> texture_at(const TriangleComplex& complex, Index face, Index vertex) const {
+    return records_.texture_at(wedge(complex, face, vertex));
+  }
+  /// Twice the area of a triangle in the texture, negative if it is turned over.
+  static double doubled_area(const Vector<2>& p, const Vector<2>& q, const Vector<2>& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  }
+
   /// Is the channel discontinuous between two faces at both ends of an edge?
   bool has_seam(const TriangleComplex& complex, Index face, Index other, Index v, Index w) const {
     return table_.has_seams() && wedge(complex, face, v) != wedge(complex, other, v) &&
@@ -99,21 +98,6 @@ public:
     };
     const double one = side(face), two = side(other);
     return (one > 0 && two > 0) || (one < 0 && two < 0);
-  }
-
-  /// Would the contraction of a pair make one wedge of two between which there is a seam?
-  bool closes_seam(const TriangleComplex& complex, const PairStar& star, Index a, Index b) const {
-    if (table_.has_one(a) && table_.has_one(b))
-      return false;
-    const WedgeJoins joins = this->joins(complex, a, b);
-    if (joins.are_of_two())
-      return false;
-    bool closes = false;
-    joins.for_each_group([&](const WedgeJoins::Group& group) {
-      closes = closes || has_seam_within(complex, star.first, a, group.first) ||
-               has_seam_within(complex, star.second, b, group.second);
-    });
-    return closes;
   }
 
   /// Maps of the attributes as they are now. What the faces of a wedge disagree about goes to its
@@ -171,73 +155,38 @@ public:
            !records_.holds_border(pair.second);
   }
 
-  /// Adds what wedges of a pair disagree about that its contraction joins.
-  QUADRILLE_ALWAYS_INLINE void add_joins(const TriangleComplex& complex, const ContractedPair& pair,
-                                         QuadricForm<3>& form) const {
-    if (joins_two(pair))
-      joiner_.add_difference(records_.weight(pair.first), records_.maps(pair.first),
-                             records_.weight(pair.second), records_.maps(pair.second),
-                             -1.0 * pair.to_second, form);
-    else
-      add_other_joins(complex, pair, form);
+  /// Adds what these disagree about: see joins_two().
+  QUADRILLE_ALWAYS_INLINE void add_difference(const ContractedPair& pair,
+                                              QuadricForm<3>& form) const {
+    add_difference(pair.first, pair.second, pair.to_second, form);
   }
-
+  /// The same of a wedge of each end.
+  QUADRILLE_ALWAYS_INLINE void add_difference(Index first, Index second, const Vector<3>& to_second,
+                                              QuadricForm<3>& form) const {
+    joiner_.add_difference(records_.weight(first), records_.maps(first), records_.weight(second),
+                           records_.maps(second), -1.0 * to_second, form);
+  }
   /// Carries the contraction of a pair out that joins two wedges: see joins_two().
   void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
                   Index kept, const Vector<3>& target, QuadricForm<3>& form) {
-    joiner_.add_difference(records_.weight(pair.first), records_.maps(pair.first),
-                           records_.weight(pair.second), records_.maps(pair.second),
-                           -1.0 * pair.to_second, form);
+    add_difference(pair, form);
     records_.join(pair.first, pair.second, pair.to_second, target, kept);
     if (table_.has_seams())
       rename_corners(complex, star, pair, [kept](Index) { return kept; });
   }
 
-  /// What becomes of the wedges of a pair at a target, given from the first end. What those that
-  /// are joined disagree about goes to `form`, about the first end.
-  Changes changes(const TriangleComplex& complex, const ContractedPair& pair,
-                  const Vector<3>& target, QuadricForm<3>& form) const {
-    Changes changes;
-    joins(complex, pair.first, pair.second).for_each_group([&](const WedgeJoins::Group& group) {
-      changes.emplace_back(joined(group, pair, target, form));
-    });
-    add_others(pair.first, {}, target, changes);
-    add_others(pair.second, pair.to_second, target, changes);
-    return changes;
-  }
-
-  /// Carries a contraction out: `kept` has the changed wedges now.
+  /// Carries a contraction out: the first of some wedges, those of both ends, get the maps and
+  /// origins of changes, and a corner of the star gets the wedge renamed(old wedge).
+  template <class Changes, class Rename>
   void apply(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
-             Index kept, const Changes& changes) {
-    WedgeList wedges;
-    table_.append_all(wedges, kept);
-    table_.append_all(wedges, kept == pair.first ? pair.second : pair.first);
+             WedgeList wedges, const Changes& changes, Rename renamed) {
     for (std::size_t k = 0; k < changes.size(); ++k)
       records_.write(wedges[k], changes[k].map, changes[k].origin);
     if (!table_.has_seams())
       return;
-    const auto renamed = [&](Index old) { return wedges[index_of(changes, old)]; };
     rename_corners(complex, star, pair, renamed);
     wedges.resize(changes.size());
     table_.chain(wedges);
-  }
-
-  /// Would a face turn over in the texture? One that has no area there may do what it likes.
-  bool turns_over(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
-                  const Changes& changes) const {
-    const auto turns = [&](const StarFace& f, Index vertex) {
-      const Index old = wedge(complex, f.face, vertex);
-      const Vector<2> second = texture_at(complex, f.face, f.second);
-      const Vector<2> third = texture_at(complex, f.face, f.third);
-      const auto& maps = changes[index_of(changes, old)].map.maps;
-      const double before = doubled_area(records_.texture_at(old), second, third);
-      const double after = doubled_area({maps[0].value, maps[1].value}, second, third);
-      return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
-    };
-    return std::any_of(star.first.begin(), star.first.end(),
-                       [&](const StarFace& f) { return turns(f, pair.first); }) ||
-           std::any_of(star.second.begin(), star.second.end(),
-                       [&](const StarFace& f) { return turns(f, pair.second); });
   }
 
   /// Leaves out all vertices but those of an ascending list, and the faces for which is_left does
@@ -251,6 +200,11 @@ public:
     records_.prefetch(vertex);
     table_.prefetch(vertex);
   }
+
+  const WedgeTable& table() const { return table_; }
+  const MapJoiner& joiner() const { return joiner_; }
+  const WedgeRecords& records() const { return records_; }
+  bool are_pairs_edges() const { return are_pairs_edges_; }
 
 private:
   // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
@@ -278,50 +232,6 @@ private:
     return 0.5 * std::sqrt(squared) / (1 + steepness / static_cast<double>(components()));
   }
 
-  QUADRILLE_NOINLINE void add_other_joins(const TriangleComplex& complex,
-                                          const ContractedPair& pair, QuadricForm<3>& form) const {
-    const WedgeJoins joins = this->joins(complex, pair.first, pair.second);
-    const bool is_fixed = pair.is_first_fixed || pair.is_second_fixed;
-    if (!is_fixed && joins.are_of_two())
-      joins.for_each_pair([&](Index w, Index x) { add_join(w, x, pair.to_second, form); });
-    else
-      joins.for_each_group([&](const WedgeJoins::Group& group) { joined(group, pair, {}, form); });
-  }
-  void add_join(Index w, Index x, const Vector<3>& to_second, QuadricForm<3>& form) const {
-    if (!records_.holds_border(w) && !records_.holds_border(x)) {
-      joiner_.add_difference(records_.weight(w), records_.maps(w), records_.weight(x),
-                             records_.maps(x), -1.0 * to_second, form);
-    } else {
-      WedgeMap map = records_.map(w);
-      joiner_.join(map, records_.map(x), -1.0 * to_second, form);
-    }
-  }
-
-  WedgeJoins joins(const TriangleComplex& complex, Index a, Index b) const {
-    WedgeJoins joins;
-    if (are_pairs_edges_ && table_.has_one(a) && table_.has_one(b)) {
-      joins.add(a, b);
-      return joins;
-    }
-    bool is_edge = false;
-    table_.for_each_shared(complex, a, b, [&](Index at_a, Index at_b) {
-      joins.add(at_a, at_b);
-      is_edge = true;
-    });
-    if (!is_edge)
-      join_equal_values(a, b, joins);
-    return joins;
-  }
-
-  void join_equal_values(Index a, Index b, WedgeJoins& joins) const {
-    WedgeList at_a, at_b;
-    table_.append_all(at_a, a);
-    table_.append_all(at_b, b);
-    for (Index w : at_a)
-      for (Index x : at_b)
-        if (records_.have_equal_values(w, x))
-          joins.add(w, x);
-  }
   template <class Rename>
   void rename_corners(const TriangleComplex& complex, const PairStar& star,
                       const ContractedPair& pair, Rename renamed) {
@@ -329,90 +239,6 @@ private:
       table_.rename_corner(complex, f.face, pair.first, renamed);
     for (const StarFace& f : star.second)
       table_.rename_corner(complex, f.face, pair.second, renamed);
-  }
-
-  // Is there a seam at a vertex between two of some wedges?
-  bool has_seam_within(const TriangleComplex& complex, const AppendBuffer<StarFace>& faces, Index v,
-                       const WedgeList& wedges) const {
-    if (wedges.size() < 2)
-      return false;
-    const auto is_within = [&](const StarFace& f) {
-      return std::find(wedges.begin(), wedges.end(), wedge(complex, f.face, v)) != wedges.end();
-    };
-    for (const StarFace& f : faces)
-      for (const StarFace& g : faces)
-        for (Index w : {f.second, f.third})
-          if (f.face < g.face && g.has(w) && has_seam(complex, f.face, g.face, v, w) &&
-              is_within(f) && is_within(g))
-            return true;
-    return false;
-  }
-
-  Change joined(const WedgeJoins::Group& group, const ContractedPair& pair, const Vector<3>& target,
-                QuadricForm<3>& form) const {
-    Change change{records_.map(group.first[0]), group.first, none};
-    for (std::size_t k = 1; k < group.first.size(); ++k)
-      joiner_.join(change.map, records_.map(group.first[k]), {}, form);
-    for (Index wedge : group.second)
-      joiner_.join(change.map, records_.map(wedge), -1.0 * pair.to_second, form);
-    change.wedges.insert(change.wedges.end(), group.second.begin(), group.second.end());
-    if (pair.is_first_fixed || pair.is_second_fixed) {
-      change.map.move_origin(pair.is_first_fixed ? Vector<3>{} : pair.to_second);
-      hold(change, pair.is_first_fixed ? group.first[0] : group.second[0], form);
-    } else {
-      change.map.move_origin(target);
-    }
-    change.origin = origin_of(change);
-    return change;
-  }
-
-  // The wedge of a fixed vertex keeps its values.
-  void hold(Change& change, Index wedge, QuadricForm<3>& form) const {
-    std::vector<double> values(components());
-    for (std::size_t c = 0; c < components(); ++c)
-      values[c] = value(wedge, c);
-    joiner_.hold(change.map, values.data(), form);
-    for (std::size_t c = 0; c < components(); ++c)
-      change.map.maps[c].value = values[c];
-  }
-
-  // The wedges of a vertex, at `origin`, that are in no change yet.
-  void add_others(Index vertex, const Vector<3>& origin, const Vector<3>& target,
-                  Changes& changes) const {
-    WedgeList wedges;
-    table_.append_all(wedges, vertex);
-    for (Index wedge : wedges) {
-      if (index_of(changes, wedge) < changes.size())
-        continue;
-      Change change{records_.map(wedge), {wedge}, none};
-      if (target != origin)
-        change.map.move_origin(target - origin);
-      change.origin = origin_of(change);
-      changes.push_back(std::move(change));
-    }
-  }
-
-  static std::size_t index_of(const Changes& changes, Index wedge) {
-    const auto has_wedge = [&](const Change& change) {
-      return std::find(change.wedges.begin(), change.wedges.end(), wedge) != change.wedges.end();
-    };
-    return static_cast<std::size_t>(std::find_if(changes.begin(), changes.end(), has_wedge) -
-                                    changes.begin());
-  }
-
-  // A value that has not changed has the index that it had.
-  Index origin_of(const Change& change) const {
-    for (Index wedge : change.wedges)
-      if (records_.is_origin_of(wedge, change.map))
-        return records_.origin(wedge);
-    return none;
-  }
-
-  Vector<2> texture_at(const TriangleComplex& complex, Index face, Index vertex) const {
-    return records_.texture_at(wedge(complex, face, vertex));
-  }
-  static double doubled_area(const Vector<2>& p, const Vector<2>& q, const Vector<2>& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
   Seams seams_;

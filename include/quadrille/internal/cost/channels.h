@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/channel.h>
+#include <quadrille/internal/cost/channel_contraction.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/columns.h>
@@ -110,7 +111,10 @@ public:
   /// What the joins of a pair cost, about its first end.
   QUADRILLE_ALWAYS_INLINE void add_joins(QuadricForm<3>& form, const ContractedPair& pair) const {
     for (const Channel& channel : channels_)
-      channel.add_joins(complex_, pair, form);
+      if (channel.joins_two(pair))
+        channel.add_difference(pair, form);
+      else
+        ChannelContraction(channel, complex_, pair).add_joins(form);
   }
 
   /// Would a contraction turn a face over in a texture?
@@ -119,9 +123,9 @@ public:
     for (const Channel& channel : channels_) {
       if (!channel.is_texture() || !channel.are_seams_kept())
         continue;
+      const ChannelContraction contraction(channel, complex_, pair);
       QuadricForm<3> form;
-      if (channel.turns_over(complex_, star, pair,
-                             channel.changes(complex_, pair, target - geometry_.position(a), form)))
+      if (contraction.turns_over(star, contraction.changes(target - geometry_.position(a), form)))
         return true;
     }
     return false;
@@ -134,11 +138,12 @@ public:
     const Position target = contraction.target() - geometry_.position(pair.first);
     QuadricForm<3> joins;
     for (Channel& channel : channels_)
-      if (channel.joins_two(pair))
+      if (channel.joins_two(pair)) {
         channel.apply_join(complex_, contraction.star(), pair, event.kept, target, joins);
-      else
-        channel.apply(complex_, contraction.star(), pair, event.kept,
-                      channel.changes(complex_, pair, target, joins));
+      } else {
+        const ChannelContraction change(channel, complex_, pair);
+        change.apply(channel, contraction.star(), event.kept, change.changes(target, joins));
+      }
     traces_[event.kept] = traces_[pair.first] + traces_[pair.second] + joins.trace();
     if constexpr (!remembers_forms<Cost>) {
       QuadricForm<3>& form = forms_[event.kept];

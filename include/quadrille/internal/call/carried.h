@@ -1,0 +1,79 @@
+#ifndef QUADRILLE_INTERNAL_CALL_CARRIED_H
+#define QUADRILLE_INTERNAL_CALL_CARRIED_H
+
+#include <quadrille/channels.h>
+#include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/labels.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+/// What a call carries beside the shape: labels and channels.
+
+namespace quadrille::internal {
+
+template <class T>
+inline constexpr bool is_labels = false;
+template <class Map>
+inline constexpr bool is_labels<Labels<Map>> = true;
+
+template <class T>
+inline constexpr bool is_channel = false;
+template <class Source>
+inline constexpr bool is_channel<Texture<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Normals<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Colors<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Attributes<Source>> = true;
+
+/// The arguments of which is_wanted holds, as a tuple.
+#define QUADRILLE_PICK(is_wanted)                                                                  \
+  std::tuple_cat([](const auto& argument) {                                                        \
+    if constexpr (is_wanted<std::remove_cvref_t<decltype(argument)>>)                              \
+      return std::tuple(argument);                                                                 \
+    else                                                                                           \
+      return std::tuple();                                                                         \
+  }(arguments)...)
+
+/// The labels of a call: an argument, or the named parameter face_patch_map.
+template <class... Arguments>
+auto pick_labels(const Arguments&... arguments) {
+  const auto patches =
+      CGAL::parameters::get_parameter(pick_named(arguments...), CGAL::internal_np::face_patch);
+  constexpr bool are_patches = is_given<decltype(patches)>;
+  const auto labels = QUADRILLE_PICK(is_labels);
+  constexpr auto count = std::tuple_size_v<std::remove_const_t<decltype(labels)>>;
+  static_assert(count + are_patches <= 1,
+                "simplify takes the labels of faces once: as Labels{map} or as face_patch_map.");
+  if constexpr (count > 0)
+    return std::get<0>(labels);
+  else if constexpr (are_patches)
+    return Labels{patches};
+  else
+    return NoLabels{};
+}
+
+/// The channels among the arguments, as a tuple.
+template <class Cost, class... Arguments>
+auto pick_channels(const Arguments&... arguments) {
+  static_assert(Cost::dimension == 3 || (!is_channel<Arguments> && ...),
+                "This cost has attributes of its own: channels (Texture, Normals, Colors, "
+                "Attributes) go with costs in space, as Quadric.");
+  return QUADRILLE_PICK(is_channel);
+}
+
+#undef QUADRILLE_PICK
+
+/// Is there a SplitVertices among the arguments?
+template <class... Arguments>
+using Splits = std::bool_constant<(std::same_as<Arguments, SplitVertices> || ...)>;
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_CARRIED_H

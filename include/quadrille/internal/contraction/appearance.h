@@ -1,0 +1,113 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_APPEARANCE_H
+#define QUADRILLE_INTERNAL_CONTRACTION_APPEARANCE_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/seam_graph.h>
+#include <quadrille/internal/contraction/setup.h>
+#include <quadrille/internal/cost/channels.h>
+#include <quadrille/internal/cost/vertex_memories.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/channel_weights.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/surface/surface_input.h>
+
+#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What a surface carries beside its shape: the labels of faces, the channels of attributes, and
+/// the graph of their seams.
+template <class Policies>
+class Appearance {
+public:
+  using Cost = typename Policies::Cost;
+  using Channels = ChannelsOf<Policies>;
+
+  Appearance(const Policies& policies, TriangleComplex& complex,
+             Geometry<Cost::dimension>& geometry, VertexMemories<Cost>& memories)
+      : policies_(policies), complex_(complex), geometry_(geometry), memories_(memories),
+        channels_(complex, geometry, memories) {}
+
+  const Channels& channels() const { return channels_; }
+  const SeamGraph& seams() const { return seams_; }
+
+  /// Vertices at corners of the graph stay where they are from then on.
+  void read(const SurfaceInput<Cost::dimension>& input, const Numbering& numbering,
+            const Scale<Cost::dimension>& scale, bool are_pairs_edges) {
+    Array<Index> labels = labels_by_face(input.labels, numbering.faces, complex_);
+    if constexpr (has_channels)
+      for (const ChannelInput& channel : input.channels)
+        channels_.add(Channel(
+            channel, numbering, complex_,
+            channel_weights(channel, numbering, complex_, geometry_.positions(), labels, scale),
+            are_pairs_edges));
+    seams_ = SeamGraph(complex_, std::move(labels), channels_.all());
+    for (Index v = 0; v < complex_.vertex_capacity() && !seams_.is_empty(); ++v)
+      if (seams_.is_corner(v))
+        geometry_.fix(v);
+  }
+
+  /// Adds what it is now to what vertices remember.
+  void remember() {
+    if constexpr (has_channels)
+      channels_.remember(seams_.labels());
+    std::vector<std::array<Index, 2>> edges; // of two faces
+    seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
+      if (sides.size() == 2)
+        edges.push_back({v, w});
+      if constexpr (has_channels)
+        for (const auto& [end, face] : sides)
+          channels_.hold_borders(face, v, w);
+    });
+    memories_.remember_creases(policies_.cost, border_weight(), geometry_.positions(), complex_,
+                               edges);
+  }
+
+  auto observers() {
+    return std::tuple_cat(tie_if<has_channels>(channels_), tie_if<keeps_seams<Policies>>(seams_));
+  }
+  static auto vertex_columns(auto& self) {
+    using C = std::remove_cvref_t<decltype(self.channels_)>;
+    return std::tuple_cat(C::vertex_columns(self.channels_),
+                          SeamGraph::vertex_columns(self.seams_));
+  }
+  /// Leaves out faces for which is_left does not hold, and of the channels' wedges those of other
+  /// vertices than those of an ascending list. Columns are packed as those of other parts.
+  template <class IsLeft>
+  void pack(const Array<Index>& vertices, IsLeft is_left) {
+    seams_.pack_if(is_left);
+    if constexpr (has_channels)
+      channels_.pack_channels(vertices, is_left);
+  }
+
+  std::vector<Channel> take_channels() { return channels_.take(); }
+
+private:
+  static constexpr bool has_channels = internal::has_channels<typename Policies::Channels>;
+
+  double border_weight() const {
+    if constexpr (has_labels<typename Policies::Labels>)
+      return policies_.labels.border_weight;
+    else
+      return 1;
+  }
+
+  const Policies& policies_;
+  TriangleComplex& complex_;
+  Geometry<Cost::dimension>& geometry_;
+  VertexMemories<Cost>& memories_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Channels channels_;
+  SeamGraph seams_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_APPEARANCE_H

@@ -1,0 +1,224 @@
+#ifndef QUADRILLE_INTERNAL_COST_CHANNEL_CONTRACTION_H
+#define QUADRILLE_INTERNAL_COST_CHANNEL_CONTRACTION_H
+
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/complex/wedge_table.h>
+#include <quadrille/internal/cost/affine_maps.h>
+#include <quadrille/internal/cost/channel.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/vector.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What the contraction of a pair does to the wedges of a channel: those that a face of both ends
+/// joins become one, all others go on as they are.
+class ChannelContraction {
+public:
+  /// What a contraction leaves instead of some wedges.
+  struct Change {
+    WedgeMap map;     ///< about the first end, later about the target
+    WedgeList wedges; ///< that become it
+    Index origin;     ///< see origin()
+  };
+  using Changes = boost::container::small_vector<Change, 4>;
+
+  ChannelContraction(const Channel& channel, const TriangleComplex& complex,
+                     const ContractedPair& pair)
+      : channel_(channel), complex_(complex), pair_(pair) {}
+
+  /// Adds what wedges of the pair disagree about that its contraction joins.
+  QUADRILLE_NOINLINE void add_joins(QuadricForm<3>& form) const {
+    const WedgeJoins joins = this->joins();
+    const bool is_fixed = pair_.is_first_fixed || pair_.is_second_fixed;
+    if (!is_fixed && joins.are_of_two())
+      joins.for_each_pair([&](Index w, Index x) { add_join(w, x, form); });
+    else
+      joins.for_each_group([&](const WedgeJoins::Group& group) { joined(group, {}, form); });
+  }
+  /// Would the contraction of a pair make one wedge of two between which there is a seam?
+  bool closes_seam(const PairStar& star) const {
+    if (table().has_one(pair_.first) && table().has_one(pair_.second))
+      return false;
+    const WedgeJoins joins = this->joins();
+    if (joins.are_of_two())
+      return false;
+    bool closes = false;
+    joins.for_each_group([&](const WedgeJoins::Group& group) {
+      closes = closes || has_seam_within(star.first, pair_.first, group.first) ||
+               has_seam_within(star.second, pair_.second, group.second);
+    });
+    return closes;
+  }
+
+  /// What becomes of the wedges of a pair at a target, given from the first end. What those that
+  /// are joined disagree about goes to `form`, about the first end.
+  Changes changes(const Vector<3>& target, QuadricForm<3>& form) const {
+    Changes changes;
+    joins().for_each_group(
+        [&](const WedgeJoins::Group& group) { changes.emplace_back(joined(group, target, form)); });
+    add_others(pair_.first, {}, target, changes);
+    add_others(pair_.second, pair_.to_second, target, changes);
+    return changes;
+  }
+
+  /// Carries the contraction out: `kept` has the changed wedges now.
+  void apply(Channel& channel, const PairStar& star, Index kept, const Changes& changes) const {
+    WedgeList wedges;
+    table().append_all(wedges, kept);
+    table().append_all(wedges, kept == pair_.first ? pair_.second : pair_.first);
+    channel.apply(complex_, star, pair_, wedges, changes,
+                  [&](Index old) { return wedges[index_of(changes, old)]; });
+  }
+
+  /// Would a face turn over in the texture? One that has no area there may do what it likes.
+  bool turns_over(const PairStar& star, const Changes& changes) const {
+    const auto turns = [&](const StarFace& f, Index vertex) {
+      const Index old = channel_.wedge(complex_, f.face, vertex);
+      const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
+      const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
+      const auto& maps = changes[index_of(changes, old)].map.maps;
+      const double before = Channel::doubled_area(records().texture_at(old), second, third);
+      const double after = Channel::doubled_area({maps[0].value, maps[1].value}, second, third);
+      return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
+    };
+    return std::any_of(star.first.begin(), star.first.end(),
+                       [&](const StarFace& f) { return turns(f, pair_.first); }) ||
+           std::any_of(star.second.begin(), star.second.end(),
+                       [&](const StarFace& f) { return turns(f, pair_.second); });
+  }
+
+private:
+  const WedgeTable& table() const { return channel_.table(); }
+  const MapJoiner& joiner() const { return channel_.joiner(); }
+  const WedgeRecords& records() const { return channel_.records(); }
+
+  void add_join(Index w, Index x, QuadricForm<3>& form) const {
+    if (!records().holds_border(w) && !records().holds_border(x)) {
+      channel_.add_difference(w, x, pair_.to_second, form);
+    } else {
+      WedgeMap map = records().map(w);
+      joiner().join(map, records().map(x), -1.0 * pair_.to_second, form);
+    }
+  }
+
+  WedgeJoins joins() const {
+    const Index a = pair_.first, b = pair_.second;
+    WedgeJoins joins;
+    if (channel_.are_pairs_edges() && table().has_one(a) && table().has_one(b)) {
+      joins.add(a, b);
+      return joins;
+    }
+    bool is_edge = false;
+    table().for_each_shared(complex_, a, b, [&](Index at_a, Index at_b) {
+      joins.add(at_a, at_b);
+      is_edge = true;
+    });
+    if (!is_edge)
+      join_equal_values(joins);
+    return joins;
+  }
+
+  void join_equal_values(WedgeJoins& joins) const {
+    WedgeList at_a, at_b;
+    table().append_all(at_a, pair_.first);
+    table().append_all(at_b, pair_.second);
+    for (Index w : at_a)
+      for (Index x : at_b)
+        if (records().have_equal_values(w, x))
+          joins.add(w, x);
+  }
+  // Is there a seam at a vertex between two of some wedges?
+  bool has_seam_within(const AppendBuffer<StarFace>& faces, Index v,
+                       const WedgeList& wedges) const {
+    if (wedges.size() < 2)
+      return false;
+    const auto is_within = [&](const StarFace& f) {
+      return std::find(wedges.begin(), wedges.end(), channel_.wedge(complex_, f.face, v)) !=
+             wedges.end();
+    };
+    for (const StarFace& f : faces)
+      for (const StarFace& g : faces)
+        for (Index w : {f.second, f.third})
+          if (f.face < g.face && g.has(w) && channel_.has_seam(complex_, f.face, g.face, v, w) &&
+              is_within(f) && is_within(g))
+            return true;
+    return false;
+  }
+
+  Change joined(const WedgeJoins::Group& group, const Vector<3>& target,
+                QuadricForm<3>& form) const {
+    Change change{records().map(group.first[0]), group.first, none};
+    for (std::size_t k = 1; k < group.first.size(); ++k)
+      joiner().join(change.map, records().map(group.first[k]), {}, form);
+    for (Index wedge : group.second)
+      joiner().join(change.map, records().map(wedge), -1.0 * pair_.to_second, form);
+    change.wedges.insert(change.wedges.end(), group.second.begin(), group.second.end());
+    if (pair_.is_first_fixed || pair_.is_second_fixed) {
+      change.map.move_origin(pair_.is_first_fixed ? Vector<3>{} : pair_.to_second);
+      hold(change, pair_.is_first_fixed ? group.first[0] : group.second[0], form);
+    } else {
+      change.map.move_origin(target);
+    }
+    change.origin = origin_of(change);
+    return change;
+  }
+
+  // The wedge of a fixed vertex keeps its values.
+  void hold(Change& change, Index wedge, QuadricForm<3>& form) const {
+    std::vector<double> values(records().components());
+    for (std::size_t c = 0; c < records().components(); ++c)
+      values[c] = records().value(wedge, c);
+    joiner().hold(change.map, values.data(), form);
+    for (std::size_t c = 0; c < records().components(); ++c)
+      change.map.maps[c].value = values[c];
+  }
+
+  // The wedges of a vertex, at `origin`, that are in no change yet.
+  void add_others(Index vertex, const Vector<3>& origin, const Vector<3>& target,
+                  Changes& changes) const {
+    WedgeList wedges;
+    table().append_all(wedges, vertex);
+    for (Index wedge : wedges) {
+      if (index_of(changes, wedge) < changes.size())
+        continue;
+      Change change{records().map(wedge), {wedge}, none};
+      if (target != origin)
+        change.map.move_origin(target - origin);
+      change.origin = origin_of(change);
+      changes.push_back(std::move(change));
+    }
+  }
+
+  static std::size_t index_of(const Changes& changes, Index wedge) {
+    const auto has_wedge = [&](const Change& change) {
+      return std::find(change.wedges.begin(), change.wedges.end(), wedge) != change.wedges.end();
+    };
+    return static_cast<std::size_t>(std::find_if(changes.begin(), changes.end(), has_wedge) -
+                                    changes.begin());
+  }
+
+  // A value that has not changed has the index that it had.
+  Index origin_of(const Change& change) const {
+    for (Index wedge : change.wedges)
+      if (records().is_origin_of(wedge, change.map))
+        return records().origin(wedge);
+    return none;
+  }
+
+  const Channel& channel_;
+  const TriangleComplex& complex_;
+  ContractedPair pair_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_COST_CHANNEL_CONTRACTION_H
