@@ -44,9 +44,9 @@ struct ChannelOptions {
   /// By how much more than by default it counts; above 0.
   double importance = 1;
   /// Lengths in the mesh's unit that a step of 1 in each component counts as, times importance. By
-  /// default, for texture coordinates, √(area of the surface / area of the texture), so that a
-  /// texture that slides counts as it slides; for others 0.02 · (diagonal of the bounding box) /
-  /// (largest range of the components).
+  /// default, for texture coordinates, √(area of the surface / area of the texture), of each label
+  /// by itself, so that a texture that slides counts as it slides; for others 0.02 · (diagonal of
+  /// the bounding box) / (largest range of the components).
   std::vector<double> weights = {};
   /// By default kept for texture coordinates, priced for others.
   std::optional<Seams> seams = {};

@@ -53,6 +53,7 @@ struct ThinFeatureQuadric : MemorylessQuadric {
     return {Quadric{}.face(p, q, r)};
   }
 
+  static double channel_weight(double area) { return area; }
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return weighted_face(p, q, r, [](double) { return 1.0; });
   }

@@ -101,10 +101,10 @@ public:
   }
 
   /// Maps of the attributes as they are now. What the faces of a wedge disagree about goes to its
-  /// vertex: add(v, matrix). `labels`: of each face; or empty.
-  template <class Positions, class Add>
+  /// vertex: add(v, matrix). `labels`: of each face; or empty. An area counts weight(area).
+  template <class Positions, class Weight, class Add>
   void remember(const Positions& positions, const TriangleComplex& complex,
-                const Array<Index>& labels, Add add) {
+                const Array<Index>& labels, Weight weight_of_area, Add add) {
     records_.forget_faces();
     if (components() == 0)
       return;
@@ -112,7 +112,7 @@ public:
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_removed(face))
         continue;
-      double weight = find_gradients(positions, complex, face, gradients);
+      double weight = find_gradients(positions, complex, face, weight_of_area, gradients);
       if (!factors_.empty() && !labels.empty())
         weight *= factors_[labels[face]];
       if (!(weight > 0))
@@ -126,10 +126,10 @@ public:
 
   /// Are charts held where they end?
   bool holds_borders() const { return is_texture_ && seams_ == Seams::kept && border_weight_ > 0; }
-  /// Holds the chart of a face at its edge vw, as long as the square tells: the texture may slide
+  /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
   /// along the edge and not off it. What that leaves at v goes to `form`.
-  void hold_border(const TriangleComplex& complex, Index face, Index v, Index w,
-                   double squared_length_of_edge, QuadricForm<3>& form) {
+  void hold_border(const TriangleComplex& complex, Index face, Index v, Index w, double area,
+                   QuadricForm<3>& form) {
     records_.hold_borders();
     const Index at_v = wedge(complex, face, v);
     const Vector<2> p = records_.texture_at(at_v), q = texture_at(complex, face, w);
@@ -137,8 +137,7 @@ public:
     const double squared = squared_length(along);
     if (!(squared > 0))
       return;
-    const double factor =
-        border_weight_ * squared_length_of_edge * joiner_.squared_weights()[0] / squared;
+    const double factor = border_weight_ * area * joiner_.squared_weights()[0] / squared;
     WedgeMap edge;
     edge.border = {factor * along[1] * along[1], -factor * along[0] * along[1],
                    factor * along[0] * along[0]};
@@ -209,9 +208,9 @@ public:
 private:
   // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
   // change by more than a length for each length, so that slivers do not count without bound.
-  template <class Positions>
+  template <class Positions, class Weight>
   double find_gradients(const Positions& positions, const TriangleComplex& complex, Index face,
-                        std::vector<Vector<3>>& gradients) const {
+                        Weight weight_of_area, std::vector<Vector<3>>& gradients) const {
     const auto& v = complex.vertices(face);
     const Vector<3> to_second = positions[v[1]] - positions[v[0]];
     const Vector<3> to_third = positions[v[2]] - positions[v[0]];
@@ -229,7 +228,8 @@ private:
                      (value(w[2], c) - value(w[0], c)) * second_way;
       steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
     }
-    return 0.5 * std::sqrt(squared) / (1 + steepness / static_cast<double>(components()));
+    return weight_of_area(0.5 * std::sqrt(squared)) /
+           (1 + steepness / static_cast<double>(components()));
   }
 
   template <class Rename>

@@ -55,7 +55,7 @@ public:
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
     traces_.assign(geometry_.positions().size(), 0);
     for (Channel& channel : channels_)
-      channel.remember(geometry_.positions(), complex_, labels,
+      channel.remember(geometry_.positions(), complex_, labels, weight_of_area,
                        [&](Index v, const SymmetricMatrix<3>& matrix) {
                          form_at(v).matrix() += matrix;
                          traces_[v] += matrix.trace();
@@ -64,7 +64,8 @@ public:
 
   /// Holds the charts of a face at its edge vw, where they end.
   void hold_borders(Index face, Index v, Index w) {
-    const double squared = squared_distance(geometry_.position(v), geometry_.position(w));
+    const double squared =
+        weight_of_area(squared_distance(geometry_.position(v), geometry_.position(w)));
     for (Channel& channel : channels_) {
       if (!channel.holds_borders())
         continue;
@@ -168,6 +169,14 @@ public:
   }
 
 private:
+  // How much an area counts for the cost.
+  static double weight_of_area(double area) {
+    if constexpr (requires { Cost::channel_weight(area); })
+      return Cost::channel_weight(area);
+    else
+      return area;
+  }
+
   QuadricForm<3>& form_at(Index v) {
     if constexpr (remembers_forms<Cost>)
       return memories_[v];

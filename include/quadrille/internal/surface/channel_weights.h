@@ -120,7 +120,7 @@ ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& num
         channel.importance *
         (channel.weights.empty() ? by_default : scale.length_from_mesh(channel.weights[c]));
     weights.squared.push_back(weight * weight);
-    if (!std::isnormal(weight * weight) || !(weight * range < 0x1p40))
+    if (!(weight * weight > 0x1p-400 && weight * weight < 0x1p400) || !(weight * range < 0x1p40))
       throw std::invalid_argument("quadrille::simplify: component " + std::to_string(c) +
                                   " of a channel, of a range of " + text_of(range) + ", weighs " +
                                   text_of(scale.length_of_mesh(weight)) +
