@@ -35,7 +35,8 @@ public:
   bool has_one(Index vertex) const { return !has_seams() || next_[vertex] == none; }
 
   /// Makes wedges of corners: those around a vertex that are connected by edges at which
-  /// are_one(v, face, i, face', j) holds of both corners at v. Calls found(wedge, face, i) for a
+  /// are_one(v, face, i, face', j) holds of both corners at v, or all of them, if it holds of all.
+  /// Calls found(wedge, face, i) for a
   /// corner of each wedge.
   template <class AreOne, class Found>
   void build(const TriangleComplex& complex, AreOne are_one, Found found) {
@@ -155,14 +156,18 @@ private:
     template <class AreOne>
     void gather(const TriangleComplex& complex, Index v, AreOne are_one) {
       corners_.clear();
+      complex.for_each_corner(v, [&](Index face, Index i) { corners_.push_back({face, i}); });
+      is_one_ = std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
+        return are_one(v, corners_[0].first, corners_[0].second, c.first, c.second);
+      });
+      if (is_one_)
+        return;
       sides_.clear();
-      complex.for_each_corner(v, [&](Index face, Index i) {
-        const StarFace f = star_face_at(complex, face, i);
-        const auto corner = static_cast<Index>(corners_.size());
+      for (Index corner = 0; corner < corners_.size(); ++corner) {
+        const StarFace f = star_face_at(complex, corners_[corner].first, corners_[corner].second);
         sides_.push_back({f.second, corner});
         sides_.push_back({f.third, corner});
-        corners_.push_back({face, i});
-      });
+      }
       parent_.resize(corners_.size());
       std::iota(parent_.begin(), parent_.end(), Index{0});
       std::sort(sides_.begin(), sides_.end());
@@ -178,6 +183,10 @@ private:
     // Calls visit(corners) for each part, in the order of its first corner.
     template <class Visit>
     void for_each(Visit visit) {
+      if (is_one_ && !corners_.empty())
+        visit(corners_);
+      if (is_one_)
+        return;
       order_.clear();
       for (Index c = 0; c < corners_.size(); ++c)
         order_.push_back({root(c), c});
@@ -206,6 +215,7 @@ private:
     std::vector<std::pair<Index, Index>> sides_; // the other end of an edge, the corner
     std::vector<std::pair<Index, Index>> order_; // the part, the corner
     std::vector<Index> parent_;
+    bool is_one_ = false; // do all corners have one value?
   };
 
   Array<Corners> corners_; // of each face

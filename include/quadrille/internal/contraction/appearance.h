@@ -65,7 +65,7 @@ public:
         edges.push_back({v, w});
       if constexpr (has_channels)
         for (const auto& [end, face] : sides)
-          channels_.hold_borders(face, v, w);
+          channels_.hold_borders(seams_.labels(), face, v, w);
     });
     memories_.remember_creases(policies_.cost, border_weight(), geometry_.positions(), complex_,
                                edges);

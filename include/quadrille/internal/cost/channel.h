@@ -112,9 +112,8 @@ public:
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_removed(face))
         continue;
-      double weight = find_gradients(positions, complex, face, weight_of_area, gradients);
-      if (!factors_.empty() && !labels.empty())
-        weight *= factors_[labels[face]];
+      const double weight =
+          find_gradients(positions, complex, face, factor(labels, face), weight_of_area, gradients);
       if (!(weight > 0))
         continue;
       const auto& vertices = complex.vertices(face);
@@ -128,8 +127,8 @@ public:
   bool holds_borders() const { return is_texture_ && seams_ == Seams::kept && border_weight_ > 0; }
   /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
   /// along the edge and not off it. What that leaves at v goes to `form`.
-  void hold_border(const TriangleComplex& complex, Index face, Index v, Index w, double area,
-                   QuadricForm<3>& form) {
+  void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,
+                   Index w, double area, QuadricForm<3>& form) {
     records_.hold_borders();
     const Index at_v = wedge(complex, face, v);
     const Vector<2> p = records_.texture_at(at_v), q = texture_at(complex, face, w);
@@ -137,7 +136,8 @@ public:
     const double squared = squared_length(along);
     if (!(squared > 0))
       return;
-    const double factor = border_weight_ * area * joiner_.squared_weights()[0] / squared;
+    const double factor =
+        this->factor(labels, face) * border_weight_ * area * joiner_.squared_weights()[0] / squared;
     WedgeMap edge;
     edge.border = {factor * along[1] * along[1], -factor * along[0] * along[1],
                    factor * along[0] * along[0]};
@@ -164,6 +164,13 @@ public:
                                               QuadricForm<3>& form) const {
     joiner_.add_difference(records_.weight(first), records_.maps(first), records_.weight(second),
                            records_.maps(second), -1.0 * to_second, form);
+  }
+  /// The texture coordinates of the joined wedge at a target, given from the first end.
+  Vector<2> joined_texture(const ContractedPair& pair, const Vector<3>& target) const {
+    const auto at = [&](std::size_t c) {
+      return records_.joined(pair.first, pair.second, pair.to_second, c).at(target);
+    };
+    return {at(0), at(1)};
   }
   /// Carries the contraction of a pair out that joins two wedges: see joins_two().
   void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
@@ -206,11 +213,17 @@ public:
   bool are_pairs_edges() const { return are_pairs_edges_; }
 
 private:
+  // How much more a face weighs than others, for its label.
+  double factor(const Array<Index>& labels, Index face) const {
+    return factors_.empty() || labels.empty() ? 1 : factors_[labels[face]];
+  }
+
   // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
   // change by more than a length for each length, so that slivers do not count without bound.
   template <class Positions, class Weight>
   double find_gradients(const Positions& positions, const TriangleComplex& complex, Index face,
-                        Weight weight_of_area, std::vector<Vector<3>>& gradients) const {
+                        double factor, Weight weight_of_area,
+                        std::vector<Vector<3>>& gradients) const {
     const auto& v = complex.vertices(face);
     const Vector<3> to_second = positions[v[1]] - positions[v[0]];
     const Vector<3> to_third = positions[v[2]] - positions[v[0]];

@@ -79,15 +79,30 @@ public:
                   [&](Index old) { return wedges[index_of(changes, old)]; });
   }
 
-  /// Would a face turn over in the texture? One that has no area there may do what it likes.
-  bool turns_over(const PairStar& star, const Changes& changes) const {
+  /// Would a face turn over in the texture at a target? One that has no area there may do what it
+  /// likes.
+  bool turns_over(const PairStar& star, const Vector<3>& target) const {
+    if (channel_.joins_two(pair_)) {
+      const Vector<2> joined = channel_.joined_texture(pair_, target);
+      return turns_over(star, [&](Index) { return joined; });
+    }
+    QuadricForm<3> form;
+    const Changes changes = this->changes(target, form);
+    return turns_over(star, [&](Index old) {
+      const auto& maps = changes[index_of(changes, old)].map.maps;
+      return Vector<2>{maps[0].value, maps[1].value};
+    });
+  }
+
+private:
+  template <class NewTexture>
+  bool turns_over(const PairStar& star, NewTexture new_texture) const {
     const auto turns = [&](const StarFace& f, Index vertex) {
       const Index old = channel_.wedge(complex_, f.face, vertex);
       const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
       const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
-      const auto& maps = changes[index_of(changes, old)].map.maps;
       const double before = Channel::doubled_area(records().texture_at(old), second, third);
-      const double after = Channel::doubled_area({maps[0].value, maps[1].value}, second, third);
+      const double after = Channel::doubled_area(new_texture(old), second, third);
       return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
     };
     return std::any_of(star.first.begin(), star.first.end(),
@@ -96,7 +111,6 @@ public:
                        [&](const StarFace& f) { return turns(f, pair_.second); });
   }
 
-private:
   const WedgeTable& table() const { return channel_.table(); }
   const MapJoiner& joiner() const { return channel_.joiner(); }
   const WedgeRecords& records() const { return channel_.records(); }

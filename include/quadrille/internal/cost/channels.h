@@ -63,7 +63,7 @@ public:
   }
 
   /// Holds the charts of a face at its edge vw, where they end.
-  void hold_borders(Index face, Index v, Index w) {
+  void hold_borders(const Array<Index>& labels, Index face, Index v, Index w) {
     const double squared =
         weight_of_area(squared_distance(geometry_.position(v), geometry_.position(w)));
     for (Channel& channel : channels_) {
@@ -71,7 +71,7 @@ public:
         continue;
       for (const auto& [end, other] : {std::pair(v, w), std::pair(w, v)}) {
         QuadricForm<3> held;
-        channel.hold_border(complex_, face, end, other, squared, held);
+        channel.hold_border(complex_, labels, face, end, other, squared, held);
         form_at(end) += held;
         traces_[end] += held.trace();
       }
@@ -124,9 +124,8 @@ public:
     for (const Channel& channel : channels_) {
       if (!channel.is_texture() || !channel.are_seams_kept())
         continue;
-      const ChannelContraction contraction(channel, complex_, pair);
-      QuadricForm<3> form;
-      if (contraction.turns_over(star, contraction.changes(target - geometry_.position(a), form)))
+      if (ChannelContraction(channel, complex_, pair)
+              .turns_over(star, target - geometry_.position(a)))
         return true;
     }
     return false;

@@ -81,24 +81,27 @@ public:
     weights_[wedge] += weight;
     return difference;
   }
+  /// The map of both, about the first, of one component.
+  AffineMap joined(Index first, Index second, const Vector<3>& to_second, std::size_t c) const {
+    const double sum = weights_[first] + weights_[second];
+    const double part = sum > 0 ? weights_[second] / sum : 0;
+    const AffineMap &one = maps(first)[c], &other = maps(second)[c];
+    return {one.gradient + part * (other.gradient - one.gradient),
+            one.value + part * (other.at(-1.0 * to_second) - one.value)};
+  }
   /// Joins the wedges of two ends without borders, `to_second` apart, and moves the map to a
   /// target, given from the first: `kept`, which is one of them, has it then.
   void join(Index first, Index second, const Vector<3>& to_second, const Vector<3>& target,
             Index kept) {
-    const double sum = weights_[first] + weights_[second];
-    const double part = sum > 0 ? weights_[second] / sum : 0;
     bool is_first = origins_[first] != none, is_second = origins_[second] != none;
     for (std::size_t c = 0; c < components_; ++c) {
-      const AffineMap one = maps_[first * components_ + c];
-      const AffineMap other = maps_[second * components_ + c];
-      AffineMap& map = maps_[kept * components_ + c];
-      map.gradient = one.gradient + part * (other.gradient - one.gradient);
-      map.value = one.value + part * (other.at(-1.0 * to_second) - one.value);
+      AffineMap map = joined(first, second, to_second, c);
       map.value = map.at(target);
-      is_first = is_first && map.value == one.value;
-      is_second = is_second && map.value == other.value;
+      is_first = is_first && map.value == value(first, c);
+      is_second = is_second && map.value == value(second, c);
+      maps_[kept * components_ + c] = map;
     }
-    weights_[kept] = sum;
+    weights_[kept] = weights_[first] + weights_[second];
     origins_[kept] = is_first ? origins_[first] : is_second ? origins_[second] : none;
   }
   void hold_borders() { borders_.resize(weights_.size()); }
