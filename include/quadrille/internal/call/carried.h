@@ -5,6 +5,7 @@
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/labels.h>
+#include <quadrille/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -59,13 +60,37 @@ auto pick_labels(const Arguments&... arguments) {
     return NoLabels{};
 }
 
-/// The channels among the arguments, as a tuple.
+/// The channel of a named parameter as a tuple, if it is given.
+template <template <class> class Channel, class Named, class Tag>
+auto channel_of(const Named& named, Tag tag) {
+  const auto map = CGAL::parameters::get_parameter(named, tag);
+  if constexpr (is_given<decltype(map)>)
+    return std::tuple(Channel<std::remove_const_t<decltype(map)>>(map));
+  else
+    return std::tuple();
+}
+
+/// Attributes that are named parameters are channels with defaults beside a cost in space; other
+/// costs read them themselves.
+template <class Cost, class Named>
+auto named_channels([[maybe_unused]] const Named& named) {
+  namespace np = CGAL::internal_np;
+  if constexpr (Cost::dimension == 3)
+    return std::tuple_cat(channel_of<Colors>(named, np::vertex_color_map),
+                          channel_of<Texture>(named, np::vertex_texture_map),
+                          channel_of<Normals>(named, np::vertex_normal_map),
+                          channel_of<Attributes>(named, parameters::vertex_attribute));
+  else
+    return std::tuple();
+}
+
+/// The channels of a call, as a tuple.
 template <class Cost, class... Arguments>
 auto pick_channels(const Arguments&... arguments) {
   static_assert(Cost::dimension == 3 || (!is_channel<Arguments> && ...),
                 "This cost has attributes of its own: channels (Texture, Normals, Colors, "
                 "Attributes) go with costs in space, as Quadric.");
-  return QUADRILLE_PICK(is_channel);
+  return std::tuple_cat(QUADRILLE_PICK(is_channel), named_channels<Cost>(pick_named(arguments...)));
 }
 
 #undef QUADRILLE_PICK

@@ -45,6 +45,14 @@ struct Names {
   static constexpr bool contains = (std::same_as<Tag, Tags> || ...);
 };
 
+template <class One, class Other>
+struct JoinedNames;
+template <class... Tags, class... Others>
+struct JoinedNames<Names<Tags...>, Names<Others...>>
+    : std::type_identity<Names<Tags..., Others...>> {};
+template <class One, class Other>
+using Joined = typename JoinedNames<One, Other>::type;
+
 /// The named parameters of a chain that are not among those.
 template <class NamedParameters, class Known, class... Found>
 struct OthersThan : std::type_identity<Names<Found...>> {}; // at the end of the chain
@@ -126,10 +134,13 @@ constexpr void check_named(Names<Read...>) {
   using Known =
       Names<np::all_default_t, np::geom_traits_t, np::visitor_t, np::vertex_is_constrained_t,
             parameters::vertex_quadric_t, decltype(attribute_name<Cost>()), Read...>;
-  constexpr typename OthersThan<NamedParameters, Known>::type unread;
-  constexpr Names<np::vertex_color_map_t, np::vertex_texture_map_t, np::vertex_normal_map_t,
-                  parameters::vertex_attribute_t>
-      attributes;
+  using Attributes = Names<np::vertex_color_map_t, np::vertex_texture_map_t,
+                           np::vertex_normal_map_t, parameters::vertex_attribute_t>;
+  // What a cost in space does not read is a channel.
+  constexpr auto attributes = std::conditional_t<Cost::dimension == 3, Names<>, Attributes>();
+  constexpr typename OthersThan<
+      NamedParameters,
+      std::conditional_t<Cost::dimension == 3, Joined<Known, Attributes>, Known>>::type unread;
   constexpr Names<np::get_cost_policy_t, np::get_placement_policy_t, np::filter_t> cgals;
   constexpr bool are_attributes = have_in_common(unread, attributes);
   constexpr bool are_cgals = have_in_common(unread, cgals);

@@ -241,8 +241,8 @@ private:
                      (value(w[2], c) - value(w[0], c)) * second_way;
       steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
     }
-    return weight_of_area(0.5 * std::sqrt(squared)) /
-           (1 + steepness / static_cast<double>(components()));
+    return factor * weight_of_area(0.5 * std::sqrt(squared)) /
+           (1 + factor * steepness / static_cast<double>(components()));
   }
 
   template <class Rename>
