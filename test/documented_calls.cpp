@@ -2,20 +2,23 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 #include <array>
 #include <cstddef>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <vector>
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Colors = Mesh::Property_map<Mesh::Vertex_index, CGAL::IO::Color>;
-using Materials = Mesh::Property_map<Mesh::Face_index, int>;
+using ColorMap = Mesh::Property_map<Mesh::Vertex_index, CGAL::IO::Color>;
+using TextureMap = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+using MaterialMap = Mesh::Property_map<Mesh::Face_index, int>;
 
 void documented_calls(Mesh& mesh, std::vector<Point>& points,
-                      std::vector<std::array<std::size_t, 3>>& triangles, const Colors& colors,
-                      const Materials& materials) {
+                      std::vector<std::array<std::size_t, 3>>& triangles, const ColorMap& colors,
+                      const TextureMap& uv, const MaterialMap& materials) {
   using namespace quadrille;
 #include "documented_calls.inc"
 }

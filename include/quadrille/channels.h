@@ -108,11 +108,11 @@ struct ChannelArgument {
 /// texture as Rejection::texture. Edges where the texture is mirrored are seams too.
 template <class Source>
 struct Texture : internal::ChannelArgument<Source> {
-  explicit Texture(Source map, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
+  explicit Texture(Source map, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
   template <class Values, internal::NotOptions Triples>
-  Texture(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
+  Texture(Values& values, Triples& triples, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
 };
 template <class Map>
 Texture(Map) -> Texture<Map>;
@@ -126,11 +126,11 @@ Texture(Values&, Triples&, ChannelOptions) -> Texture<IndexedValues<Values, Trip
 /// Normals of three components; those that change get unit length. Otherwise as Texture.
 template <class Source>
 struct Normals : internal::ChannelArgument<Source> {
-  explicit Normals(Source map, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
+  explicit Normals(Source map, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
   template <class Values, internal::NotOptions Triples>
-  Normals(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
+  Normals(Values& values, Triples& triples, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
 };
 template <class Map>
 Normals(Map) -> Normals<Map>;
@@ -145,11 +145,11 @@ Normals(Values&, Triples&, ChannelOptions) -> Normals<IndexedValues<Values, Trip
 /// that there were, or in [0, 1] where these lie there. Otherwise as Texture.
 template <class Source>
 struct Colors : internal::ChannelArgument<Source> {
-  explicit Colors(Source map, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
+  explicit Colors(Source map, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
   template <class Values, internal::NotOptions Triples>
-  Colors(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
+  Colors(Values& values, Triples& triples, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
 };
 template <class Map>
 Colors(Map) -> Colors<Map>;
@@ -164,11 +164,11 @@ Colors(Values&, Triples&, ChannelOptions) -> Colors<IndexedValues<Values, Triple
 /// second channel of anything. Otherwise as Texture.
 template <class Source>
 struct Attributes : internal::ChannelArgument<Source> {
-  explicit Attributes(Source map, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(options)} {}
+  explicit Attributes(Source map, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
   template <class Values, internal::NotOptions Triples>
-  Attributes(Values& values, Triples& triples, ChannelOptions options = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(options)} {}
+  Attributes(Values& values, Triples& triples, ChannelOptions given = {})
+      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
 };
 template <class Map>
 Attributes(Map) -> Attributes<Map>;

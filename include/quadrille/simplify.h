@@ -43,6 +43,8 @@ inline namespace QUADRILLE_THREADING {
 /// - GreedyOrder or RelaxedOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - Labels: of faces, whose regions are kept
+/// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
+///   soup: see channels.h
 /// - Topology: kept, or free; kept by default, free with pairs that are not edges
 ///
 /// Named parameters:
@@ -53,8 +55,8 @@ inline namespace QUADRILLE_THREADING {
 /// - vertex_is_constrained_map: such a vertex stays where it is
 /// - edge_is_crease_map: creases, see Quadric
 /// - face_patch_map: the same as Labels
-/// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: see
-///   AttributeQuadric
+/// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: the same as
+///   Colors, Texture, Normals and Attributes, or what the cost reads: see AttributeQuadric
 /// - vertex_quadric_map: written, the quadrics of the vertices that are left
 /// - vertex_image_map: written, what became of each vertex
 /// - duplicate_output_iterator: gets the vertices that a non-manifold result is written with
