@@ -99,6 +99,10 @@ public:
       const double off = values[c] - wedge.maps[c].value;
       cost += wedge.weight * squared_weights_[c] * off * off;
     }
+    if (is_border(wedge) && wedge.maps.size() == 2) {
+      const double u = values[0] - wedge.maps[0].value, v = values[1] - wedge.maps[1].value;
+      cost += wedge.border[0] * u * u + 2 * wedge.border[1] * u * v + wedge.border[2] * v * v;
+    }
     form += QuadricForm<3>({}, {}, cost);
   }
 
