@@ -385,6 +385,52 @@ TEST_CASE("A channel of one value changes nothing") {
   }
 }
 
+TEST_CASE("A component that is the same at all corners keeps its bits") {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Textured surface = random_corners(random_closed(seed), seed);
+    for (auto& triangle : surface.texture)
+      for (TexturePlace& place : triangle)
+        place[1] = 0.3;
+    const Textured result = with_texture(surface, part_of(surface, 0.3)).surface;
+    CHECK(is_finite(result));
+    for (const auto& triangle : result.texture)
+      for (const TexturePlace& place : triangle)
+        CHECK(place[1] == 0.3);
+  }
+}
+
+TEST_CASE("Values may be of floats, and triples of integers with a sign") {
+  const Textured surface = textured_cylinder(24, 10);
+  PointSoup soup(surface.soup);
+  const IndexedCorners<2> corners = indexed(surface.texture);
+  std::vector<std::array<float, 2>> values;
+  std::vector<std::array<int, 3>> triples;
+  for (const TexturePlace& place : corners.values)
+    values.push_back({static_cast<float>(place[0]), static_cast<float>(place[1])});
+  for (const auto& [a, b, c] : corners.triples)
+    triples.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+
+  triples[5][1] = -1;
+  CHECK_THROWS_AS(simplify(soup.points, soup.triangles, FaceCount{100}, Texture{values, triples}),
+                  std::invalid_argument);
+  CHECK((snapshot(soup) == snapshot(PointSoup(surface.soup))));
+  triples[5][1] = static_cast<int>(corners.triples[5][1]);
+
+  const Report report =
+      simplify(soup.points, soup.triangles, FaceCount{100}, Texture{values, triples});
+  CHECK(is_target_reached(report.stop));
+  Textured result{to_soup(soup), {}, std::vector<int>(soup.triangles.size(), 0)};
+  for (const auto& triple : triples) {
+    auto& places = result.texture.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& [u, v] = values.at(static_cast<std::size_t>(triple[i]));
+      places[i] = {{double(u), double(v)}};
+    }
+  }
+  const bool is_same = pattern_of(result) == pattern_of(surface);
+  CHECK(is_same);
+}
+
 // --- Seams that are priced or free ---------------------------------------------------------------
 
 TEST_CASE("A surface each face of which has its normal goes where it goes without") {

@@ -330,6 +330,45 @@ TEST_CASE("Index triples, split vertices and maps over halfedges give the same, 
   }
 }
 
+TEST_CASE("Values at corners are told by what they are and not by their index") {
+  const Textured surface = textured_torus(24, 16);
+  PointSoup soup(surface.soup);
+  std::vector<TexturePlace> values; // each corner has its own
+  std::vector<Triangle> triples;
+  for (const auto& triangle : surface.texture) {
+    const auto first = static_cast<std::uint32_t>(values.size());
+    triples.push_back({first, first + 1, first + 2});
+    values.insert(values.end(), triangle.begin(), triangle.end());
+  }
+  std::vector<int> labels = surface.labels;
+  simplify(soup.points, soup.triangles, FaceCount{200}, Texture{values, triples},
+           Labels{CGAL::make_property_map(labels)});
+  labels.resize(soup.triangles.size());
+  const Textured result{to_soup(soup.points, soup.triangles), at_corners(values, triples), labels};
+  CHECK((described(result) == described(as_triples(surface, 200).surface)));
+}
+
+TEST_CASE("Duplicate and degenerate triangles go, and points of none, each with its values") {
+  const Textured surface = random_charts(random_closed(2), 1);
+  Textured spoilt = surface;
+  spoilt.soup.points.push_back({{9, 9, 9}});
+  const auto add = [&](const Triangle& corners, std::size_t like) {
+    const auto at = static_cast<std::ptrdiff_t>(spoilt.labels.size() / 2);
+    spoilt.soup.triangles.insert(spoilt.soup.triangles.begin() + at, corners);
+    spoilt.texture.insert(spoilt.texture.begin() + at, surface.texture[like]);
+    spoilt.labels.insert(spoilt.labels.begin() + at, surface.labels[like]);
+  };
+  for (std::size_t t = 0; t < surface.labels.size() / 3; t += 3) {
+    add(surface.soup.triangles[t], t);
+    add({surface.soup.triangles[t][0], surface.soup.triangles[t][1], surface.soup.triangles[t][1]},
+        t);
+  }
+  const std::size_t faces = part_of(surface, 0.5);
+  const Result result = as_triples(spoilt, faces), expected = as_triples(surface, faces);
+  CHECK((described(result.surface) == described(expected.surface)));
+  CHECK(result.surface.soup.points.size() == expected.surface.soup.points.size());
+}
+
 TEST_CASE("Split vertices of a surface that is not manifold stay split where they were") {
   for (const auto& [name, surface] : models_for_soups_only()) {
     CAPTURE(name);
