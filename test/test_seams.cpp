@@ -305,6 +305,22 @@ TEST_CASE("0 and -0 are one place") {
   CHECK(result.report.rejections == expected.report.rejections);
 }
 
+TEST_CASE("How large a label is in the texture does not matter") {
+  const Textured surface = two_materials(4, 0.2);
+  const auto scaled = [](Textured textured, double factor) {
+    for (std::size_t t = 0; t < textured.labels.size(); ++t)
+      if (textured.labels[t] == 1)
+        for (TexturePlace& place : textured.texture[t])
+          place *= factor;
+    return textured;
+  };
+  const Result expected = as_triples(surface, 300), result = as_triples(scaled(surface, 16), 300);
+  CAPTURE(expected.report, result.report);
+  CHECK(is_same_surface(result.surface.soup, expected.surface.soup, 1e-9));
+  const Textured back = scaled(result.surface, 1. / 16);
+  CHECK(texture_area(back) == Approx(texture_area(expected.surface)).epsilon(1e-9));
+}
+
 // --- Forms ---------------------------------------------------------------------------------------
 
 TEST_CASE("Index triples, split vertices and maps over halfedges give the same, bit for bit") {
