@@ -517,6 +517,29 @@ TEST_CASE("Seams of a texture may be priced or free, and then vanish") {
   CHECK(is_finite(free.surface));
 }
 
+TEST_CASE("Where seams are free, places of the texture around a vertex become one between them") {
+  const Textured cube = textured_cube(3);
+  const Textured result = with_texture(cube, cube.labels.size(), {.seams = Seams::free}).surface;
+  REQUIRE(result.soup.triangles == cube.soup.triangles);
+  std::map<std::uint32_t, std::array<TexturePlace, 2>> ranges;
+  for (std::size_t t = 0; t < cube.labels.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const TexturePlace& place = cube.texture[t][i];
+      auto& [low, high] =
+          ranges.try_emplace(cube.soup.triangles[t][i], std::array{place, place}).first->second;
+      for (const std::size_t c : {0, 1})
+        low[c] = std::min(low[c], place[c]), high[c] = std::max(high[c], place[c]);
+    }
+  for (std::size_t t = 0; t < cube.labels.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& [low, high] = ranges.at(cube.soup.triangles[t][i]);
+      for (const std::size_t c : {0, 1}) {
+        CHECK(result.texture[t][i][c] >= low[c]);
+        CHECK(result.texture[t][i][c] <= high[c]);
+      }
+    }
+}
+
 TEST_CASE("The values around a vertex where seams are free lie between those that there were") {
   const Soup soup = with_noise(sphere(2), 1, 0.01);
   Random random(1);

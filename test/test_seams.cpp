@@ -238,17 +238,13 @@ TEST_CASE("Borders of charts stay where they were") {
   CHECK(drift(sphere_of_20_charts(3), 0.2) < 0.05);
 }
 
-TEST_CASE("A seam that ends inside only gets shorter") {
+TEST_CASE("A seam that ends inside stays") {
   for (const Textured& surface : {dart(16), double_dart(16)})
     for (const double ratio : {0.4, 0.1, 0.}) {
       const auto [result, report] = as_triples(surface, part_of(surface, ratio));
       CAPTURE(ratio, report);
-      CHECK(is_finite(result));
+      check_charts(result, surface);
       CHECK(count_turned(result) == 0);
-      CHECK(faces_of_charts(result).size() == 1);
-      CHECK(is_same_topology(topology_of(result.soup), topology_of(surface.soup)));
-      CHECK(count_jumps(result.soup, result.texture, 2) <=
-            count_jumps(surface.soup, surface.texture, 2));
       if (ratio > 0) {
         CHECK(is_target_reached(report.stop));
         CHECK(texture_area(result) == Approx(texture_area(surface)).epsilon(0.02));
@@ -305,20 +301,22 @@ TEST_CASE("0 and -0 are one place") {
   CHECK(result.report.rejections == expected.report.rejections);
 }
 
-TEST_CASE("How large a label is in the texture does not matter") {
+TEST_CASE("How large a label is in the texture does not tell how many faces it gets") {
   const Textured surface = two_materials(4, 0.2);
-  const auto scaled = [](Textured textured, double factor) {
-    for (std::size_t t = 0; t < textured.labels.size(); ++t)
-      if (textured.labels[t] == 1)
-        for (TexturePlace& place : textured.texture[t])
+  const auto scaled_by = [&](double factor) {
+    Textured scaled = surface;
+    for (std::size_t t = 0; t < scaled.labels.size(); ++t)
+      if (scaled.labels[t] == 1)
+        for (TexturePlace& place : scaled.texture[t])
           place *= factor;
-    return textured;
+    return scaled;
   };
-  const Result expected = as_triples(surface, 300), result = as_triples(scaled(surface, 16), 300);
-  CAPTURE(expected.report, result.report);
-  CHECK(is_same_surface(result.surface.soup, expected.surface.soup, 1e-9));
-  const Textured back = scaled(result.surface, 1. / 16);
-  CHECK(texture_area(back) == Approx(texture_area(expected.surface)).epsilon(1e-9));
+  const auto faces_of_label = [&](double factor) {
+    const auto labels = as_triples(scaled_by(factor), 300).surface.labels;
+    return static_cast<double>(std::count(labels.begin(), labels.end(), 1));
+  };
+  CHECK(faces_of_label(16) == Approx(faces_of_label(1)).epsilon(0.1));
+  CHECK(faces_of_label(1. / 16) == Approx(faces_of_label(1)).epsilon(0.1));
 }
 
 // --- Forms ---------------------------------------------------------------------------------------
@@ -421,20 +419,17 @@ TEST_CASE("Charts of random patches, some of one place, keep their pattern") {
   }
 }
 
-TEST_CASE("Random values at corners leave labels as they are, and finite values") {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+TEST_CASE("Random values at corners, seams at one end only among them, keep their pattern too") {
+  for (std::uint64_t seed = 1; seed <= 48; ++seed) {
     const Soup soup =
         seed % 4 == 3 ? with_holes(random_closed(seed), seed, 12) : random_closed(seed);
     const Textured surface = random_corners(soup, seed);
     for (const double ratio : {0.5, 0.}) {
       const auto [result, report] = as_triples(surface, part_of(surface, ratio));
       CAPTURE(seed, ratio, report);
-      CHECK(is_finite(result));
-      const ChartPattern pattern = pattern_of_labels(result), expected = pattern_of_labels(surface);
-      INFO(expected << "\n  " << pattern);
-      const bool is_same = pattern == expected;
+      check_charts(result, surface);
+      const bool is_same = pattern_of_labels(result) == pattern_of_labels(surface);
       CHECK(is_same);
-      CHECK(is_same_topology(topology_of(result.soup), topology_of(surface.soup)));
     }
   }
 }

@@ -474,8 +474,9 @@ inline Textured random_charts(const Soup& soup, std::uint64_t seed) {
 inline Textured random_corners(const Soup& soup, std::uint64_t seed) {
   Random random(seed);
   Textured surface = textured(soup, [&](std::size_t, std::uint32_t v) {
-    const double shift = random.below(3) == 0 ? 1 : 0;
-    return TexturePlace{{soup.points[v][0] + shift, double(random.below(4)) / 4}};
+    const double shift = random.below(6) == 0 ? 1 : 0;
+    return TexturePlace{
+        {soup.points[v][0] + shift, soup.points[v][1] + 2 * (random.below(6) == 0)}};
   });
   const auto patches = random_patches(soup, seed + 1, 5);
   for (std::size_t t = 0; t < patches.size(); ++t)
