@@ -1,0 +1,327 @@
+#ifndef QUADRILLE_TEST_CHANNEL_REFERENCE_H
+#define QUADRILLE_TEST_CHANNEL_REFERENCE_H
+
+#include "reference.h"
+#include "soups.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// The components of an attribute.
+using Value = std::vector<double>;
+
+/// Values at the corners of each triangle.
+using CornerValues = std::vector<std::array<Value, 3>>;
+
+/// A sum of squares of affine functions of n unknowns, by its normal equations.
+class LeastSquares {
+public:
+  using Real = long double;
+  struct Term {
+    std::size_t unknown;
+    Real factor;
+  };
+
+  explicit LeastSquares(std::size_t unknowns)
+      : m_(unknowns, std::vector<Real>(unknowns + 1)), diagonal_(unknowns) {}
+
+  /// Adds weight · (Σ terms − right)².
+  void add(const std::vector<Term>& terms, Real right, Real weight) {
+    for (const auto& [i, a] : terms) {
+      for (const auto& [j, b] : terms)
+        m_[i][j] += weight * a * b;
+      m_[i].back() += weight * a * right;
+      diagonal_[i] += weight * a * a;
+    }
+  }
+
+  /// Leaves the function of the first `left` unknowns that is the minimum over all others.
+  void eliminate(std::size_t left) {
+    for (std::size_t k = m_.size(); k-- > left;) {
+      if (!has_pivot(k))
+        continue;
+      for (std::size_t i = 0; i < k; ++i) {
+        const Real part = m_[i][k] / m_[k][k];
+        for (std::size_t j = 0; part != 0 && j < m_[i].size(); ++j)
+          m_[i][j] -= part * m_[k][j];
+      }
+    }
+  }
+
+  /// The other unknowns of least sum, once they are eliminated, where the first ones are `known`.
+  /// What nothing determines is 0.
+  std::vector<Real> solve(std::vector<Real> known) const {
+    for (std::size_t k = known.size(); k < m_.size(); ++k) {
+      Real right = m_[k].back();
+      for (std::size_t i = 0; i < k; ++i)
+        right -= m_[k][i] * known[i];
+      known.push_back(has_pivot(k) ? right / m_[k][k] : 0);
+    }
+    return known;
+  }
+
+  bool has_pivot(std::size_t k) const { return m_[k][k] > 1e-15L * diagonal_[k]; }
+  Real operator()(std::size_t i, std::size_t j) const { return m_[i][j]; }
+  Real right(std::size_t i) const { return m_[i].back(); }
+
+private:
+  std::vector<std::vector<Real>> m_; // the right side in the last column
+  std::vector<Real> diagonal_;       // before anything was eliminated
+};
+
+/// The reference for `simplify` with channels whose seams are priced. Each vertex remembers, beside
+/// planes in space, squares in space and the attributes of all its wedges: of a face of weight a
+/// that is a(s_j − s_j(x))² for each attribute j, where s_j(x) is the affine map that the face has.
+/// Nothing is eliminated until an edge is looked at, and then by Gauss.
+///
+/// Source: Hoppe, New Quadric Metric for Simplifying Meshes with Appearance Attributes, 1999.
+class ChannelReference : public Reference {
+public:
+  struct Channel {
+    CornerValues values;
+    Value weights; ///< the length that a step of 1 in each component counts as
+  };
+
+  ChannelReference(const Soup& soup, const std::vector<Channel>& channels,
+                   double boundary_weight = 100)
+      : Reference(soup, boundary_weight) {
+    for (const Channel& channel : channels) {
+      corners_.emplace_back();
+      find_wedges(channel);
+      for (const auto& [f, t] : faces())
+        remember_face(f, channel);
+    }
+  }
+
+  /// Of a channel at a corner of a face.
+  const Value& value(std::size_t channel, Vertex face, std::size_t corner) const {
+    return wedges_[corners_[channel].at(face)[corner]].value;
+  }
+
+protected:
+  Real cost(const Edge& edge, const Position& x) const override {
+    const std::vector<Group> groups = joined_wedges(edge);
+    const std::vector<Value> values = best_values(groups, x);
+    Real sum = Reference::cost(edge, x);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (std::size_t w : groups[g])
+        for (const Square& square : wedges_[w].squares) {
+          const Real off = square.off(values[g], x);
+          sum += square.weight * off * off;
+        }
+    return sum;
+  }
+
+  System system(const Edge& edge, const Position& origin) const override {
+    LeastSquares all = least_squares(joined_wedges(edge), origin);
+    all.eliminate(3);
+    System sum = Reference::system(edge, origin);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j)
+        sum[i][j] += all(i, j);
+      sum[i][3] += all.right(i);
+    }
+    return sum;
+  }
+
+  void remember(const Contraction& contraction) override {
+    const auto [low, high] = std::minmax(contraction.kept, contraction.gone);
+    const std::vector<Group> groups = joined_wedges({low, high});
+    const std::vector<Value> values = best_values(groups, contraction.target);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      Wedge& first = wedges_[groups[g].front()];
+      first.vertex = contraction.kept;
+      first.value = values[g];
+      for (std::size_t w : groups[g])
+        if (w != groups[g].front())
+          join(groups[g].front(), w);
+    }
+  }
+
+private:
+  // weight · (direction · (s − s(x)))², of the attributes s of a wedge, and the map s(x) = at_point
+  // + gradients · (x − point).
+  struct Square {
+    double weight;
+    Value direction;
+    Position point;
+    Value at_point;
+    std::vector<Position> gradients;
+
+    Real off(const Value& s, const Position& x) const {
+      Real sum = 0;
+      for (std::size_t c = 0; c < direction.size(); ++c) {
+        Real map = at_point[c];
+        for (std::size_t i = 0; i < 3; ++i)
+          map += Real(gradients[c][i]) * (Real(x[i]) - point[i]);
+        sum += direction[c] * (s[c] - map);
+      }
+      return sum;
+    }
+  };
+  struct Wedge {
+    std::size_t channel;
+    Vertex vertex;
+    Value value;
+    std::vector<Square> squares;
+  };
+  using Group = std::vector<std::size_t>; // wedges that become one
+  static constexpr Vertex none = ~Vertex{0};
+
+  // --- What there is at the beginning ------------------------------------------------------------
+
+  // Corners of one value around a vertex, one beside the other.
+  void find_wedges(const Channel& channel) {
+    for (const auto& [f, t] : faces())
+      corners_.back()[f] = {no_wedge, no_wedge, no_wedge};
+    for (const auto& [f, t] : faces())
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (corners_.back()[f][i] != no_wedge)
+          continue;
+        wedges_.push_back({corners_.size() - 1, t[i], channel.values[f][i], {}});
+        spread(channel, f, i);
+      }
+  }
+  void spread(const Channel& channel, Vertex f, std::size_t i) {
+    corners_.back()[f][i] = wedges_.size() - 1;
+    const Vertex v = faces().at(f)[i];
+    for (const auto& [g, t] : faces())
+      for (std::size_t j = 0; j < 3; ++j)
+        if (t[j] == v && corners_.back()[g][j] == no_wedge && have_common_edge(f, g) &&
+            channel.values[g][j] == channel.values[f][i])
+          spread(channel, g, j);
+  }
+  bool have_common_edge(Vertex f, Vertex g) const {
+    const Triangle& t = faces().at(f);
+    return std::count_if(t.begin(), t.end(), [&](Vertex v) { return has(*faces().find(g), v); }) ==
+           2;
+  }
+
+  // The weight is less where attributes are steep: a / (1 + Σ (ω_j |g_j|)² / m).
+  void remember_face(Vertex f, const Channel& channel) {
+    const auto& [p, q, r] = faces().at(f);
+    const Position u = position(q) - position(p), v = position(r) - position(p);
+    const Position normal = cross(u, v);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return;
+    const auto& [at_p, at_q, at_r] = channel.values[f];
+    const std::size_t m = channel.weights.size();
+    std::vector<Position> gradients;
+    double steepness = 0;
+    for (std::size_t c = 0; c < m; ++c) {
+      gradients.push_back(
+          1 / squared *
+          ((at_q[c] - at_p[c]) * cross(v, normal) + (at_r[c] - at_p[c]) * cross(normal, u)));
+      steepness += squared_length(channel.weights[c] * gradients[c]);
+    }
+    const double weight = std::sqrt(squared) / 2 / (1 + steepness / double(m));
+    for (std::size_t w : corners_.back().at(f))
+      for (std::size_t c = 0; c < m; ++c) {
+        Value direction(m);
+        direction[c] = channel.weights[c];
+        wedges_[w].squares.push_back({weight, direction, position(p), at_p, gradients});
+      }
+  }
+
+  // --- The wedges of an edge ---------------------------------------------------------------------
+
+  // All wedges of both ends; those of a face of both become one.
+  std::vector<Group> joined_wedges(const Edge& edge) const {
+    std::vector<std::size_t> name(wedges_.size());
+    std::iota(name.begin(), name.end(), std::size_t{0});
+    for (const auto& face : faces())
+      if (has(face, edge[0]) && has(face, edge[1]))
+        for (const auto& corners : corners_) {
+          const std::size_t w = name[wedge_at(corners, face.first, edge[0])];
+          const std::size_t x = name[wedge_at(corners, face.first, edge[1])];
+          std::replace(name.begin(), name.end(), std::max(w, x), std::min(w, x));
+        }
+    std::map<std::size_t, Group> groups;
+    for (std::size_t w = 0; w < wedges_.size(); ++w)
+      if (wedges_[w].vertex == edge[0] || wedges_[w].vertex == edge[1])
+        groups[name[w]].push_back(w);
+    std::vector<Group> result;
+    for (const auto& [first, group] : groups)
+      result.push_back(group);
+    return result;
+  }
+  std::size_t wedge_at(const auto& corners, Vertex f, Vertex v) const {
+    const Triangle& t = faces().at(f);
+    return corners.at(f)[static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin())];
+  }
+
+  // Of the displacement from the origin, and the attributes of all groups.
+  LeastSquares least_squares(const std::vector<Group>& groups, const Position& origin) const {
+    LeastSquares all(first_unknown(groups, groups.size()));
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::size_t first = first_unknown(groups, g);
+      for (std::size_t w : groups[g])
+        for (const Square& square : wedges_[w].squares)
+          add(square, first, origin, all);
+    }
+    return all;
+  }
+  static void add(const Square& square, std::size_t first, const Position& origin,
+                  LeastSquares& all) {
+    std::vector<LeastSquares::Term> terms;
+    for (std::size_t i = 0; i < 3; ++i) {
+      Real slope = 0;
+      for (std::size_t c = 0; c < square.direction.size(); ++c)
+        slope += Real(square.direction[c]) * square.gradients[c][i];
+      terms.push_back({i, -slope});
+    }
+    for (std::size_t c = 0; c < square.direction.size(); ++c)
+      terms.push_back({first + c, square.direction[c]});
+    const Value zero(square.direction.size());
+    all.add(terms, -square.off(zero, origin), square.weight);
+  }
+  std::size_t first_unknown(const std::vector<Group>& groups, std::size_t end) const {
+    std::size_t first = 3;
+    for (std::size_t g = 0; g < end; ++g)
+      first += wedges_[groups[g].front()].value.size();
+    return first;
+  }
+
+  // The attributes of least cost at x. Those that no face tells stay.
+  std::vector<Value> best_values(const std::vector<Group>& groups, const Position& x) const {
+    LeastSquares all = least_squares(groups, x);
+    all.eliminate(3);
+    const std::vector<Real> solution = all.solve({0, 0, 0});
+    std::vector<Value> values;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      values.push_back(wedges_[groups[g].front()].value);
+      const std::size_t first = first_unknown(groups, g);
+      for (std::size_t c = 0; c < values[g].size(); ++c)
+        if (all.has_pivot(first + c))
+          values[g][c] = static_cast<double>(solution[first + c]);
+    }
+    return values;
+  }
+
+  void join(std::size_t first, std::size_t second) {
+    Wedge& gone = wedges_[second];
+    auto& squares = wedges_[first].squares;
+    squares.insert(squares.end(), gone.squares.begin(), gone.squares.end());
+    gone.vertex = none;
+    for (auto& [f, corners] : corners_[gone.channel])
+      std::replace(corners.begin(), corners.end(), second, first);
+  }
+
+  static constexpr std::size_t no_wedge = ~std::size_t{0};
+
+  std::vector<Wedge> wedges_;                                         // of all channels
+  std::vector<std::map<Vertex, std::array<std::size_t, 3>>> corners_; // of each channel
+};
+
+} // namespace test
+
+#endif // QUADRILLE_TEST_CHANNEL_REFERENCE_H
