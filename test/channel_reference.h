@@ -77,10 +77,14 @@ private:
   std::vector<Real> diagonal_;       // before anything was eliminated
 };
 
-/// The reference for `simplify` with channels whose seams are priced. Each vertex remembers, beside
-/// planes in space, squares in space and the attributes of all its wedges: of a face of weight a
-/// that is a(s_j − s_j(x))² for each attribute j, where s_j(x) is the affine map that the face has.
-/// Nothing is eliminated until an edge is looked at, and then by Gauss.
+/// The reference for `simplify` with channels. Each vertex remembers, beside planes in space,
+/// squares in space and the attributes of all its wedges: of a face of weight a that is a(s_j −
+/// s_j(x))² for each attribute j, where s_j(x) is the affine map that the face has. Nothing is
+/// eliminated until an edge is looked at, and then by Gauss.
+///
+/// Kept seams are a graph, whose link condition holds: Vivodtzev et al. 2005. A vertex at a corner
+/// of it stays, and so do the values that it has. The edges of charts leave a square more, of the
+/// distance to them in the texture.
 ///
 /// Source: Hoppe, New Quadric Metric for Simplifying Meshes with Appearance Attributes, 1999.
 class ChannelReference : public Reference {
@@ -88,6 +92,8 @@ public:
   struct Channel {
     CornerValues values;
     Value weights; ///< the length that a step of 1 in each component counts as
+    bool is_kept_texture = false;
+    double border_weight = 10; ///< of the edges of charts
   };
 
   ChannelReference(const Soup& soup, const std::vector<Channel>& channels,
@@ -96,9 +102,18 @@ public:
     for (const Channel& channel : channels) {
       corners_.emplace_back();
       find_wedges(channel);
+      are_kept_.push_back(channel.is_kept_texture);
       for (const auto& [f, t] : faces())
         remember_face(f, channel);
     }
+    find_graph(soup.points.size());
+    for (const auto& [edge, count] : edges())
+      if (count == 2 && is_in_graph(edge)) {
+        remember_line(edge, 1);
+        for (std::size_t c = 0; c < channels.size(); ++c)
+          if (is_seam(c, edge))
+            remember_chart_edge(edge, c, channels[c]);
+      }
   }
 
   /// Of a channel at a corner of a face.
@@ -136,6 +151,9 @@ protected:
     const auto [low, high] = std::minmax(contraction.kept, contraction.gone);
     const std::vector<Group> groups = joined_wedges({low, high});
     const std::vector<Value> values = best_values(groups, contraction.target);
+    std::size_t& degree = graph_degree_[contraction.kept]; // a corner stays one, a line a line
+    const std::size_t other = graph_degree_[contraction.gone];
+    degree = is_fixed(contraction.gone) || degree == 0 ? other : degree;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       Wedge& first = wedges_[groups[g].front()];
       first.vertex = contraction.kept;
@@ -144,6 +162,35 @@ protected:
         if (w != groups[g].front())
           join(groups[g].front(), w);
     }
+  }
+
+  bool is_fixed(Vertex v) const override { return graph_degree_[v] != 0 && graph_degree_[v] != 2; }
+
+  bool changes_seams(const Edge& edge) const override {
+    const auto [a, b] = edge;
+    if (graph_degree_[a] == 0 || graph_degree_[b] == 0)
+      return false;
+    return !is_in_graph(edge) || (is_fixed(a) && is_fixed(b)) || has_common_neighbour(a, b);
+  }
+
+  bool turns_texture_over(const Edge& edge, const Position& x) const override {
+    const std::vector<Group> groups = joined_wedges(edge);
+    const std::vector<Value> values = best_values(groups, x);
+    const auto after = [&](std::size_t w) {
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        if (std::count(groups[g].begin(), groups[g].end(), w) > 0)
+          return values[g];
+      return wedges_[w].value;
+    };
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      for (const auto& face : faces())
+        if (are_kept_[c] && has(face, edge[0]) != has(face, edge[1])) {
+          const double old_area =
+              texture_area(c, face.first, [&](std::size_t w) { return wedges_[w].value; });
+          if (old_area * texture_area(c, face.first, after) <= 0 && old_area != 0)
+            return true;
+        }
+    return false;
   }
 
 private:
@@ -232,6 +279,104 @@ private:
       }
   }
 
+  // Its two sides hold the values that they have there, off the edge.
+  void remember_chart_edge(const Edge& edge, std::size_t c, const Channel& channel) {
+    for (const auto& face : faces()) {
+      if (!has(face, edge[0]) || !has(face, edge[1]))
+        continue;
+      const Wedge& p = wedges_[wedge_at(corners_[c], face.first, edge[0])];
+      const Wedge& q = wedges_[wedge_at(corners_[c], face.first, edge[1])];
+      const double u = q.value[0] - p.value[0], v = q.value[1] - p.value[1];
+      const double length = std::hypot(u, v);
+      if (!(length > 0))
+        continue;
+      const double weight = channel.border_weight *
+                            squared_distance(position(edge[0]), position(edge[1])) *
+                            channel.weights[0] * channel.weights[0];
+      for (Vertex end : edge) {
+        Wedge& wedge = wedges_[wedge_at(corners_[c], face.first, end)];
+        wedge.squares.push_back({weight,
+                                 {-v / length, u / length},
+                                 position(end),
+                                 wedge.value,
+                                 std::vector<Position>(2)});
+      }
+    }
+  }
+
+  // --- The graph of seams that are kept ----------------------------------------------------------
+
+  // Of a surface whose textures have neither a seam nor a fold it is empty.
+  void find_graph(std::size_t vertices) {
+    graph_degree_.assign(vertices, 0);
+    const auto all = edges();
+    const bool has_wedges = std::any_of(wedges_.begin(), wedges_.end(), [&](const Wedge& w) {
+      return are_kept_[w.channel] &&
+             std::count_if(wedges_.begin(), wedges_.end(), [&](const Wedge& other) {
+               return other.channel == w.channel && other.vertex == w.vertex;
+             }) > 1;
+    });
+    const bool has_folds = std::any_of(all.begin(), all.end(), [&](const auto& edge) {
+      return edge.second == 2 && is_in_graph(edge.first);
+    });
+    if (!has_wedges && !has_folds)
+      return;
+    for (const auto& [edge, count] : all)
+      for (Vertex v : edge)
+        graph_degree_[v] += is_in_graph(edge);
+  }
+
+  std::vector<Vertex> faces_of(const Edge& edge) const {
+    std::vector<Vertex> result;
+    for (const auto& face : faces())
+      if (has(face, edge[0]) && has(face, edge[1]))
+        result.push_back(face.first);
+    return result;
+  }
+
+  // Is a channel discontinuous at both ends of an edge of two faces?
+  bool is_seam(std::size_t c, const Edge& edge) const {
+    const std::vector<Vertex> sides = faces_of(edge);
+    return are_kept_[c] && sides.size() == 2 &&
+           std::all_of(edge.begin(), edge.end(), [&](Vertex v) {
+             return wedge_at(corners_[c], sides[0], v) != wedge_at(corners_[c], sides[1], v);
+           });
+  }
+
+  // Is a texture turned over along it?
+  bool is_fold(std::size_t c, const Edge& edge) const {
+    const std::vector<Vertex> sides = faces_of(edge);
+    const auto area = [&](Vertex f) {
+      return texture_area(c, f, [&](std::size_t w) { return wedges_[w].value; });
+    };
+    return are_kept_[c] && sides.size() == 2 && area(sides[0]) * area(sides[1]) < 0;
+  }
+
+  bool is_in_graph(const Edge& edge) const {
+    if (faces_of(edge).size() != 2)
+      return true;
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      if (is_seam(c, edge) || is_fold(c, edge))
+        return true;
+    return false;
+  }
+
+  bool has_common_neighbour(Vertex a, Vertex b) const {
+    std::map<Vertex, int> joined;
+    for (const auto& [edge, count] : edges())
+      for (std::size_t i = 0; i < 2; ++i)
+        if ((edge[i] == a || edge[i] == b) && is_in_graph(edge))
+          ++joined[edge[1 - i]];
+    return std::any_of(joined.begin(), joined.end(), [](const auto& v) { return v.second > 1; });
+  }
+
+  // Twice the area of a face in a texture: value(wedge) at its corners.
+  double texture_area(std::size_t c, Vertex f, const auto& value) const {
+    const auto& [i, j, k] = corners_[c].at(f);
+    const Value p = value(i), q = value(j), r = value(k);
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  }
+
   // --- The wedges of an edge ---------------------------------------------------------------------
 
   // All wedges of both ends; those of a face of both become one.
@@ -291,14 +436,19 @@ private:
     return first;
   }
 
-  // The attributes of least cost at x. Those that no face tells stay.
+  // The attributes of least cost at x. Those that no face tells stay, and those of a vertex that is
+  // fixed.
   std::vector<Value> best_values(const std::vector<Group>& groups, const Position& x) const {
     LeastSquares all = least_squares(groups, x);
     all.eliminate(3);
     const std::vector<Real> solution = all.solve({0, 0, 0});
     std::vector<Value> values;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      values.push_back(wedges_[groups[g].front()].value);
+      const auto held = std::find_if(groups[g].begin(), groups[g].end(),
+                                     [&](std::size_t w) { return is_fixed(wedges_[w].vertex); });
+      values.push_back(wedges_[held == groups[g].end() ? groups[g].front() : *held].value);
+      if (held != groups[g].end())
+        continue;
       const std::size_t first = first_unknown(groups, g);
       for (std::size_t c = 0; c < values[g].size(); ++c)
         if (all.has_pivot(first + c))
@@ -318,7 +468,9 @@ private:
 
   static constexpr std::size_t no_wedge = ~std::size_t{0};
 
-  std::vector<Wedge> wedges_;                                         // of all channels
+  std::vector<Wedge> wedges_;             // of all channels
+  std::vector<bool> are_kept_;            // the seams of each channel
+  std::vector<std::size_t> graph_degree_; // of each vertex at the beginning: edges of the graph
   std::vector<std::map<Vertex, std::array<std::size_t, 3>>> corners_; // of each channel
 };
 

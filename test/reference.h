@@ -45,7 +45,7 @@ public:
       remember_face(face);
     for (const auto& [edge, count] : edges())
       if (count == 1)
-        remember_boundary(edge, boundary_weight);
+        remember_line(edge, boundary_weight);
     for (Vertex v = 0; v < position_.size(); ++v)
       reach_[v] = distance_to_farthest_neighbour(v);
   }
@@ -55,15 +55,17 @@ public:
   std::optional<Contraction> contract_next() {
     while (const std::optional<Candidate> next = cheapest()) {
       const auto [a, b] = next->edge;
-      if (!is_link_condition_met(a, b)) {
-        ++topology_rejections;
-        refused_.insert(next->edge);
-      } else if (const std::optional<Position> target = good_target(*next)) {
+      std::size_t* cause = nullptr;
+      if (changes_seams(next->edge))
+        cause = &seam_rejections;
+      else if (!is_link_condition_met(a, b))
+        cause = &topology_rejections;
+      else if (const std::optional<Position> target = good_target(*next))
         return contract(*next, *target);
-      } else {
-        ++flip_rejections;
-        refused_.insert(next->edge);
-      }
+      else
+        cause = turns_faces(next->edge, next->target) ? &flip_rejections : &texture_rejections;
+      ++*cause;
+      refused_.insert(next->edge);
     }
     return std::nullopt;
   }
@@ -78,6 +80,7 @@ public:
 
   double error = 0; ///< as Report::error
   std::size_t topology_rejections = 0, flip_rejections = 0;
+  std::size_t seam_rejections = 0, texture_rejections = 0; ///< of a class that is derived
 
 protected:
   using Real = long double;
@@ -127,8 +130,43 @@ protected:
   /// Takes note of a contraction, before faces change.
   virtual void remember(const Contraction&) {}
 
+  /// Does a vertex stay where it is?
+  virtual bool is_fixed(Vertex) const { return false; }
+  /// Must an edge not be contracted since that would change a graph in the surface?
+  virtual bool changes_seams(const Edge&) const { return false; }
+  /// Must it not go to x for the sake of a texture?
+  virtual bool turns_texture_over(const Edge&, const Position&) const { return false; }
+
+  /// The ends of an edge remember its line, for each of its faces.
+  void remember_line(const Edge& edge, double weight_of_line) {
+    for (const auto& [f, t] : faces_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (std::min(t[i], t[(i + 1) % 3]) != edge[0] || std::max(t[i], t[(i + 1) % 3]) != edge[1])
+          continue;
+        const Position along = position_[t[(i + 1) % 3]] - position_[t[i]];
+        const Position normal = cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]);
+        const Position within = cross(along, normal);
+        if (!(squared_length(normal) > 0))
+          continue;
+        const double weight = weight_of_line * squared_length(along);
+        for (Vertex v : edge) {
+          memory_[v].push_back({position_[t[i]], unit(within), weight});
+          memory_[v].push_back({position_[t[i]], unit(normal), weight / 4});
+        }
+      }
+  }
+
   static bool has(const std::pair<const Vertex, Triangle>& face, Vertex v) {
     return std::find(face.second.begin(), face.second.end(), v) != face.second.end();
+  }
+
+  /// Every edge, with the number of its faces.
+  std::map<Edge, int> edges() const {
+    std::map<Edge, int> result;
+    for (const auto& [f, t] : faces_)
+      for (std::size_t i = 0; i < 3; ++i)
+        ++result[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+    return result;
   }
 
 private:
@@ -150,15 +188,6 @@ private:
     }
   };
 
-  // Every edge, with the number of its faces.
-  std::map<Edge, int> edges() const {
-    std::map<Edge, int> result;
-    for (const auto& [f, t] : faces_)
-      for (std::size_t i = 0; i < 3; ++i)
-        ++result[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
-    return result;
-  }
-
   std::set<Vertex> neighbours(Vertex v) const {
     std::set<Vertex> result;
     for (const auto& face : faces_)
@@ -178,24 +207,6 @@ private:
       return;
     for (Vertex v : face)
       memory_[v].push_back({position_[p], 0.5 / area * twice, area});
-  }
-
-  void remember_boundary(const Edge& edge, double boundary_weight) {
-    for (const auto& [f, t] : faces_)
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (std::min(t[i], t[(i + 1) % 3]) != edge[0] || std::max(t[i], t[(i + 1) % 3]) != edge[1])
-          continue;
-        const Position along = position_[t[(i + 1) % 3]] - position_[t[i]];
-        const Position normal = cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]);
-        const Position within = cross(along, normal);
-        if (!(squared_length(normal) > 0))
-          continue;
-        const double weight = boundary_weight * squared_length(along);
-        for (Vertex v : edge) {
-          memory_[v].push_back({position_[t[i]], unit(within), weight});
-          memory_[v].push_back({position_[t[i]], unit(normal), weight / 4});
-        }
-      }
   }
 
   static Position unit(const Position& v) { return 1 / std::sqrt(squared_length(v)) * v; }
@@ -234,6 +245,9 @@ private:
 
   Position best_position(const Edge& edge) const {
     const Position &p = position_[edge[0]], &q = position_[edge[1]];
+    for (Vertex v : edge)
+      if (is_fixed(v))
+        return position_[v];
     std::optional<Position> x = minimizer(edge, p, 0, 1e-4L);
     if (!x) { // planes leave it free, or nearly so
       x = minimizer(edge, 0.5 * (p + q), 1e-9L, 0);
@@ -339,10 +353,16 @@ private:
     const Real most = candidate.cost + 1e-3L * tie_break(candidate.edge, candidate.target);
     const Position middle = 0.5 * (position_[a] + position_[b]);
     for (const Position& x : {candidate.target, position_[a], position_[b], middle})
-      if ((x == candidate.target || cost(candidate.edge, x) <= most) &&
-          !turns_a_face_over(a, b, x) && !makes_needle(a, b, x) && !makes_fold(a, b, x))
+      if ((x == candidate.target ||
+           (!is_fixed(a) && !is_fixed(b) && cost(candidate.edge, x) <= most)) &&
+          !turns_faces(candidate.edge, x) && !turns_texture_over(candidate.edge, x))
         return x;
     return std::nullopt;
+  }
+
+  bool turns_faces(const Edge& edge, const Position& x) const {
+    const auto [a, b] = edge;
+    return turns_a_face_over(a, b, x) || makes_needle(a, b, x) || makes_fold(a, b, x);
   }
 
   bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
