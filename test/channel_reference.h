@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -381,23 +380,29 @@ private:
 
   // All wedges of both ends; those of a face of both become one.
   std::vector<Group> joined_wedges(const Edge& edge) const {
-    std::vector<std::size_t> name(wedges_.size());
-    std::iota(name.begin(), name.end(), std::size_t{0});
-    for (const auto& face : faces())
-      if (has(face, edge[0]) && has(face, edge[1]))
-        for (const auto& corners : corners_) {
-          const std::size_t w = name[wedge_at(corners, face.first, edge[0])];
-          const std::size_t x = name[wedge_at(corners, face.first, edge[1])];
-          std::replace(name.begin(), name.end(), std::max(w, x), std::min(w, x));
-        }
-    std::map<std::size_t, Group> groups;
+    std::vector<Group> groups;
     for (std::size_t w = 0; w < wedges_.size(); ++w)
       if (wedges_[w].vertex == edge[0] || wedges_[w].vertex == edge[1])
-        groups[name[w]].push_back(w);
-    std::vector<Group> result;
-    for (const auto& [first, group] : groups)
-      result.push_back(group);
-    return result;
+        groups.push_back({w});
+    for (const auto& face : faces())
+      if (has(face, edge[0]) && has(face, edge[1]))
+        for (const auto& corners : corners_)
+          merge(wedge_at(corners, face.first, edge[0]), wedge_at(corners, face.first, edge[1]),
+                groups);
+    return groups;
+  }
+  static void merge(std::size_t w, std::size_t x, std::vector<Group>& groups) {
+    const auto group_of = [&](std::size_t wedge) {
+      return std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+        return std::count(group.begin(), group.end(), wedge) > 0;
+      });
+    };
+    const auto first = std::min(group_of(w), group_of(x)),
+               second = std::max(group_of(w), group_of(x));
+    if (first == second)
+      return;
+    first->insert(first->end(), second->begin(), second->end());
+    groups.erase(second);
   }
   std::size_t wedge_at(const auto& corners, Vertex f, Vertex v) const {
     const Triangle& t = faces().at(f);
