@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -106,13 +107,15 @@ public:
         remember_face(f, channel);
     }
     find_graph(soup.points.size());
-    for (const auto& [edge, count] : edges())
-      if (count == 2 && is_in_graph(edge)) {
+    for (const auto& [edge, count] : edges()) {
+      if (graph_degree_[edge[0]] == 0 || !is_in_graph(edge))
+        continue;
+      if (count == 2)
         remember_line(edge, 1);
-        for (std::size_t c = 0; c < channels.size(); ++c)
-          if (is_seam(c, edge))
-            remember_chart_edge(edge, c, channels[c]);
-      }
+      for (std::size_t c = 0; c < channels.size(); ++c)
+        if (are_kept_[c])
+          remember_chart_edge(edge, c, channels[c]);
+    }
   }
 
   /// Of a channel at a corner of a face.
@@ -167,9 +170,13 @@ protected:
 
   bool changes_seams(const Edge& edge) const override {
     const auto [a, b] = edge;
-    if (graph_degree_[a] == 0 || graph_degree_[b] == 0)
-      return false;
-    return !is_in_graph(edge) || (is_fixed(a) && is_fixed(b)) || has_common_neighbour(a, b);
+    if (graph_degree_[a] != 0 && graph_degree_[b] != 0 &&
+        (!is_in_graph(edge) || (is_fixed(a) && is_fixed(b)) || has_common_neighbour(a, b)))
+      return true;
+    for (std::size_t c = 0; c < corners_.size(); ++c)
+      if (has_graph_ && are_kept_[c] && !are_seams_kept(c, edge))
+        return true;
+    return false;
   }
 
   bool turns_texture_over(const Edge& edge, const Position& x) const override {
@@ -305,24 +312,16 @@ private:
 
   // --- The graph of seams that are kept ----------------------------------------------------------
 
-  // Of a surface whose textures have neither a seam nor a fold it is empty.
+  // Of a surface that has neither a seam nor a fold it is empty.
   void find_graph(std::size_t vertices) {
     graph_degree_.assign(vertices, 0);
     const auto all = edges();
-    const bool has_wedges = std::any_of(wedges_.begin(), wedges_.end(), [&](const Wedge& w) {
-      return are_kept_[w.channel] &&
-             std::count_if(wedges_.begin(), wedges_.end(), [&](const Wedge& other) {
-               return other.channel == w.channel && other.vertex == w.vertex;
-             }) > 1;
-    });
-    const bool has_folds = std::any_of(all.begin(), all.end(), [&](const auto& edge) {
+    has_graph_ = std::any_of(all.begin(), all.end(), [&](const auto& edge) {
       return edge.second == 2 && is_in_graph(edge.first);
     });
-    if (!has_wedges && !has_folds)
-      return;
     for (const auto& [edge, count] : all)
       for (Vertex v : edge)
-        graph_degree_[v] += is_in_graph(edge);
+        graph_degree_[v] += has_graph_ && is_in_graph(edge);
   }
 
   std::vector<Vertex> faces_of(const Edge& edge) const {
@@ -360,6 +359,44 @@ private:
     return false;
   }
 
+  // Are the seams of a channel, once an edge is contracted, those that there were?
+  bool are_seams_kept(std::size_t c, const Edge& contracted) const {
+    const auto [kept, gone] = contracted;
+    const auto moved = [&, kept = kept, gone = gone](const Edge& edge) {
+      const Vertex v = edge[0] == gone ? kept : edge[0], w = edge[1] == gone ? kept : edge[1];
+      return Edge{std::min(v, w), std::max(v, w)};
+    };
+    const std::vector<Group> groups = joined_wedges(contracted);
+    const auto joined = [&](std::size_t w) {
+      for (const Group& group : groups)
+        if (std::count(group.begin(), group.end(), w) > 0)
+          return group.front();
+      return w;
+    };
+    using Side = std::map<Vertex, std::size_t>; // the wedges of a face at an edge
+    std::map<Edge, std::vector<Side>> sides;
+    std::set<Edge> before, after;
+    for (const auto& [edge, count] : edges()) {
+      if (edge == contracted)
+        continue;
+      if (is_seam(c, edge))
+        before.insert(moved(edge));
+      for (Vertex f : faces_of(edge)) {
+        if (has(*faces().find(f), kept) && has(*faces().find(f), gone))
+          continue;
+        Side side;
+        for (Vertex v : edge)
+          side[v == gone ? kept : v] = joined(wedge_at(corners_[c], f, v));
+        sides[moved(edge)].push_back(side);
+      }
+    }
+    for (const auto& [edge, both] : sides)
+      if (both.size() == 2 && both[0].at(edge[0]) != both[1].at(edge[0]) &&
+          both[0].at(edge[1]) != both[1].at(edge[1]))
+        after.insert(edge);
+    return before == after;
+  }
+
   bool has_common_neighbour(Vertex a, Vertex b) const {
     std::map<Vertex, int> joined;
     for (const auto& [edge, count] : edges())
@@ -378,17 +415,17 @@ private:
 
   // --- The wedges of an edge ---------------------------------------------------------------------
 
-  // All wedges of both ends; those of a face of both become one.
+  // All wedges of both ends; those of a face of both become one. Of a vertex that is fixed, the one
+  // that the first face has comes first.
   std::vector<Group> joined_wedges(const Edge& edge) const {
     std::vector<Group> groups;
     for (std::size_t w = 0; w < wedges_.size(); ++w)
       if (wedges_[w].vertex == edge[0] || wedges_[w].vertex == edge[1])
         groups.push_back({w});
-    for (const auto& face : faces())
-      if (has(face, edge[0]) && has(face, edge[1]))
-        for (const auto& corners : corners_)
-          merge(wedge_at(corners, face.first, edge[0]), wedge_at(corners, face.first, edge[1]),
-                groups);
+    const Edge order = is_fixed(edge[0]) ? edge : Edge{edge[1], edge[0]};
+    for (Vertex f : faces_of(edge))
+      for (const auto& corners : corners_)
+        merge(wedge_at(corners, f, order[0]), wedge_at(corners, f, order[1]), groups);
     return groups;
   }
   static void merge(std::size_t w, std::size_t x, std::vector<Group>& groups) {
@@ -397,11 +434,11 @@ private:
         return std::count(group.begin(), group.end(), wedge) > 0;
       });
     };
-    const auto first = std::min(group_of(w), group_of(x)),
-               second = std::max(group_of(w), group_of(x));
+    const auto first = group_of(w), second = group_of(x);
     if (first == second)
       return;
-    first->insert(first->end(), second->begin(), second->end());
+    const bool is_second_older = second->size() > 1 && first->size() == 1;
+    first->insert(is_second_older ? first->begin() : first->end(), second->begin(), second->end());
     groups.erase(second);
   }
   std::size_t wedge_at(const auto& corners, Vertex f, Vertex v) const {
@@ -476,6 +513,7 @@ private:
   std::vector<Wedge> wedges_;             // of all channels
   std::vector<bool> are_kept_;            // the seams of each channel
   std::vector<std::size_t> graph_degree_; // of each vertex at the beginning: edges of the graph
+  bool has_graph_ = false;
   std::vector<std::map<Vertex, std::array<std::size_t, 3>>> corners_; // of each channel
 };
 

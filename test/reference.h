@@ -118,6 +118,15 @@ protected:
     return m;
   }
 
+  /// What the planes of an edge weigh.
+  Real plane_weight(const Edge& edge) const {
+    Real sum = 0;
+    for (Vertex v : edge)
+      for (const Plane& plane : memory_[v])
+        sum += plane.weight;
+    return sum;
+  }
+
   /// Takes note of a contraction, before faces change.
   virtual void remember(const Contraction&) {}
 
@@ -434,8 +443,7 @@ private:
     Vertex kept = candidate.edge[0], gone = candidate.edge[1]; // clang captures no bindings
     if (target == position_[gone] && target != position_[kept])
       std::swap(kept, gone);
-    error =
-        std::max(error, std::sqrt(double(candidate.cost / trace(system(candidate.edge, target)))));
+    error = std::max(error, std::sqrt(double(candidate.cost / plane_weight(candidate.edge))));
     remember({kept, gone, target});
     memory_[kept].insert(memory_[kept].end(), memory_[gone].begin(), memory_[gone].end());
     position_[kept] = target;

@@ -200,3 +200,17 @@ TEST_CASE("Surfaces full of seams are simplified as by brute force") {
   });
   require_same_channels<2>(soup, {{values, {0.1, 0.2}}});
 }
+
+TEST_CASE("Charts of a texture are simplified as by brute force") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 6));
+  const double border_weight = GENERATE(10.0, 0.0);
+  CAPTURE(seed, border_weight);
+  const Soup soup = small_surface(seed);
+  const double half = seed % 3 == 2 ? 0.5 : 0;
+  const CornerValues texture =
+      values_of(soup, [&](std::uint32_t t, std::uint32_t v, const Position& p) {
+        const double chart = middle(soup, t, 0) < half ? 0 : 3;
+        return Value{p[1] + 0.2 * p[0] + chart, p[2] + 0.1 * noise(seed, v)};
+      });
+  require_same_channels<2>(soup, {{texture, {0.5, 0.5}, true, border_weight}});
+}
