@@ -75,20 +75,20 @@ void map_large_blocks() {
     }
 }
 
-Run run_here(const Contender& contender, Mesh mesh, std::size_t faces, Purpose purpose) {
-  warm_up(contender);
+Run run_here(const Work& work, Purpose purpose) {
+  work.prepare();
   if (purpose == Purpose::memory)
     map_large_blocks();
   const PeakMemory memory;
   const auto start = Clock::now();
   const Stopwatch stopwatch;
-  Answer answer = contender.simplify(mesh, faces);
+  const std::optional<double> own_seconds = work.simplify();
   Run run;
   run.seconds = stopwatch.seconds();
-  run.own_seconds = answer.own_seconds.value_or(run.seconds);
+  run.own_seconds = own_seconds.value_or(run.seconds);
   run.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   run.peak_megabytes = memory.megabytes();
-  run.answer = answer.soup ? std::move(*answer.soup) : to_soup(mesh);
+  run.answer = work.answer();
   return run;
 }
 
@@ -104,16 +104,25 @@ void send(int pipe, const void* data, std::size_t size) {
   }
 }
 
+template <class T>
+void send(int pipe, const std::vector<T>& records) {
+  const std::size_t size = records.size();
+  send(pipe, &size, sizeof size);
+  send(pipe, records.data(), size * sizeof(T));
+}
+
 void send(int pipe, const Run& run) {
   const double figures[] = {run.seconds, run.own_seconds, run.wall_seconds, run.peak_megabytes};
-  const std::size_t sizes[] = {run.answer.points.size(), run.answer.triangles.size()};
   send(pipe, figures, sizeof figures);
-  send(pipe, sizes, sizeof sizes);
-  for (const Point& p : run.answer.points) {
-    const double coordinates[] = {p.x(), p.y(), p.z()};
-    send(pipe, coordinates, sizeof coordinates);
-  }
-  send(pipe, run.answer.triangles.data(), sizes[1] * sizeof run.answer.triangles[0]);
+  std::vector<double> coordinates;
+  for (const Point& p : run.answer.points)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  send(pipe, coordinates);
+  send(pipe, run.answer.triangles);
+  const Attributes& attributes = run.answer.attributes;
+  send(pipe, &attributes.components, sizeof attributes.components);
+  send(pipe, attributes.values);
+  send(pipe, attributes.triangles);
 }
 
 /// Reads from a pipe until a moment in time; then, and at an early end, throws.
@@ -136,6 +145,14 @@ public:
     }
   }
 
+  template <class T>
+  void operator()(std::vector<T>& records) {
+    std::size_t size = 0;
+    (*this)(&size, sizeof size);
+    records.resize(size);
+    (*this)(records.data(), size * sizeof(T));
+  }
+
 private:
   int pipe_;
   Clock::time_point end_;
@@ -143,25 +160,24 @@ private:
 
 Run receive(Receiver receiver) {
   double figures[4];
-  std::size_t sizes[2];
   receiver(figures, sizeof figures);
-  receiver(sizes, sizeof sizes);
   Run run{figures[0], figures[1], figures[2], figures[3], {}};
-  run.answer.points.reserve(sizes[0]);
-  for (std::size_t i = 0; i < sizes[0]; ++i) {
-    double p[3];
-    receiver(p, sizeof p);
-    run.answer.points.emplace_back(p[0], p[1], p[2]);
-  }
-  run.answer.triangles.resize(sizes[1]);
-  receiver(run.answer.triangles.data(), sizes[1] * sizeof run.answer.triangles[0]);
+  std::vector<double> coordinates;
+  receiver(coordinates);
+  run.answer.points.reserve(coordinates.size() / 3);
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+    run.answer.points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+  receiver(run.answer.triangles);
+  Attributes& attributes = run.answer.attributes;
+  receiver(&attributes.components, sizeof attributes.components);
+  receiver(attributes.values);
+  receiver(attributes.triangles);
   return run;
 }
 
 } // namespace
 
-std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
-                                double limit, Purpose purpose) {
+std::optional<Run> run_in_child(const Work& work, double limit, Purpose purpose) {
   int ends[2];
   if (pipe(ends) != 0)
     throw std::runtime_error("no pipe");
@@ -170,7 +186,7 @@ std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, st
     throw std::runtime_error("no child process");
   if (child == 0) {
     try {
-      send(ends[1], run_here(contender, mesh, faces, purpose));
+      send(ends[1], run_here(work, purpose));
       _exit(EXIT_SUCCESS);
     } catch (...) {
       _exit(EXIT_FAILURE);
@@ -186,6 +202,25 @@ std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, st
   close(ends[0]);
   waitpid(child, nullptr, 0);
   return run;
+}
+
+std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
+                                double limit, Purpose purpose) {
+  Mesh copy;
+  Answer answer;
+  return run_in_child(
+      {.prepare =
+           [&] {
+             copy = mesh;
+             warm_up(contender);
+           },
+       .simplify =
+           [&] {
+             answer = contender.simplify(copy, faces);
+             return answer.own_seconds;
+           },
+       .answer = [&] { return answer.soup ? std::move(*answer.soup) : to_soup(copy); }},
+      limit, purpose);
 }
 
 } // namespace bench

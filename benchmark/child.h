@@ -22,9 +22,20 @@ struct Run {
 /// that takes time.
 enum class Purpose { time, memory };
 
-/// Runs the contender in a child process, so that its memory can be measured, none of it is left
-/// for the next one, and a crash costs one row. Empty when the child crashed, ran out of memory or
-/// took longer than `limit` seconds.
+/// What is done in a run, one after the other.
+struct Work {
+  std::function<void()> prepare; ///< is not measured
+  /// Is measured. Returns processor time without conversions, where there are any.
+  std::function<std::optional<double>()> simplify;
+  std::function<Soup()> answer; ///< is not measured
+};
+
+/// Works in a child process, so that its memory can be measured, none of it is left for the next
+/// one, and a crash costs one row. Empty when the child crashed, ran out of memory or took longer
+/// than `limit` seconds.
+std::optional<Run> run_in_child(const Work& work, double limit, Purpose purpose);
+
+/// The work of a contender.
 std::optional<Run> run_in_child(const Contender& contender, const Mesh& mesh, std::size_t faces,
                                 double limit, Purpose purpose);
 

@@ -24,10 +24,22 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
+using Triangles = std::vector<std::array<std::uint32_t, 3>>; ///< by three indices each
+
+/// What corners of triangles have beside positions: colours, or texture coordinates.
+struct Attributes {
+  std::size_t components = 0; ///< of a value; 0 if there is nothing
+  std::vector<double> values; ///< the components of one value after the other
+  Triangles triangles;        ///< the values of each triangle's corners
+
+  std::size_t size() const { return components == 0 ? 0 : values.size() / components; }
+};
+
 /// Triangles of any kind, non-manifold ones included.
 struct Soup {
   std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Triangles triangles;
+  Attributes attributes = {};
 };
 
 /// What a contender tells beside the mesh that it leaves behind.

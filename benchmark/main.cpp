@@ -3,15 +3,13 @@
 // Simplifies models with every contender and writes, per model, a table and a CSV file.
 
 #include "report.h"
+#include "settings.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -19,24 +17,12 @@ namespace {
 using namespace bench;
 namespace fs = std::filesystem;
 
-struct Settings {
-  std::vector<std::string> models;
-  double ratio = 0.1;
-  std::size_t faces = 0;
-  int runs = 5;
-  double limit = 900;
-  std::vector<std::string> only;
-  std::size_t samples = 100'000;
-  fs::path out = ".";
-};
-
 std::vector<Contender> contenders(const Settings& settings) {
   std::vector<Contender> chosen;
   for (const auto& family : {our_contenders(), cgal_contenders(), meshoptimizer_contenders(),
                              openmesh_contenders(), vtk_contenders()})
     std::ranges::copy_if(family, std::back_inserter(chosen), [&](const Contender& contender) {
-      return settings.only.empty() ||
-             std::ranges::find(settings.only, contender.name) != settings.only.end();
+      return settings.takes(contender.name);
     });
   return chosen;
 }
@@ -56,12 +42,9 @@ Mesh read(const std::string& file) {
 Result compete(const std::string& model, const Mesh& mesh, const Settings& settings) {
   Result result{.model = model,
                 .input_faces = mesh.number_of_faces(),
-                .target_faces = settings.faces,
+                .target_faces = settings.target(mesh.number_of_faces()),
                 .samples = settings.samples,
                 .rows = {}};
-  if (settings.faces == 0)
-    result.target_faces = static_cast<std::size_t>(
-        std::llround(settings.ratio * static_cast<double>(result.input_faces)));
   const Soup input = to_soup(mesh);
   const std::vector<Contender> all = contenders(settings);
   for (const Contender& contender : all)
@@ -92,14 +75,6 @@ Result compete(const std::string& model, const Mesh& mesh, const Settings& setti
   return result;
 }
 
-template <class Write>
-void write_file(const fs::path& file, const Result& result, Write write) {
-  std::ofstream out(file);
-  write(result, out);
-  if (!out.flush())
-    throw std::runtime_error("cannot write " + file.string());
-}
-
 /// False when the model could not be used.
 bool benchmark(const std::string& file, const Settings& settings) {
   try {
@@ -108,8 +83,8 @@ bool benchmark(const std::string& file, const Settings& settings) {
     write_markdown(result, std::cout);
     std::cout << std::endl;
     const std::string name = model + "_" + std::to_string(result.target_faces);
-    write_file(settings.out / (name + ".csv"), result, write_csv);
-    write_file(settings.out / (name + ".md"), result, write_markdown);
+    settings.write_file(name + ".csv", [&](auto& out) { write_csv(result, out); });
+    settings.write_file(name + ".md", [&](auto& out) { write_markdown(result, out); });
     return true;
   } catch (const std::exception& error) {
     std::cerr << file << ": " << error.what() << "\n";
@@ -122,18 +97,7 @@ bool benchmark(const std::string& file, const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   CLI::App app("Simplifies models with every contender; writes a table and a CSV file per model");
-  app.add_option("models", settings.models, "Mesh files that CGAL reads")->required();
-  app.add_option("--ratio", settings.ratio, "Faces to keep, of each model")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  app.add_option("--faces", settings.faces, "Faces to keep, as a number; goes before the ratio");
-  app.add_option("--runs", settings.runs, "Runs of each contender")->capture_default_str();
-  app.add_option("--limit", settings.limit, "Seconds after which a run is given up")
-      ->capture_default_str();
-  app.add_option("--only", settings.only, "Names of the contenders that take part");
-  app.add_option("--samples", settings.samples, "Samples on each surface, for the distances")
-      ->capture_default_str();
-  app.add_option("--out", settings.out, "Folder for the results")->capture_default_str();
+  settings.add_to(app);
   CLI11_PARSE(app, argc, argv);
 
   fs::create_directories(settings.out);

@@ -1,46 +1,21 @@
 // SPDX-License-Identifier: MIT
 
 #include "report.h"
+#include "table.h"
 
 #include <CGAL/version.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <ostream>
 
 namespace bench {
 namespace {
 
-struct Spread {
-  double low, median, high;
-};
-
-Spread spread(const Row& row, double Run::*figure) {
-  std::vector<double> values;
-  for (const Run& run : row.runs)
-    values.push_back(run.*figure);
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return {values.front(), (values[(n - 1) / 2] + values[n / 2]) / 2, values.back()};
-}
-
 std::optional<double> reference_seconds(const Result& result) {
   for (const Row& row : result.rows)
     if (row.contender == reference && !row.runs.empty())
-      return spread(row, &Run::seconds).median;
+      return spread(row.runs, &Run::seconds).median;
   return {};
-}
-
-std::string text(double value, int decimals) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-  return buffer;
-}
-
-/// Three significant digits, whatever the size.
-std::string three_digits(double value) {
-  return text(value, value < 1 ? 3 : value < 10 ? 2 : value < 100 ? 1 : 0);
 }
 
 std::string per_ten_thousand(double value) {
@@ -49,20 +24,20 @@ std::string per_ten_thousand(double value) {
 
 std::string speed(const Result& result, const Row& row) {
   const auto unit = reference_seconds(result);
-  return unit ? three_digits(*unit / spread(row, &Run::seconds).median) : "";
+  return unit ? three_digits(*unit / spread(row.runs, &Run::seconds).median) : "";
 }
 
 std::vector<std::string> cells(const Result& result, const Row& row) {
   if (!row.quality || row.runs.empty())
     return {row.contender, "failed"};
   const Quality& q = *row.quality;
-  const Spread time = spread(row, &Run::seconds);
+  const Spread time = spread(row.runs, &Run::seconds);
   return {row.contender,
           std::to_string(q.faces),
           text(time.median * 1e3, 1),
           text(time.low * 1e3, 1) + "-" + text(time.high * 1e3, 1),
-          text(spread(row, &Run::own_seconds).median * 1e3, 1),
-          text(spread(row, &Run::wall_seconds).median * 1e3, 1),
+          text(spread(row.runs, &Run::own_seconds).median * 1e3, 1),
+          text(spread(row.runs, &Run::wall_seconds).median * 1e3, 1),
           speed(result, row),
           text(row.peak_megabytes, 1),
           per_ten_thousand(q.distance.rms),
@@ -80,46 +55,11 @@ const std::vector<std::string> headings{"contender",  "faces",      "ms",       
                                         "RMS",        "RMS in>out", "RMS out>in",   "max in>out",
                                         "max out>in", "flipped",    "non-manifold", "degree"};
 
-std::string padded(const std::string& cell, std::size_t width, bool left) {
-  const std::string space(width - cell.size(), ' ');
-  return left ? cell + space : space + cell;
-}
-
-void write_table(const std::vector<std::vector<std::string>>& table, std::ostream& out) {
-  std::vector<std::size_t> width(table.front().size(), 0);
-  for (const auto& row : table)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      width[i] = std::max(width[i], row[i].size());
-  const auto write_row = [&](const std::vector<std::string>& row) {
-    for (std::size_t i = 0; i < width.size(); ++i)
-      out << "| " << padded(i < row.size() ? row[i] : "", width[i], i == 0) << ' ';
-    out << "|\n";
-  };
-  write_row(table.front());
-  for (std::size_t i = 0; i < width.size(); ++i)
-    out << '|' << std::string(width[i] + 1, '-') << (i == 0 ? "-" : ":");
-  out << "|\n";
-  std::for_each(table.begin() + 1, table.end(), write_row);
-}
-
-/// The name of the processor, where the system tells it.
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name"))
-      return line.substr(line.find(": ") + 2);
-  return "unknown processor";
-}
-
 std::size_t run_count(const Result& result) {
   std::size_t count = 0;
   for (const Row& row : result.rows)
     count = std::max(count, row.runs.size());
   return count;
-}
-
-std::string quoted(const std::string& cell) {
-  return '"' + cell + '"';
 }
 
 } // namespace
@@ -134,12 +74,12 @@ void write_csv(const Result& result, std::ostream& out) {
     if (!row.quality || row.runs.empty())
       continue;
     const Quality& q = *row.quality;
-    const Spread time = spread(row, &Run::seconds);
+    const Spread time = spread(row.runs, &Run::seconds);
     out << result.model << ',' << result.input_faces << ',' << result.target_faces << ','
         << quoted(row.contender) << ',' << quoted(row.options) << ',' << row.runs.size() << ','
         << q.faces << ',' << time.median * 1e3 << ',' << time.low * 1e3 << ',' << time.high * 1e3
-        << ',' << spread(row, &Run::own_seconds).median * 1e3 << ','
-        << spread(row, &Run::wall_seconds).median * 1e3 << ',' << speed(result, row) << ','
+        << ',' << spread(row.runs, &Run::own_seconds).median * 1e3 << ','
+        << spread(row.runs, &Run::wall_seconds).median * 1e3 << ',' << speed(result, row) << ','
         << row.peak_megabytes << ',' << q.distance.rms << ',' << q.distance.rms_a_to_b << ','
         << q.distance.rms_b_to_a << ',' << q.distance.hausdorff << ','
         << q.distance.hausdorff_a_to_b << ',' << q.distance.hausdorff_b_to_a << ','

@@ -4,6 +4,8 @@
 # --quick leaves out the models of 1.2 and 4.8 million faces, which take hours; --data DIR adds all
 # meshes of a folder; these two come first. Other arguments go to quadrille_benchmark: --ratio 0.01,
 # --faces 1000, --runs 9.
+# Models with colours or texture coordinates are measured where QUADRILLE_DATA names a folder that has
+# them in `coloured` and `textured`, or in those of its folder `public`.
 # Per model a table (.md), its figures (.csv) and a plot (.png) go to build/benchmark/results.
 set -eu
 export LC_ALL=C
@@ -44,6 +46,12 @@ measure() {
   done
 }
 
+measure_attributes() {
+  model=$1
+  shift
+  $build/benchmark/quadrille_attribute_benchmark --out $results "$@" -- "$model" || return 0 # says why
+}
+
 $build/benchmark/quadrille_micro_benchmark --benchmark_out=$results/micro.json
 
 for model in bunny00 refined_elephant armadillo fandisk_large lion-head cow; do
@@ -54,6 +62,17 @@ if [ -n "$data" ]; then
   find "$data" -type f \( -name '*.off' -o -name '*.obj' -o -name '*.ply' -o -name '*.stl' \) |
     sort |
     while IFS= read -r model; do measure "$model" "$@"; done
+fi
+
+for model in colored-sphere textured-sphere; do
+  measure_attributes $model "$@"
+done
+if [ -n "${QUADRILLE_DATA-}" ]; then
+  folder=$QUADRILLE_DATA
+  [ ! -d "$folder/public" ] || folder=$folder/public
+  find "$folder/coloured" "$folder/textured" -type f \
+    \( -name '*.obj' -o -name '*.ply' -o -name '*.off' \) | sort |
+    while IFS= read -r model; do measure_attributes "$model" "$@"; done
 fi
 
 measure_refined() {

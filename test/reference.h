@@ -21,7 +21,8 @@ namespace test {
 /// What `simplify` with Quadric, OptimalPlacement and EdgePairs is compared with: the same rules,
 /// told with sets and maps and nothing else. It shares no code with the engine. A vertex remembers
 /// a list of planes, not a quadric; the link condition is the equation of sets that
-/// defines it; and every step looks at every edge there is.
+/// defines it; and every step looks at every edge there is. A class that is derived from it adds to
+/// what vertices remember.
 class Reference {
 public:
   using Vertex = std::uint32_t;
@@ -44,24 +45,27 @@ public:
       remember_face(face);
     for (const auto& [edge, count] : edges())
       if (count == 1)
-        remember_boundary(edge, boundary_weight);
+        remember_line(edge, boundary_weight);
     for (Vertex v = 0; v < position_.size(); ++v)
       reach_[v] = distance_to_farthest_neighbour(v);
   }
+  virtual ~Reference() = default;
 
   /// Contracts the cheapest edge that may be contracted; nothing if none may.
   std::optional<Contraction> contract_next() {
     while (const std::optional<Candidate> next = cheapest()) {
       const auto [a, b] = next->edge;
-      if (!is_link_condition_met(a, b)) {
-        ++topology_rejections;
-        refused_.insert(next->edge);
-      } else if (const std::optional<Position> target = good_target(*next)) {
+      std::size_t* cause = nullptr;
+      if (changes_seams(next->edge))
+        cause = &seam_rejections;
+      else if (!is_link_condition_met(a, b))
+        cause = &topology_rejections;
+      else if (const std::optional<Position> target = good_target(*next))
         return contract(*next, *target);
-      } else {
-        ++flip_rejections;
-        refused_.insert(next->edge);
-      }
+      else
+        cause = turns_faces(next->edge, next->target) ? &flip_rejections : &texture_rejections;
+      ++*cause;
+      refused_.insert(next->edge);
     }
     return std::nullopt;
   }
@@ -76,9 +80,96 @@ public:
 
   double error = 0; ///< as Report::error
   std::size_t topology_rejections = 0, flip_rejections = 0;
+  std::size_t seam_rejections = 0, texture_rejections = 0; ///< of a class that is derived
+
+protected:
+  using Real = long double;
+  /// Half of the gradient of a cost by the displacement from an origin: matrix, and right side in
+  /// column 3.
+  using System = std::array<std::array<Real, 4>, 3>;
+
+  /// What the contraction of an edge costs at x.
+  virtual Real cost(const Edge& edge, const Position& x) const {
+    Real sum = 0;
+    for (Vertex v : edge)
+      for (const Plane& plane : memory_[v]) {
+        Real distance = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+          distance += Real(plane.normal[i]) * (Real(x[i]) - plane.point[i]);
+        sum += plane.weight * distance * distance;
+      }
+    return sum;
+  }
+
+  /// The same as a quadratic function.
+  virtual System system(const Edge& edge, const Position& origin) const {
+    System m{};
+    for (Vertex v : edge)
+      for (const Plane& plane : memory_[v]) {
+        Real offset = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+          offset += Real(plane.normal[i]) * (Real(plane.point[i]) - origin[i]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          for (std::size_t j = 0; j < 3; ++j)
+            m[i][j] += Real(plane.weight) * plane.normal[i] * plane.normal[j];
+          m[i][3] += plane.weight * plane.normal[i] * offset;
+        }
+      }
+    return m;
+  }
+
+  /// What the planes of an edge weigh.
+  Real plane_weight(const Edge& edge) const {
+    Real sum = 0;
+    for (Vertex v : edge)
+      for (const Plane& plane : memory_[v])
+        sum += plane.weight;
+    return sum;
+  }
+
+  /// Takes note of a contraction, before faces change.
+  virtual void remember(const Contraction&) {}
+
+  /// Does a vertex stay where it is?
+  virtual bool is_fixed(Vertex) const { return false; }
+  /// Must an edge not be contracted since that would change a graph in the surface?
+  virtual bool changes_seams(const Edge&) const { return false; }
+  /// Must it not go to x for the sake of a texture?
+  virtual bool turns_texture_over(const Edge&, const Position&) const { return false; }
+
+  /// The ends of an edge remember its line, for each of its faces.
+  void remember_line(const Edge& edge, double weight_of_line) {
+    for (const auto& [f, t] : faces_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (std::min(t[i], t[(i + 1) % 3]) != edge[0] || std::max(t[i], t[(i + 1) % 3]) != edge[1])
+          continue;
+        const Position along = position_[t[(i + 1) % 3]] - position_[t[i]];
+        const Position normal = cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]);
+        const Position within = cross(along, normal);
+        if (!(squared_length(normal) > 0))
+          continue;
+        const double weight = weight_of_line * squared_length(along);
+        for (Vertex v : edge) {
+          memory_[v].push_back({position_[t[i]], unit(within), weight});
+          memory_[v].push_back({position_[t[i]], unit(normal), weight / 4});
+        }
+      }
+  }
+
+  static bool has(const std::pair<const Vertex, Triangle>& face, Vertex v) {
+    return std::find(face.second.begin(), face.second.end(), v) != face.second.end();
+  }
+
+  /// Every edge, with the number of its faces.
+  std::map<Edge, int> edges() const {
+    std::map<Edge, int> result;
+    for (const auto& [f, t] : faces_)
+      for (std::size_t i = 0; i < 3; ++i)
+        ++result[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+    return result;
+  }
 
 private:
-  using Real = long double;
   using Simplex = std::set<Vertex>;
   static constexpr Vertex infinity = ~Vertex{0}; // the boundary's neighbour
 
@@ -92,24 +183,10 @@ private:
     Edge edge;
     Position target;
     Real cost;
-    Real weight;
     bool operator<(const Candidate& other) const {
       return std::pair(key, edge) < std::pair(other.key, other.edge);
     }
   };
-
-  static bool has(const std::pair<const Vertex, Triangle>& face, Vertex v) {
-    return std::find(face.second.begin(), face.second.end(), v) != face.second.end();
-  }
-
-  // Every edge, with the number of its faces.
-  std::map<Edge, int> edges() const {
-    std::map<Edge, int> result;
-    for (const auto& [f, t] : faces_)
-      for (std::size_t i = 0; i < 3; ++i)
-        ++result[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
-    return result;
-  }
 
   std::set<Vertex> neighbours(Vertex v) const {
     std::set<Vertex> result;
@@ -132,97 +209,50 @@ private:
       memory_[v].push_back({position_[p], 0.5 / area * twice, area});
   }
 
-  void remember_boundary(const Edge& edge, double boundary_weight) {
-    for (const auto& [f, t] : faces_)
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (std::min(t[i], t[(i + 1) % 3]) != edge[0] || std::max(t[i], t[(i + 1) % 3]) != edge[1])
-          continue;
-        const Position along = position_[t[(i + 1) % 3]] - position_[t[i]];
-        const Position normal = cross(along, position_[t[(i + 2) % 3]] - position_[t[i]]);
-        const Position within = cross(along, normal);
-        if (!(squared_length(normal) > 0))
-          continue;
-        const double weight = boundary_weight * squared_length(along);
-        for (Vertex v : edge) {
-          memory_[v].push_back({position_[t[i]], unit(within), weight});
-          memory_[v].push_back({position_[t[i]], unit(normal), weight / 4});
-        }
-      }
-  }
-
   static Position unit(const Position& v) { return 1 / std::sqrt(squared_length(v)) * v; }
-
-  Memory memory_of(const Edge& edge) const {
-    Memory both = memory_[edge[0]];
-    const Memory& second = memory_[edge[1]];
-    both.insert(both.end(), second.begin(), second.end());
-    return both;
-  }
 
   // --- Costs and positions -----------------------------------------------------------------------
 
-  static Real cost(const Memory& memory, const Position& x) {
-    Real sum = 0;
-    for (const Plane& plane : memory) {
-      Real distance = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        distance += Real(plane.normal[i]) * (Real(x[i]) - plane.point[i]);
-      sum += plane.weight * distance * distance;
-    }
-    return sum;
-  }
-
-  static Real weight(const Memory& memory) {
-    Real sum = 0;
-    for (const Plane& plane : memory)
-      sum += plane.weight;
-    return sum;
-  }
+  static Real trace(const System& m) { return m[0][0] + m[1][1] + m[2][2]; }
 
   // A billionth of the planes' weight pulls to the two ends.
-  Real tie_break(const Memory& memory, const Edge& edge, const Position& x) const {
-    return 0.5e-9L * weight(memory) *
+  Real tie_break(const Edge& edge, const Position& x) const {
+    return 0.5e-9L * trace(system(edge, x)) *
            (squared_distance(x, position_[edge[0]]) + squared_distance(x, position_[edge[1]]));
   }
 
   // Of the sum of the costs and of `pull` times their weight times the squared distance to
   // `origin`. By the normal equations and Cramer's rule, as a displacement from there. Nothing
   // where a pivot is not above `least` of the weight.
-  static std::optional<Position> minimizer(const Memory& memory, const Position& origin, Real pull,
-                                           Real least) {
-    std::array<std::array<Real, 4>, 3> m{}; // the matrix and, in column 3, the right side
+  std::optional<Position> minimizer(const Edge& edge, const Position& origin, Real pull,
+                                    Real least) const {
+    System m = system(edge, origin);
+    const Real weight = trace(m);
     for (std::size_t i = 0; i < 3; ++i)
-      m[i][i] = pull * weight(memory);
-    for (const Plane& plane : memory) {
-      Real offset = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        offset += Real(plane.normal[i]) * (Real(plane.point[i]) - origin[i]);
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j)
-          m[i][j] += Real(plane.weight) * plane.normal[i] * plane.normal[j];
-        m[i][3] += plane.weight * plane.normal[i] * offset;
-      }
-    }
+      m[i][i] += pull * weight;
     const auto determinant = [&](std::size_t a, std::size_t b, std::size_t c) {
       return m[0][a] * (m[1][b] * m[2][c] - m[2][b] * m[1][c]) -
              m[1][a] * (m[0][b] * m[2][c] - m[2][b] * m[0][c]) +
              m[2][a] * (m[0][b] * m[1][c] - m[1][b] * m[0][c]);
     };
     const Real d = determinant(0, 1, 2), minor = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-    const Real least_pivot = least * weight(memory);
+    const Real least_pivot = least * weight;
     if (!(m[0][0] > least_pivot && minor > least_pivot * m[0][0] && d > least_pivot * minor))
       return std::nullopt;
     return origin + Position{{double(determinant(3, 1, 2) / d), double(determinant(0, 3, 2) / d),
                               double(determinant(0, 1, 3) / d)}};
   }
 
-  Position best_position(const Memory& memory, const Edge& edge) const {
+  Position best_position(const Edge& edge) const {
     const Position &p = position_[edge[0]], &q = position_[edge[1]];
-    std::optional<Position> x = minimizer(memory, p, 0, 1e-4L);
+    for (Vertex v : edge)
+      if (is_fixed(v))
+        return position_[v];
+    std::optional<Position> x = minimizer(edge, p, 0, 1e-4L);
     if (!x) { // planes leave it free, or nearly so
-      x = minimizer(memory, 0.5 * (p + q), 1e-9L, 0);
+      x = minimizer(edge, 0.5 * (p + q), 1e-9L, 0);
       if (x)
-        x = minimizer(memory, *x, 1e-9L, 0); // takes back what it has given for being near
+        x = minimizer(edge, *x, 1e-9L, 0); // takes back what it has given for being near
     }
     const double reach = std::max(reach_[edge[0]], reach_[edge[1]]);
     if (x && std::min(squared_distance(*x, p), squared_distance(*x, q)) <= reach) {
@@ -234,7 +264,7 @@ private:
     const Position middle = 0.5 * (p + q);
     Position best = p;
     for (const Position& other : {q, middle})
-      if (cost(memory, other) < cost(memory, best))
+      if (cost(edge, other) < cost(edge, best))
         best = other;
     return best;
   }
@@ -244,11 +274,10 @@ private:
     for (const auto& [edge, count] : edges()) {
       if (refused_.contains(edge))
         continue;
-      const Memory memory = memory_of(edge);
-      const Position target = best_position(memory, edge);
-      const Real value = cost(memory, target);
-      const Candidate candidate{static_cast<float>(value + tie_break(memory, edge, target)), edge,
-                                target, value, weight(memory)};
+      const Position target = best_position(edge);
+      const Real value = cost(edge, target);
+      const Candidate candidate{static_cast<float>(value + tie_break(edge, target)), edge, target,
+                                value};
       if (!best || candidate < *best)
         best = candidate;
     }
@@ -321,14 +350,19 @@ private:
   // ends and between these, as far as it costs no more.
   std::optional<Position> good_target(const Candidate& candidate) const {
     const auto [a, b] = candidate.edge;
-    const Memory memory = memory_of(candidate.edge);
-    const Real most = candidate.cost + 1e-3L * tie_break(memory, candidate.edge, candidate.target);
+    const Real most = candidate.cost + 1e-3L * tie_break(candidate.edge, candidate.target);
     const Position middle = 0.5 * (position_[a] + position_[b]);
     for (const Position& x : {candidate.target, position_[a], position_[b], middle})
-      if ((x == candidate.target || cost(memory, x) <= most) && !turns_a_face_over(a, b, x) &&
-          !makes_needle(a, b, x) && !makes_fold(a, b, x))
+      if ((x == candidate.target ||
+           (!is_fixed(a) && !is_fixed(b) && cost(candidate.edge, x) <= most)) &&
+          !turns_faces(candidate.edge, x) && !turns_texture_over(candidate.edge, x))
         return x;
     return std::nullopt;
+  }
+
+  bool turns_faces(const Edge& edge, const Position& x) const {
+    const auto [a, b] = edge;
+    return turns_a_face_over(a, b, x) || makes_needle(a, b, x) || makes_fold(a, b, x);
   }
 
   bool turns_a_face_over(Vertex a, Vertex b, const Position& target) const {
@@ -409,8 +443,9 @@ private:
     Vertex kept = candidate.edge[0], gone = candidate.edge[1]; // clang captures no bindings
     if (target == position_[gone] && target != position_[kept])
       std::swap(kept, gone);
-    error = std::max(error, std::sqrt(double(candidate.cost / candidate.weight)));
-    memory_[kept] = memory_of(candidate.edge);
+    error = std::max(error, std::sqrt(double(candidate.cost / plane_weight(candidate.edge))));
+    remember({kept, gone, target});
+    memory_[kept].insert(memory_[kept].end(), memory_[gone].begin(), memory_[gone].end());
     position_[kept] = target;
     image_[gone] = kept;
     std::erase_if(faces_, [&](const auto& face) { return has(face, kept) && has(face, gone); });

@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "reference.h"
+#include "same_contractions.h"
 
 #include <quadrille/simplify.h>
 
@@ -11,8 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <sstream>
 #include <string>
 
 namespace {
@@ -21,68 +20,14 @@ using namespace quadrille;
 using test::Mesh;
 using test::Soup;
 
-// Where the engine's mesh and the reference differ first, or nothing.
-std::string difference(const Mesh& mesh, const test::Reference& reference, double tolerance) {
-  std::ostringstream out;
-  for (std::uint32_t v = 0; v < mesh.number_of_vertices() + mesh.number_of_removed_vertices();
-       ++v) {
-    const Mesh::Vertex_index vertex(v);
-    if (mesh.is_removed(vertex) == reference.has_faces(v))
-      out << "vertex " << v << (mesh.is_removed(vertex) ? " is gone" : " is left");
-    else if (!mesh.is_removed(vertex) &&
-             squared_distance(test::to_position(mesh.point(vertex)), reference.position(v)) >
-                 tolerance * tolerance)
-      out << "vertex " << v << " lies elsewhere";
-    if (!out.str().empty())
-      return out.str();
-  }
-  for (std::uint32_t f = 0; f < mesh.number_of_faces() + mesh.number_of_removed_faces(); ++f) {
-    const Mesh::Face_index face(f);
-    const auto expected = reference.faces().find(f);
-    if (mesh.is_removed(face) != (expected == reference.faces().end()))
-      out << "face " << f << (mesh.is_removed(face) ? " is gone" : " is left");
-    if (!mesh.is_removed(face) && out.str().empty()) {
-      test::Triangle t{};
-      std::size_t i = 0;
-      for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
-        t.at(i++) = v;
-      if (test::canonical(t) != test::canonical(expected->second))
-        out << "face " << f << " has other vertices";
-    }
-    if (!out.str().empty())
-      return out.str();
-  }
-  return {};
-}
-
-// Runs the engine once for each number of contractions there is.
 void require_same_contractions(const Soup& soup, double boundary_weight) {
-  const double tolerance = 1e-7 * test::diagonal(soup);
-  const Mesh input = test::make_mesh(soup);
   test::Reference reference(soup, boundary_weight);
-  for (std::size_t contractions = 0;; ++contractions) {
-    const bool is_done = contractions > 0 && !reference.contract_next();
-    Mesh mesh = input;
-    const Report report =
-        simplify(mesh, Quadric{.boundary_weight = boundary_weight}, [&](const Status& status) {
-          // Where the end is out of reach, parts would be spared: see StopReason.
-          const bool is_imagined = status.next_error > std::numeric_limits<double>::max();
-          return status.contractions == contractions || is_imagined;
-        });
-    INFO("after " << contractions << " contractions: " << report);
-    if (is_done) {
-      REQUIRE(report.contractions == contractions - 1);
-      REQUIRE(report.rejected(Rejection::topology) == reference.topology_rejections);
-      REQUIRE(report.rejected(Rejection::normal_flip) == reference.flip_rejections);
-      REQUIRE(report.stop == (reference.faces().empty() ? StopReason::no_pair_left
-                                                        : StopReason::all_pairs_rejected));
-      return;
-    }
-    REQUIRE(difference(mesh, reference, tolerance) == "");
-    REQUIRE(report.contractions == contractions);
-    REQUIRE(report.error ==
-            Approx(reference.error).epsilon(1e-5).margin(1e-8 * test::diagonal(soup)));
-  }
+  test::require_same_contractions(
+      soup, reference,
+      [&](Mesh& mesh, const auto& stop) {
+        return simplify(mesh, Quadric{.boundary_weight = boundary_weight}, stop);
+      },
+      [](const Mesh&) { return std::string(); });
 }
 
 } // namespace
