@@ -7,6 +7,7 @@
 
 #include "carrying_cost.h"
 #include "mesh_attributes.h"
+#include "mesh_channels.h"
 #include "mesh_io.h"
 
 #include <quadrille/compiled.h>
@@ -234,7 +235,7 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
     throw std::runtime_error("--placement optimal does not go with --cost length");
   if (options.cost == "color" && mesh.colors.empty())
     throw std::runtime_error(options.input + ": no colours for --cost color");
-  if (options.cost == "texture" && mesh.texture_coordinates.empty())
+  if (options.cost == "texture" && mesh.texture_coordinates.empty() && mesh.corner_textures.empty())
     throw std::runtime_error(options.input + ": no texture coordinates for --cost texture");
   if (mesh.triangles.empty() && !mesh.is_blank)
     throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
@@ -333,9 +334,11 @@ quadrille::Report simplify_positions(const MeshAttributes& attributes, IndexedMe
   return report;
 }
 
+/// By how much less counts what shall hardly count.
+constexpr double hardly = 1. / 64;
+
 /// As AttributeQuadric has it for each kind. If one is asked for by name, the other hardly counts.
 Importance importance(const Options& options) {
-  constexpr double hardly = 1. / 64;
   Importance importance{quadrille::ColorQuadric{}.importance,
                         quadrille::TextureQuadric{}.importance};
   if (options.cost == "color")
@@ -345,7 +348,35 @@ Importance importance(const Options& options) {
   return importance;
 }
 
+/// All count by default; else only those that the cost is asked for by name.
+ChannelImportance channel_importance(const Options& options) {
+  const auto importance_if_asked_by = [&](const char* cost) {
+    return options.cost.empty() || options.cost == cost ? 1. : hardly;
+  };
+  return {.of_colors = importance_if_asked_by("color"),
+          .of_textures = importance_if_asked_by("texture"),
+          .of_normals = importance_if_asked_by("")};
+}
+
+/// With values at corners and parts of faces.
+quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options) {
+  const auto simplify_by = [&](const auto& cost) {
+    return MeshChannels(mesh).take_through(
+        [&](const auto&... channels) { return simplify(mesh, options, cost, channels...); },
+        channel_importance(options));
+  };
+  if (options.cost == "length")
+    return simplify_by(quadrille::EdgeLength{});
+  if (options.cost == "memoryless")
+    return simplify_by(with_boundary_weight(quadrille::MemorylessQuadric{}, options));
+  if (options.cost == "thin-features")
+    return simplify_by(with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
+  return simplify_by(with_boundary_weight(quadrille::Quadric{}, options));
+}
+
 quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
+  if (needs_channels(mesh))
+    return simplify_by_channels(mesh, options);
   const MeshAttributes attributes(mesh, importance(options));
   if (attributes.size() == 0)
     return simplify_positions(attributes, mesh, options);
@@ -365,10 +396,6 @@ quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
 
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, IndexedMesh& mesh) {
-  if (!output_format(options).holds_attributes && !mesh.colors.empty())
-    mesh.losses.add("colours");
-  if (!output_format(options).holds_attributes && !mesh.texture_coordinates.empty())
-    mesh.losses.add("texture coordinates");
   if (!mesh.losses.empty())
     mesh.remarks.push_back("not kept: " + mesh.losses.text());
   const std::size_t open = options.pairs_closer_than > 0 ? 0 : OpenSeams::count(mesh);
@@ -393,6 +420,7 @@ bool run(const Options& options) {
   IndexedMesh mesh = read_mesh(options.input, format_of(options.input, options),
                                options.welds ? Weld::always : Weld::loose_faces);
   require_fit(options, mesh);
+  fit_to_format(mesh, format);
   if (!options.is_quiet)
     print_remarks(options, mesh);
   const quadrille::Report report = simplify_by_cost(mesh, options);
