@@ -158,8 +158,7 @@ void add_policies(CLI::App& app, Options& options) {
          "--cost", options.cost,
          "which pair is contracted first: by distance to the planes of all faces so far, of the "
          "current faces, the same and of lost thin parts, with colours or texture coordinates as "
-         "further dimensions, or the shortest (default: quadric, with all colours and texture "
-         "coordinates of IN as further dimensions)")
+         "further dimensions, or the shortest (default: quadric, with all attributes of IN)")
       ->check(
           CLI::IsMember({"quadric", "memoryless", "thin-features", "color", "texture", "length"}));
   app.add_option("--placement", options.placement,

@@ -59,7 +59,7 @@ charts_are_right() { # file.obj
       if (of[2] != of[3] || of[3] != of[4]) bad = 1
       ++faces[of[2]]
     }
-    END { for (c in faces) ++count; exit bad || count != 6 }' "$1"
+    END { for (name in faces) ++count; exit bad || count != 6 }' "$1"
 }
 
 costs='default quadric memoryless thin-features color length'
