@@ -6,6 +6,7 @@
 // file, or nothing to simplify, OUT is as it was.
 
 #include "carrying_cost.h"
+#include "local_cost.h"
 #include "mesh_attributes.h"
 #include "mesh_channels.h"
 #include "mesh_io.h"
@@ -364,13 +365,17 @@ quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options
         [&](const auto&... channels) { return simplify(mesh, options, cost, channels...); },
         channel_importance(options));
   };
-  if (options.cost == "length")
-    return simplify_by(quadrille::EdgeLength{});
+  LocalCost local;
+  local.boundary_weight = options.boundary_weight;
   if (options.cost == "memoryless")
-    return simplify_by(with_boundary_weight(quadrille::MemorylessQuadric{}, options));
-  if (options.cost == "thin-features")
-    return simplify_by(with_boundary_weight(quadrille::ThinFeatureQuadric{}, options));
-  return simplify_by(with_boundary_weight(quadrille::Quadric{}, options));
+    local.kind = LocalCost::memoryless;
+  else if (options.cost == "thin-features")
+    local.kind = LocalCost::thin_features;
+  else if (options.cost == "length")
+    local.kind = LocalCost::length;
+  else
+    return simplify_by(with_boundary_weight(quadrille::Quadric{}, options));
+  return simplify_by(local);
 }
 
 quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
