@@ -398,6 +398,16 @@ quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
   return carrying(with_boundary_weight(quadrille::Quadric{}, options));
 }
 
+/// What is wrong with attributes that no weight makes comparable with positions is told of the
+/// file.
+quadrille::Report simplify_or_tell(IndexedMesh& mesh, const Options& options) {
+  try {
+    return simplify_by_cost(mesh, options);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.input + ": " + error.what());
+  }
+}
+
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, IndexedMesh& mesh) {
   if (!mesh.losses.empty())
@@ -427,7 +437,7 @@ bool run(const Options& options) {
   fit_to_format(mesh, format);
   if (!options.is_quiet)
     print_remarks(options, mesh);
-  const quadrille::Report report = simplify_by_cost(mesh, options);
+  const quadrille::Report report = simplify_or_tell(mesh, options);
   write_mesh(options.output, mesh, format, options.is_forced);
   if (!options.is_quiet)
     print_report(options, report);
