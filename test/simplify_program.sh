@@ -275,7 +275,7 @@ awk 'function height(x, y) { return sin(x / 3) * cos(y / 4) + (x < 10 ? x : 20 -
   n = 20
   print "mtllib red.mtl blue.mtl\no sheet"
   for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) {
-    print "v", i, j, height(i, j)
+    print "v", i, j, height(i, j), i / 20, j / 20, 0.5
     print "vt", i / 20, j / 20 "\nvt", 2 - i / 10, j / 30
     normal(i, j, 1); normal(i, j, -1)
   }
@@ -291,12 +291,16 @@ awk 'function height(x, y) { return sin(x / 3) * cos(y / 4) + (x < 10 ? x : 20 -
   }
 }' >parts.obj
 # The texture coordinates of a corner still are those of its place on its side, its normal points the
-# same way, and vertices are one at each place. Faces are with their parts. Costs that know no creases
+# same way, and vertices are one at each place, with its colour. Faces are with their parts. Costs that know no creases
 # do not hold the borders between groups, which the surface does not show, and --cost length not the
 # ridge either: there texture coordinates stay on the border while the vertex moves.
 check_parts='
   function abs(x) { return x < 0 ? -x : x }
-  $1 == "v" { x[++v] = $2; y[v] = $3; if (at[$2, $3, $4]++) bad = "two vertices at a place" }
+  $1 == "v" {
+    x[++v] = $2; y[v] = $3
+    if (at[$2, $3, $4]++) bad = "two vertices at a place"
+    if (abs($5 - $2 / 20) > far || abs($6 - $3 / 20) > far || $7 != 0.5) bad = "a colour has moved: " $0
+  }
   $1 == "vt" { s[++t] = $2; u[t] = $3 }
   $1 == "vn" { nx[++n] = $2; ny[n] = $3; nz[n] = $4 }
   $1 == "mtllib" || $1 == "o" { head = head $0 ";" }
@@ -323,7 +327,7 @@ check_parts='
     if (bad) { print bad; exit 1 }
   }'
 for cost in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--cost texture' \
-  '--cost length'; do
+  '--cost color' '--cost length'; do
   far=0.02 slip=0.3 knows_creases=1
   case $cost in *memoryless | *thin-features | *length) far=0.07 knows_creases=0 ;; esac
   case $cost in *length) slip=1 ;; esac
@@ -342,7 +346,7 @@ expect_ratio out.off 160
 # Each face has one of the two charts, and both sides of the ridge have vertices of their own.
 awk 'NR == 2 { n = $1; next }
   NR > 2 && NR <= 2 + n {
-    red = ($4 - $1 / 20) ^ 2 + ($5 - $2 / 20) ^ 2 < 0.0004; blue = ($4 - 2 + $1 / 10) ^ 2 + ($5 - $2 / 30) ^ 2 < 0.0004
+    red = ($7 - $1 / 20) ^ 2 + ($8 - $2 / 20) ^ 2 < 0.0004; blue = ($7 - 2 + $1 / 10) ^ 2 + ($8 - $2 / 30) ^ 2 < 0.0004
     side[NR - 3] = red && !blue ? 1 : blue && !red ? 2 : 0
     if (!red && !blue) bad = 1
   }
