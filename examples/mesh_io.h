@@ -13,10 +13,12 @@
 #include "mesh_io/gocad.h"
 #include "mesh_io/indexed_mesh.h"
 #include "mesh_io/obj.h"
+#include "mesh_io/obj_writer.h"
 #include "mesh_io/off.h"
 #include "mesh_io/ply.h"
 #include "mesh_io/ply_writer.h"
 #include "mesh_io/replace_file.h"
+#include "mesh_io/split_seams.h"
 #include "mesh_io/stl.h"
 #include "mesh_io/text.h"
 #include "mesh_io/weld.h"
@@ -33,14 +35,17 @@ struct MeshFormat {
   PolygonSoup (*read)(const Source&);
   std::string (*encode)(const IndexedMesh&);
   bool holds_attributes; ///< colours and texture coordinates
+  bool holds_corners;    ///< several texture coordinates at a vertex, normals, parts of faces
 };
 
 inline constexpr MeshFormat mesh_formats[] = {
-    {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true},
-    {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true},
-    {".ply", read_ply, encode_ply, true},
-    {".stl", read_stl, encode_stl, false},
-    {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad, false}};
+    {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true,
+     false},
+    {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true, true},
+    {".ply", read_ply, encode_ply, true, false},
+    {".stl", read_stl, encode_stl, false, false},
+    {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad, false,
+     false}};
 
 /// The format of an extension, in any case of letters; nothing if there is none.
 inline const MeshFormat* find_format(const std::string& extension) {
@@ -81,14 +86,45 @@ inline void require_replaceable(const std::filesystem::path& path, bool is_force
   }
 }
 
+/// Takes out of a mesh what a format does not hold of the corners and parts of faces, and tells it,
+/// and what else the format does not hold, in `IndexedMesh::losses`. Texture coordinates stay.
+inline void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
+  const auto lose = [&](bool has, const char* what) {
+    if (has)
+      mesh.losses.add(what);
+  };
+  if (!format.holds_attributes) {
+    lose(!mesh.colors.empty(), "colours");
+    lose(!mesh.texture_coordinates.empty() || !mesh.corner_textures.empty(), "texture coordinates");
+  }
+  if (format.holds_corners)
+    return;
+  lose(!mesh.corner_normals.empty(), "normals");
+  lose(!mesh.parts.libraries.empty(), "material libraries (mtllib)");
+  lose(mesh.parts.has(&FacePart::material), "materials (usemtl)");
+  lose(mesh.parts.has(&FacePart::object), "objects");
+  lose(mesh.parts.has(&FacePart::group), "groups");
+  lose(mesh.parts.has(&FacePart::smoothing), "smoothing groups");
+  mesh.corner_normals = {};
+  mesh.parts.forget_names();
+}
+
+/// A mesh as the content of a file.
+inline std::string encoded(const IndexedMesh& mesh, const MeshFormat& format) {
+  if (format.holds_attributes && !format.holds_corners && !mesh.corner_textures.empty())
+    return format.encode(SeamSplitter::split(mesh));
+  return format.encode(mesh);
+}
+
 /// Writes a mesh, to standard output if the path is "-": all of it, or, throwing
 /// `std::runtime_error`, nothing, in which case a file that was there stays. See FileReplacement.
 /// Coordinates read back as they are, but for STL, which is of single precision. Colours are
-/// written to OFF, OBJ and PLY, texture coordinates too.
+/// written to OFF, OBJ and PLY, texture coordinates too, in OFF and PLY with a vertex for each side
+/// of a seam; normals and parts of faces to OBJ.
 inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
                        const MeshFormat& format, bool is_forced = false) {
   try {
-    FileReplacement(path, is_forced).write(format.encode(mesh));
+    FileReplacement(path, is_forced).write(encoded(mesh, format));
   } catch (const std::runtime_error& error) {
     fail(path, error.what());
   }

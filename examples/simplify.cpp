@@ -6,7 +6,9 @@
 // file, or nothing to simplify, OUT is as it was.
 
 #include "carrying_cost.h"
+#include "local_cost.h"
 #include "mesh_attributes.h"
+#include "mesh_channels.h"
 #include "mesh_io.h"
 
 #include <quadrille/compiled.h>
@@ -157,8 +159,7 @@ void add_policies(CLI::App& app, Options& options) {
          "--cost", options.cost,
          "which pair is contracted first: by distance to the planes of all faces so far, of the "
          "current faces, the same and of lost thin parts, with colours or texture coordinates as "
-         "further dimensions, or the shortest (default: quadric, with all colours and texture "
-         "coordinates of IN as further dimensions)")
+         "further dimensions, or the shortest (default: quadric, with all attributes of IN)")
       ->check(
           CLI::IsMember({"quadric", "memoryless", "thin-features", "color", "texture", "length"}));
   app.add_option("--placement", options.placement,
@@ -234,7 +235,7 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
     throw std::runtime_error("--placement optimal does not go with --cost length");
   if (options.cost == "color" && mesh.colors.empty())
     throw std::runtime_error(options.input + ": no colours for --cost color");
-  if (options.cost == "texture" && mesh.texture_coordinates.empty())
+  if (options.cost == "texture" && mesh.texture_coordinates.empty() && mesh.corner_textures.empty())
     throw std::runtime_error(options.input + ": no texture coordinates for --cost texture");
   if (mesh.triangles.empty() && !mesh.is_blank)
     throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
@@ -333,9 +334,11 @@ quadrille::Report simplify_positions(const MeshAttributes& attributes, IndexedMe
   return report;
 }
 
+/// By how much less counts what shall hardly count.
+constexpr double hardly = 1. / 64;
+
 /// As AttributeQuadric has it for each kind. If one is asked for by name, the other hardly counts.
 Importance importance(const Options& options) {
-  constexpr double hardly = 1. / 64;
   Importance importance{quadrille::ColorQuadric{}.importance,
                         quadrille::TextureQuadric{}.importance};
   if (options.cost == "color")
@@ -345,7 +348,39 @@ Importance importance(const Options& options) {
   return importance;
 }
 
+/// All count by default; else only those that the cost is asked for by name.
+ChannelImportance channel_importance(const Options& options) {
+  const auto importance_if_asked_by = [&](const char* cost) {
+    return options.cost.empty() || options.cost == cost ? 1. : hardly;
+  };
+  return {.of_colors = importance_if_asked_by("color"),
+          .of_textures = importance_if_asked_by("texture"),
+          .of_normals = importance_if_asked_by("")};
+}
+
+/// With values at corners and parts of faces.
+quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options) {
+  const auto simplify_by = [&](const auto& cost) {
+    return MeshChannels(mesh).take_through(
+        [&](const auto&... channels) { return simplify(mesh, options, cost, channels...); },
+        channel_importance(options));
+  };
+  LocalCost local;
+  local.boundary_weight = options.boundary_weight;
+  if (options.cost == "memoryless")
+    local.kind = LocalCost::memoryless;
+  else if (options.cost == "thin-features")
+    local.kind = LocalCost::thin_features;
+  else if (options.cost == "length")
+    local.kind = LocalCost::length;
+  else
+    return simplify_by(with_boundary_weight(quadrille::Quadric{}, options));
+  return simplify_by(local);
+}
+
 quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
+  if (needs_channels(mesh))
+    return simplify_by_channels(mesh, options);
   const MeshAttributes attributes(mesh, importance(options));
   if (attributes.size() == 0)
     return simplify_positions(attributes, mesh, options);
@@ -363,12 +398,18 @@ quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
   return carrying(with_boundary_weight(quadrille::Quadric{}, options));
 }
 
+/// What is wrong with attributes that no weight makes comparable with positions is told of the
+/// file.
+quadrille::Report simplify_or_tell(IndexedMesh& mesh, const Options& options) {
+  try {
+    return simplify_by_cost(mesh, options);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.input + ": " + error.what());
+  }
+}
+
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, IndexedMesh& mesh) {
-  if (!output_format(options).holds_attributes && !mesh.colors.empty())
-    mesh.losses.add("colours");
-  if (!output_format(options).holds_attributes && !mesh.texture_coordinates.empty())
-    mesh.losses.add("texture coordinates");
   if (!mesh.losses.empty())
     mesh.remarks.push_back("not kept: " + mesh.losses.text());
   const std::size_t open = options.pairs_closer_than > 0 ? 0 : OpenSeams::count(mesh);
@@ -393,9 +434,10 @@ bool run(const Options& options) {
   IndexedMesh mesh = read_mesh(options.input, format_of(options.input, options),
                                options.welds ? Weld::always : Weld::loose_faces);
   require_fit(options, mesh);
+  fit_to_format(mesh, format);
   if (!options.is_quiet)
     print_remarks(options, mesh);
-  const quadrille::Report report = simplify_by_cost(mesh, options);
+  const quadrille::Report report = simplify_or_tell(mesh, options);
   write_mesh(options.output, mesh, format, options.is_forced);
   if (!options.is_quiet)
     print_report(options, report);

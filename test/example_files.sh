@@ -50,6 +50,18 @@ expect_remark() { # extended regular expression: of the one line that there must
   grep -qE "$1" "$work/stderr" || fail "no remark of '$1'"
 }
 
+# Each face of an OBJ file lies in one of the six charts, which are apart from each other, and each
+# chart has faces.
+charts_are_right() { # file.obj
+  awk '$1 == "vt" { chart[++n] = int(3 * $2) " " int(2 * $3) }
+    $1 == "f" {
+      for (k = 2; k <= 4; ++k) { split($k, c, "/"); of[k] = chart[c[2]] }
+      if (of[2] != of[3] || of[3] != of[4]) bad = 1
+      ++faces[of[2]]
+    }
+    END { for (name in faces) ++count; exit bad || count != 6 }' "$1"
+}
+
 costs='default quadric memoryless thin-features color length'
 with_cost() { # cost: as an option
   [ "$1" = default ] || echo "--cost $1"
@@ -106,7 +118,19 @@ if has coff_zero_one.off; then
 fi
 if has materials.obj; then
   run out.obj
+  [ -s "$work/stderr" ] && fail "there is something to remark"
+  for line in 'mtllib b.mtl' 'o plate' 'g part_red' 'usemtl red' 'g part_blue' 'usemtl blue' 's 1'; do
+    [ "$(grep -cx "$line" "$work/out.obj")" -eq 1 ] || fail "not one line '$line'"
+  done
+  grep -q '^f [0-9]*/[0-9]*/[0-9]* ' "$work/out.obj" || fail "no texture coordinates and normals"
+  run out.ply
   expect_remark 'not kept: .*mtllib.*usemtl.*'
+fi
+if has sphere_6_charts_corners.obj; then
+  run out.obj --ratio 0.2
+  [ $status -eq 0 ] || fail "exit status $status"
+  [ -s "$work/stderr" ] && fail "there is something to remark"
+  charts_are_right "$work/out.obj" || fail "texture coordinates of other charts"
 fi
 if has labels_quality_texnumber.ply; then
   run out.ply

@@ -249,14 +249,16 @@ expect out.off '^0 1 0 1\.0001 0\.5 0\.5$'
 printf 'mtllib a.mtl\nusemtl b\ng c\ns 1\nvn 0 0 1\nv 0 0 0 .2 .4 .6 .5\nv 1 0 0 .2 .4 .6 .5\nv 0 1 0 .2 .4 .6 .5
 f 1//1 2//1 3//1\n' >materials.obj
 run 0 --ratio 1 materials.obj out.obj
-expect stderr '^materials.obj: not kept: material libraries \(mtllib\), materials \(usemtl\), groups, smoothing groups, normals$'
-[ "$(wc -l <stderr)" -eq 1 ] || fail "more than one remark"
-expect out.obj '^v 1 0 0 0\.2 0\.4 0\.6 0\.5$'
-run 0 --ratio 1 out.obj out.ply
 expect_nothing stderr
+printf '# 3 vertices, 1 faces\nmtllib a.mtl\nv 0 0 0 0.2 0.4 0.6 0.5\nv 1 0 0 0.2 0.4 0.6 0.5
+v 0 1 0 0.2 0.4 0.6 0.5\nvn 0 0 1\ng c\nusemtl b\ns 1\nf 1//1 2//1 3//1\n' | cmp -s - out.obj ||
+  fail "an OBJ file has changed"
+run 0 --ratio 1 out.obj out.ply
+expect stderr '^out.obj: not kept: normals, material libraries \(mtllib\), materials \(usemtl\), groups, smoothing groups$'
+[ "$(wc -l <stderr)" -eq 1 ] || fail "more than one remark"
 run 0 --ratio 1 out.ply again.obj
-tail -n 4 out.obj >old
-tail -n 4 again.obj | cmp -s - old || fail "colours have changed in a PLY file"
+grep '^v ' out.obj >old
+grep '^v ' again.obj | cmp -s - old || fail "colours have changed in a PLY file"
 for format in stl ts; do
   run 0 --ratio 1 fine.off out.$format
   expect stderr '^fine.off: not kept: colours, texture coordinates$'
@@ -264,6 +266,93 @@ for format in stl ts; do
 done
 run 0 --quiet materials.obj out.obj
 expect_nothing stderr
+
+# A bumpy sheet of four parts: two materials left and right of a ridge, each a chart of the texture
+# and smooth by itself, in two groups each, which the texture and the normals do not know.
+awk 'function height(x, y) { return sin(x / 3) * cos(y / 4) + (x < 10 ? x : 20 - x) / 2 }
+  function normal(x, y, side) { print "vn", -cos(x / 3) / 3 * cos(y / 4) - side / 2, sin(x / 3) * sin(y / 4) / 4, 1 }
+  BEGIN {
+  n = 20
+  print "mtllib red.mtl blue.mtl\no sheet"
+  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) {
+    print "v", i, j, height(i, j), i / 20, j / 20, 0.5
+    print "vt", i / 20, j / 20 "\nvt", 2 - i / 10, j / 30
+    normal(i, j, 1); normal(i, j, -1)
+  }
+  for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+    if (j % 10 == 0) print "usemtl", i < 10 ? "red" : "light blue", "\ng", j < 10 ? "front" : "back"
+    v = i * (n + 1) + j + 1; s = i < 10
+    printf "f"
+    for (k = 0; k < 4; ++k) {
+      c = k == 0 ? v : k == 1 ? v + n + 1 : k == 2 ? v + n + 2 : v + 1
+      printf " %d/%d/%d", c, 2 * c - s, 2 * c - s
+    }
+    print ""
+  }
+}' >parts.obj
+# The texture coordinates of a corner still are those of its place on its side, its normal points the
+# same way, and vertices are one at each place, with its colour. Faces are with their parts. Costs that know no creases
+# do not hold the borders between groups, which the surface does not show, and --cost length not the
+# ridge either: there texture coordinates stay on the border while the vertex moves.
+check_parts='
+  function abs(x) { return x < 0 ? -x : x }
+  $1 == "v" {
+    x[++v] = $2; y[v] = $3
+    if (at[$2, $3, $4]++) bad = "two vertices at a place"
+    if (abs($5 - $2 / 20) > far || abs($6 - $3 / 20) > far || $7 != 0.5) bad = "a colour has moved: " $0
+  }
+  $1 == "vt" { s[++t] = $2; u[t] = $3 }
+  $1 == "vn" { nx[++n] = $2; ny[n] = $3; nz[n] = $4 }
+  $1 == "mtllib" || $1 == "o" { head = head $0 ";" }
+  $1 == "g" { group = $2 }
+  $1 == "usemtl" { material = $2 }
+  $1 == "f" {
+    ++faces[material, group]
+    for (k = 2; k <= 4; ++k) {
+      split($k, c, "/")
+      p = c[1]; q = c[2]; r = c[3]; red = material == "red"
+      if (abs(s[q] - (red ? x[p] / 20 : 2 - x[p] / 10)) > far || abs(u[q] - y[p] / (red ? 20 : 30)) > far)
+        bad = "a texture coordinate has moved: " $0
+      if (red ? x[p] > 10 + slip : x[p] < 10 - slip) bad = "a material has moved: " $0
+      if (knows_creases && (group == "front" ? y[p] > 10 + slip : y[p] < 10 - slip)) bad = "a group has moved: " $0
+      a = -cos(x[p] / 3) / 3 * cos(y[p] / 4) - (red ? 1 : -1) / 2; b = sin(x[p] / 3) * sin(y[p] / 4) / 4
+      if (r < 1 || a * nx[r] + b * ny[r] + nz[r] < 0.9 * sqrt((a * a + b * b + 1) * (nx[r] ^ 2 + ny[r] ^ 2 + nz[r] ^ 2)))
+        bad = "a normal has turned: " $0
+    }
+  }
+  END {
+    if (head != "mtllib red.mtl blue.mtl;o sheet;") bad = "another head: " head
+    if (!faces["red", "front"] || !faces["red", "back"] || !faces["light", "front"] || !faces["light", "back"])
+      bad = "a part is gone"
+    if (bad) { print bad; exit 1 }
+  }'
+for cost in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--cost texture' \
+  '--cost color' '--cost length'; do
+  far=0.02 slip=0.3 knows_creases=1
+  case $cost in *memoryless | *thin-features | *length) far=0.07 knows_creases=0 ;; esac
+  case $cost in *length) slip=1 ;; esac
+  for ratio in 1 0.5 0.2; do
+    # shellcheck disable=SC2086
+    run 0 $cost --ratio $ratio parts.obj out.obj
+    expect_nothing stderr
+    wrong=$(awk -v far=$far -v slip=$slip -v knows_creases=$knows_creases "$check_parts" out.obj) || fail "$wrong"
+  done
+done
+run 0 --error 0.1 parts.obj out.obj
+wrong=$(awk -v far=0.02 -v slip=0.3 -v knows_creases=1 "$check_parts" out.obj) || fail "$wrong"
+run 0 --ratio 0.2 parts.obj out.off
+expect stderr '^parts.obj: not kept: normals, material libraries \(mtllib\), materials \(usemtl\), objects, groups$'
+expect_ratio out.off 160
+# Each face has one of the two charts, and both sides of the ridge have vertices of their own.
+awk 'NR == 2 { n = $1; next }
+  NR > 2 && NR <= 2 + n {
+    red = ($7 - $1 / 20) ^ 2 + ($8 - $2 / 20) ^ 2 < 0.0004; blue = ($7 - 2 + $1 / 10) ^ 2 + ($8 - $2 / 30) ^ 2 < 0.0004
+    side[NR - 3] = red && !blue ? 1 : blue && !red ? 2 : 0
+    if (!red && !blue) bad = 1
+  }
+  NR > 2 + n { a = side[$2]; b = side[$3]; c = side[$4]
+               if (a && b && a != b || b && c && b != c || c && a && c != a) bad = 1 }
+  END { exit bad || !n }' out.off || fail "texture coordinates have moved"
 
 # Standard input and output
 run 0 plain.off expected.off

@@ -1,7 +1,9 @@
 // The colours and texture coordinates of a mesh on their way through `simplify`:
-// examples/mesh_attributes.h, and costs that carry them, examples/carrying_cost.h.
+// examples/mesh_attributes.h, and costs that carry them, examples/carrying_cost.h, or are chosen at
+// run time, examples/local_cost.h.
 
 #include "../examples/carrying_cost.h"
+#include "../examples/local_cost.h"
 #include "../examples/mesh_attributes.h"
 
 #include <quadrille/simplify.h>
@@ -86,6 +88,26 @@ TEMPLATE_TEST_CASE("A cost that carries attributes contracts as it does without"
     CHECK(mesh.colors[v] == input.colors[before]);
     CHECK(mesh.texture_coordinates[v] == input.texture_coordinates[before]);
   }
+}
+
+TEST_CASE("A cost that is chosen at run time contracts as the one that it stands for",
+          "[mesh_attributes]") {
+  const auto check = [](LocalCost::Kind kind, const auto& cost) {
+    IndexedMesh plain = sheet(16), mesh = plain;
+    LocalCost chosen;
+    chosen.kind = kind;
+    const auto run = [](IndexedMesh& surface, const auto& by) {
+      return quadrille::simplify(surface.points, surface.triangles, by,
+                                 quadrille::EndpointPlacement{}, quadrille::FaceRatio{0.2},
+                                 quadrille::GreedyOrder{.eager = true});
+    };
+    CHECK(run(mesh, chosen).error == run(plain, cost).error);
+    CHECK(mesh.points == plain.points);
+    CHECK(mesh.triangles == plain.triangles);
+  };
+  check(LocalCost::memoryless, quadrille::MemorylessQuadric{});
+  check(LocalCost::thin_features, quadrille::ThinFeatureQuadric{});
+  check(LocalCost::length, quadrille::EdgeLength{});
 }
 
 TEST_CASE("Carried attributes lie between those of the two ends", "[mesh_attributes]") {

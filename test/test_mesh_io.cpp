@@ -13,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -89,6 +90,12 @@ std::string bytes(Value value, std::endian order = std::endian::little) {
   std::string result;
   append_little_endian(result, value);
   return order == std::endian::little ? result : std::string(result.rbegin(), result.rend());
+}
+
+/// Wherever the format has them; there are no seams.
+std::vector<std::array<double, 2>> textures_of_vertices(const IndexedMesh& mesh) {
+  return mesh.corner_textures.empty() ? mesh.texture_coordinates
+                                      : SeamSplitter::split(mesh).texture_coordinates;
 }
 
 double area(const IndexedMesh& mesh) {
@@ -300,6 +307,11 @@ TEST_CASE("Broken OBJ files are refused with their place", "[mesh_io]") {
       {"vt 0 0\nf 1/1 2/1 3/-2\n",
        "a.obj:5: texture coordinate index -2 is out of range: there are 1"},
       {"f 1//1 2 3\n", "a.obj:4: normal index 1 is out of range: there are 0"},
+      {"vn 0 0 1\nf 1//1 2//2 3//1\n", "a.obj:5: normal index 2 is out of range: there are 1"},
+      {"vn 0 0 1\nf 1//-2 2//1 3//1\n", "a.obj:5: normal index -2 is out of range: there are 1"},
+      {"vn 0 0 1\nf 1//x 2//1 3//1\n", "a.obj:5: normal index 'x' is not an integer"},
+      {"vn 0 0\n", "a.obj:4: the line ends before the next normal"},
+      {"vn 0 0 up\n", "a.obj:4: normal 'up' is not a number"},
       {"f 1/1/1/1 2 3\n", "a.obj:4: face corner '1/1/1/1' has more than three parts"},
       {"v 1 2\n", "a.obj:4: the line ends before the next coordinate"},
       {"v 1 2 x\n", "a.obj:4: coordinate 'x' is not a number"},
@@ -321,18 +333,194 @@ TEST_CASE("OBJ files come in variants", "[mesh_io]") {
   CHECK(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\\").triangles == one_triangle);
 }
 
-TEST_CASE("A vertex on a texture seam stays one vertex and keeps its first coordinate",
-          "[mesh_io]") {
-  // 4---3   the seam runs along 1-3: each of its ends has a texture coordinate for both sides
+TEST_CASE("An OBJ file's texture coordinates and normals are those of corners", "[mesh_io]") {
+  // 4---3   the texture has a seam along 1-3, the normals have none
   // | / |
   // 1---2
   const IndexedMesh mesh =
       read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt .5 0\nvt .5 1\nvt .6\nvt .9 1\n"
-                    "f 1/1 2/2 3/3\nf 1/4 3/5 4/5\n");
+                    "vn 0 0 1\nvn 0 .6 .8\nf 1/1/1 2/2/1 3/3/2\nf 1/4/1 3/5/2 4/5/2\n");
   CHECK(mesh.points.size() == 4);
-  CHECK(mesh.texture_coordinates ==
-        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {.5, 1}, {.9, 1}});
-  CHECK(mesh.losses.text() == "all but one of the texture coordinates of vertices on seams: 2");
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(mesh.texture_coordinates.empty());
+  CHECK(mesh.corner_textures.values ==
+        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {.5, 1}, {.6, 0}, {.9, 1}});
+  CHECK(mesh.corner_textures.triples == std::vector<Triangle>{{0, 1, 2}, {3, 4, 4}});
+  CHECK(mesh.corner_normals.values == std::vector<std::array<double, 3>>{{0, 0, 1}, {0, .6, .8}});
+  CHECK(mesh.corner_normals.triples == std::vector<Triangle>{{0, 0, 1}, {0, 1, 1}});
+  CHECK(mesh.losses.empty());
+}
+
+TEST_CASE("An OBJ file with all there is reads back as it was written", "[mesh_io]") {
+  const std::string content =
+      "# 5 vertices, 5 faces\nmtllib a b.mtl c.mtl\nmtllib d.mtl\nv 0.1 0 0 0.5 0.25 1\n"
+      "v 1 0 0 1 1 1\nv 1 1 0 0 0 0\nv 0 1 0 1 0 0\nv 0 0 1e-310 0 1 0\n"
+      "vt 0.1 -3\nvt 0.3333333333333333 1e-310\nvt 5 7\nvn 0 0 1\nvn 0.1 0.2 0.3\n"
+      "f 1 2 3\no an object\ng first second\nusemtl Material #25\ns 1\nf 1/1/1 2/2/2 3/3/1\n"
+      "usemtl\ns off\nf 1/1 3/2 4/1\ng\nf 1//2 4//1 5//2\no\ng first second\n"
+      "usemtl Material #25\nf 5/1/1 4/3/2 3/2/1\n";
+  const Folder folder;
+  const IndexedMesh mesh = read_mesh(folder.file("a.obj", content));
+  CHECK(mesh.losses.empty());
+  CHECK(mesh.remarks.empty());
+  CHECK(mesh.parts.libraries == std::vector<std::string>{"a b.mtl c.mtl", "d.mtl"});
+  const FaceParts& parts = mesh.parts;
+  CHECK(parts.names[parts.of(1).object] == "an object");
+  CHECK(parts.names[parts.of(1).group] == "first second");
+  CHECK(parts.names[parts.of(1).material] == "Material #25");
+  CHECK(parts.names[parts.of(1).smoothing] == "1");
+  write_mesh(folder.path("b.obj"), mesh);
+  CHECK(content_of(folder.path("b.obj")) == content);
+}
+
+TEST_CASE("Names in OBJ files may hold blanks and #, and end before a comment", "[mesh_io]") {
+  const auto name_of = [](const std::string& line) {
+    const FaceParts parts = read("a.obj", line + "\n" + obj_triangle).parts;
+    return parts.names[parts.of(0).material];
+  };
+  CHECK(name_of("usemtl red") == "red");
+  CHECK(name_of("usemtl \t dark  red \t ") == "dark  red");
+  CHECK(name_of("usemtl red # not blue") == "red");
+  CHECK(name_of("usemtl red #") == "red");
+  CHECK(name_of("usemtl # red") == "");
+  CHECK(name_of("usemtl #1") == "#1");
+  CHECK(name_of("usemtl Material #25 # red") == "Material #25");
+  CHECK(name_of("usemtl a#b\r") == "a#b");
+}
+
+TEST_CASE("Parts that differ by their smoothing groups only are one region", "[mesh_io]") {
+  const std::string f = "f 1 2 3\n";
+  const IndexedMesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\n" + f + "s 1\n" + f + "g b\n" + f +
+                        "usemtl c\n" + f + "g\ns 0\nusemtl a\n" + f + "o d\n" + f);
+  std::vector<std::uint32_t> regions, parts;
+  for (const PartLabel& label : mesh.parts.labels()) {
+    regions.push_back(label.region);
+    parts.push_back(label.part);
+  }
+  CHECK(regions == std::vector<std::uint32_t>{0, 0, 1, 2, 0, 3});
+  CHECK(parts == std::vector<std::uint32_t>{0, 1, 2, 3, 0, 4});
+}
+
+TEST_CASE("Faces without texture coordinates are written without them", "[mesh_io]") {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 9 9\nvt 1 0\nvn 0 0 1\n";
+  const IndexedMesh mesh = read("a.obj", points + "f 1/2/1 2/1/1 3/1/1\nf 1 3 4\nf 4/1 3/1 2\n");
+  CHECK(mesh.losses.text() == "texture coordinates of faces that have them at some corners only");
+  CHECK(mesh.corner_textures.triples == std::vector<Triangle>{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+  CHECK(encode_obj(mesh).ends_with("f 1/2/1 2/1/1 3/1/1\nf 1 3 4\nf 4 3 2\n"));
+  CHECK(mesh.parts.labels()[0].region != mesh.parts.labels()[1].region);
+  CHECK(mesh.parts.labels()[1].region == mesh.parts.labels()[2].region);
+
+  const IndexedMesh unused = read("a.obj", points + "f 1 2 3\n");
+  CHECK(unused.corner_textures.values.empty());
+  CHECK(unused.corner_normals.values.empty());
+}
+
+TEST_CASE("Corners keep what they have where polygons are cut and triangles left out",
+          "[mesh_io]") {
+  // Each corner of a point has the texture coordinate and the normal of its number.
+  std::string content = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 .5 0\nv 0 2 0\n";
+  for (int i = 0; i < 5; ++i)
+    content += "vt 0 " + std::to_string(i) + "\nvn 0 1 " + std::to_string(i) + "\n";
+  const auto face = [](const std::vector<int>& corners) {
+    std::string line = "f";
+    for (const int c : corners)
+      line += " " + std::to_string(c) + "/" + std::to_string(c) + "/" + std::to_string(c);
+    return line + "\n";
+  };
+  const IndexedMesh mesh =
+      read("a.obj", content + "usemtl a\n" + face({1, 2, 3, 4, 5}) + "usemtl b\n" +
+                        face({1, 1, 2}) + face({1, 2, 1, 2}) + "usemtl c\n" + face({1, 2, 3, 5}) +
+                        face({1, 2, 2, 3, 1}) + face({2, 3, 2, 3, 5, 3}));
+  CHECK(mesh.remarks.size() == 3); // faces of too few corners, a fan, triangles of two equal ones
+  CHECK(mesh.corner_textures.triples == mesh.triangles);
+  CHECK(mesh.corner_normals.triples == mesh.triangles);
+  std::map<std::string, std::size_t> count;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    ++count[mesh.parts.names[mesh.parts.of(i).material]];
+  CHECK(mesh.parts.of_faces.size() == mesh.triangles.size());
+  CHECK(count["a"] == 3);
+  CHECK(count["b"] == 0);
+  CHECK(count["c"] == mesh.triangles.size() - 3);
+}
+
+TEST_CASE("Vertices that only normals or texture coordinates at corners tell apart are one",
+          "[mesh_io]") {
+  // A roof of two slopes; the ridge has vertices of its own for each.
+  const IndexedMesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nv 0 1 1\nv 1 1 1\nv 1 2 0\nv 0 2 0\n"
+                    "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n"
+                    "f 5/2/2 6/2/2 7/2/2\nf 5/2/2 7/2/2 8/2/2\n");
+  CHECK(mesh.points.size() == 6);
+  CHECK(OpenSeams::count(mesh) == 0);
+  CHECK(mesh.corner_normals.triples[0] == Triangle{0, 0, 0});
+  CHECK(mesh.corner_normals.triples[2] == Triangle{1, 1, 1});
+  CHECK(mesh.corner_textures.triples == mesh.corner_normals.triples);
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{
+            "vertices that differed by their normals or texture coordinates only, made one: 2"});
+  CHECK(mesh.losses.empty());
+}
+
+TEST_CASE("Texture coordinates and normals of corners that are no numbers are replaced",
+          "[mesh_io]") {
+  const IndexedMesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt nan 1\nvt 1 inf\nvt 1 2\nvn 0 nan 0\nvn 2 0 0\n"
+                    "f 1/1/1 2/2/2 3/3/2\n");
+  CHECK(mesh.corner_textures.values == std::vector<std::array<double, 2>>{{0, 0}, {0, 0}, {1, 2}});
+  CHECK(mesh.corner_normals.values == std::vector<std::array<double, 3>>{{0, 0, 1}, {2, 0, 0}});
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{"texture coordinates that are not finite, taken as 0: 2",
+                                 "normals that are not finite, taken as (0, 0, 1): 1"});
+}
+
+TEST_CASE("Formats of one texture coordinate a vertex get a vertex for each side of a seam",
+          "[mesh_io]") {
+  // 4---3---5   a seam along 1-3; the texture is the same on both sides of 2-3, though written
+  // twice; | / | /     1, 4 and 6 have a face without texture coordinates 1---2
+  const IndexedMesh mesh = read(
+      "a.obj",
+      "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 0\nv 2 1 0 0 1 1\nv -1 0 0 1 1 1\n"
+      "vt 0 0\nvt .5 0\nvt .5 1\nvt .6\nvt .9 1\nvt .5 0\nvt 1 1\nf 1/1 2/2 3/3\n"
+      "f 1/4 3/5 4/5\nf 2/6 5/7 3/3\nf 1 4 6\n");
+  const Folder folder;
+  for (const std::string name : {"a.off", "a.ply"}) {
+    CAPTURE(name);
+    write_mesh(folder.path(name), mesh);
+    const IndexedMesh again = read_mesh(folder.path(name));
+    CHECK(again.triangles == std::vector<Triangle>{{0, 1, 2}, {6, 7, 3}, {1, 4, 2}, {0, 3, 5}});
+    CHECK(again.points[6] == mesh.points[0]);
+    CHECK(again.points[7] == mesh.points[2]);
+    CHECK(bytes_of(again)[7] == bytes_of(mesh)[2]);
+    CHECK(again.texture_coordinates ==
+          std::vector<std::array<double, 2>>{
+              {0, 0}, {.5, 0}, {.5, 1}, {.9, 1}, {1, 1}, {0, 0}, {.6, 0}, {.9, 1}});
+  }
+  write_mesh(folder.path("a.stl"), mesh);
+  CHECK(read_mesh(folder.path("a.stl")).points.size() == 6);
+}
+
+TEST_CASE("What a format does not hold of corners and parts is told and left out", "[mesh_io]") {
+  const std::string content =
+      "mtllib a.mtl\nusemtl b\ng c\no d\ns 1\nvt 0 0\nvt 0 1\nvt 1 1\nvn 0 0 1\n"
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1/1 2/2/1 3/3/1\nusemtl e\nf 1/2/1 3/3/1 2/1/1\n";
+  const IndexedMesh mesh = read("a.obj", content);
+  const auto fitted = [&](const std::string& name) {
+    IndexedMesh result = mesh;
+    fit_to_format(result, mesh_format(name));
+    return result;
+  };
+  CHECK(fitted("a.obj").losses.empty());
+  CHECK(encode_obj(fitted("a.obj")) == encode_obj(mesh));
+  const std::string parts =
+      "normals, material libraries (mtllib), materials (usemtl), objects, groups, smoothing groups";
+  CHECK(fitted("a.ply").losses.text() == parts);
+  CHECK(fitted("a.off").losses.text() == parts);
+  CHECK(fitted("a.stl").losses.text() == "texture coordinates, " + parts);
+  CHECK(fitted("a.ply").corner_normals.empty());
+  CHECK(!fitted("a.ply").corner_textures.empty());
+  CHECK(mesh.parts.differ());
+  CHECK(!fitted("a.ply").parts.differ());
 }
 
 TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_io]") {
@@ -812,7 +1000,7 @@ TEST_CASE("What is written reads back the same", "[mesh_io]") {
     CHECK(again.points == mesh.points);
     CHECK(again.triangles == mesh.triangles);
     CHECK(bytes_of(again) == bytes_of(mesh));
-    CHECK(again.texture_coordinates == mesh.texture_coordinates);
+    CHECK(textures_of_vertices(again) == mesh.texture_coordinates);
     CHECK(again.color_type.has_alpha == false);
   }
   mesh.colors[0] = {255, 0, 0, 77};
@@ -890,8 +1078,7 @@ TEST_CASE("Whatever a file has besides is told", "[mesh_io]") {
   CHECK(losses("a.obj", "mtllib a.mtl\no a\n" + points +
                             "vn 0 0 1\ng b\nusemtl c\ns 1\nusemtl d\nf 1//1 2//1 3//1\nl 1 2\n"
                             "p 1\ncurv 0 1\ns off\n") ==
-        "material libraries (mtllib), objects, normals, groups, materials (usemtl), smoothing "
-        "groups, lines, points, lines that begin with 'curv'");
+        "lines, points, lines that begin with 'curv'");
   CHECK(losses("a.obj", points + "s off\nvt 0 0 0\nf 1 2 3") == "");
   CHECK(losses("a.obj", points + "v 1 1 1 .5\nvt 0 0 .5\nf 1 2 3") ==
         "numbers of vertices behind their coordinates, third texture coordinates");

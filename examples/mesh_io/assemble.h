@@ -13,9 +13,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,7 @@ namespace quadrille_examples {
 class Assembly {
 public:
   Assembly(PolygonSoup soup, const std::filesystem::path& path)
-      : soup_(std::move(soup)), path_(path) {}
+      : soup_(std::move(soup)), path_(path), keeps_corners_(!soup_.parts.of_faces.empty()) {}
 
   IndexedMesh mesh(Weld weld) {
     mesh_.remarks = std::move(soup_.remarks);
@@ -37,6 +38,7 @@ public:
     require_finite_corners();
     convert_colors();
     convert_textures();
+    convert_normals();
     triangulate();
     drop_points_that_are_not_finite();
     if (weld == Weld::always || is_loose()) {
@@ -48,13 +50,17 @@ public:
                          std::to_string(welded.unlike));
     } else if (soup_.has_normals) {
       remark(weld_split_normals(mesh_),
-             "vertices that differed by their normals only, which are not kept, made one");
+             keeps_corners_
+                 ? "vertices that differed by their normals or texture coordinates only, made one"
+                 : "vertices that differed by their normals only, which are not kept, made one");
     }
     drop_degenerate_triangles();
     return std::move(mesh_);
   }
 
 private:
+  using Triangle = PolygonTriangulation::Triangle;
+
   static bool is_finite(const Point& p) {
     return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
   }
@@ -85,15 +91,32 @@ private:
 
   void convert_textures() {
     mesh_.texture_coordinates = std::move(soup_.texture_coordinates);
-    if (!soup_.corner_textures.empty())
+    if (keeps_corners_ && soup_.parts.has(&FacePart::has_textures))
+      mesh_.corner_textures.values = std::move(soup_.texture_table);
+    else if (!keeps_corners_ && !soup_.corner_textures.empty())
       gather_corner_textures();
-    std::size_t not_finite = 0;
-    for (auto& [u, v] : mesh_.texture_coordinates)
-      if (!std::isfinite(u) || !std::isfinite(v)) {
-        u = v = 0;
-        ++not_finite;
+    remark(replace_not_finite(mesh_.texture_coordinates, {0, 0}) +
+               replace_not_finite(mesh_.corner_textures.values, {0, 0}),
+           "texture coordinates that are not finite, taken as 0");
+  }
+
+  void convert_normals() {
+    if (soup_.parts.has(&FacePart::has_normals))
+      mesh_.corner_normals.values = std::move(soup_.normal_table);
+    remark(replace_not_finite(mesh_.corner_normals.values, {0, 0, 1}),
+           "normals that are not finite, taken as (0, 0, 1)");
+  }
+
+  template <std::size_t N>
+  static std::size_t replace_not_finite(std::vector<std::array<double, N>>& values,
+                                        const std::array<double, N>& replacement) {
+    std::size_t count = 0;
+    for (std::array<double, N>& value : values)
+      if (!std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); })) {
+        value = replacement;
+        ++count;
       }
-    remark(not_finite, "texture coordinates that are not finite, taken as 0");
+    return count;
   }
 
   /// A vertex on a seam has one texture coordinate on each side. Splitting it would cut the surface
@@ -104,7 +127,7 @@ private:
     std::vector<bool> is_on_seam(mesh_.points.size());
     mesh_.texture_coordinates.assign(mesh_.points.size(), none);
     for (std::size_t i = 0; i < soup_.corner_textures.size(); ++i) {
-      if (soup_.corner_textures[i] == PolygonSoup::no_texture)
+      if (soup_.corner_textures[i] == PolygonSoup::no_value)
         continue;
       const std::uint32_t point = soup_.corners[i];
       const std::array<double, 2>& texture = soup_.texture_table[soup_.corner_textures[i]];
@@ -122,30 +145,73 @@ private:
 
   void triangulate() {
     std::size_t too_few_corners = 0, not_simple = 0;
-    std::vector<std::uint32_t> polygon;
     mesh_.triangles.reserve(soup_.polygon_ends.size());
     for (std::size_t i = 0; i < soup_.polygon_ends.size(); ++i) {
-      const std::span<const std::uint32_t> written = soup_.polygon(i);
-      polygon.assign(written.begin(), written.end());
-      polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-      while (polygon.size() > 1 && polygon.front() == polygon.back())
-        polygon.pop_back();
-      if (polygon.size() < 3)
+      find_corners(i);
+      if (corners_.size() < 3)
         ++too_few_corners;
-      else if (polygon.size() == 3)
-        mesh_.triangles.push_back({polygon[0], polygon[1], polygon[2]});
-      else if (!PolygonTriangulation(mesh_.points, polygon).append_to(mesh_.triangles)) {
-        ++not_simple;
-        append_fan(polygon);
-      }
+      else
+        not_simple += !append_polygon(i);
     }
     remark(too_few_corners, "faces left out for having fewer than three different corners");
     remark(not_simple, "polygons cut into fans for being flat or crossing themselves");
+    soup_.parts.of_faces = std::move(mesh_.parts.of_faces);
+    mesh_.parts = std::move(soup_.parts);
   }
 
-  void append_fan(const std::vector<std::uint32_t>& polygon) {
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-      mesh_.triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
+  /// The corners of a polygon without those at the same point as the one before.
+  void find_corners(std::size_t polygon) {
+    const auto are_same = [this](std::size_t a, std::size_t b) {
+      return soup_.corners[a] == soup_.corners[b];
+    };
+    const std::size_t begin = soup_.begin_of(polygon);
+    corners_.resize(soup_.polygon_ends[polygon] - begin);
+    std::iota(corners_.begin(), corners_.end(), begin);
+    corners_.erase(std::unique(corners_.begin(), corners_.end(), are_same), corners_.end());
+    while (corners_.size() > 1 && are_same(corners_.front(), corners_.back()))
+      corners_.pop_back();
+  }
+
+  /// False if it had to be cut into a fan.
+  bool append_polygon(std::size_t polygon) {
+    triangles_.clear();
+    const bool is_simple = corners_.size() == 3 || cut();
+    if (triangles_.empty())
+      append_fan();
+    for (const Triangle& triangle : triangles_)
+      append_triangle(triangle, polygon);
+    return is_simple;
+  }
+
+  bool cut() {
+    std::vector<Point> outline;
+    for (const std::size_t corner : corners_)
+      outline.push_back(mesh_.points[soup_.corners[corner]]);
+    return PolygonTriangulation(outline).append_to(triangles_);
+  }
+
+  void append_fan() {
+    for (std::uint32_t i = 2; i < corners_.size(); ++i)
+      triangles_.push_back({0, i - 1, i});
+  }
+
+  /// What has no value at its corners gets a constant one, that no face is written with.
+  void append_triangle(const Triangle& triangle, std::size_t polygon) {
+    const auto append = [&](auto& triples, const std::vector<std::uint32_t>& indices, bool has) {
+      triples.emplace_back();
+      for (std::size_t i = 0; has && i < 3; ++i)
+        triples.back()[i] = indices[corners_[triangle[i]]];
+    };
+    append(mesh_.triangles, soup_.corners, true);
+    if (!keeps_corners_)
+      return;
+    const std::uint32_t number = soup_.parts.of_faces[polygon];
+    const FacePart& part = soup_.parts.parts[number];
+    mesh_.parts.of_faces.push_back(number);
+    if (!mesh_.corner_textures.values.empty())
+      append(mesh_.corner_textures.triples, soup_.corner_textures, part.has_textures);
+    if (!mesh_.corner_normals.values.empty())
+      append(mesh_.corner_normals.triples, soup_.corner_normals, part.has_normals);
   }
 
   void drop_points_that_are_not_finite() {
@@ -171,16 +237,18 @@ private:
   }
 
   void drop_degenerate_triangles() {
-    const auto is_degenerate = [](const std::array<std::uint32_t, 3>& t) {
-      return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    };
-    remark(std::erase_if(mesh_.triangles, is_degenerate),
-           "triangles left out for having two equal corners");
+    std::vector<bool> kept;
+    for (const auto& [a, b, c] : mesh_.triangles)
+      kept.push_back(a != b && b != c && c != a);
+    remark(keep_triangles(mesh_, kept), "triangles left out for having two equal corners");
   }
 
   PolygonSoup soup_;
   const std::filesystem::path& path_;
+  bool keeps_corners_; // has the soup values at the corners that stay there?
   IndexedMesh mesh_;
+  std::vector<std::size_t> corners_; // of a polygon: where they are among those of the soup
+  std::vector<Triangle> triangles_;  // of a polygon: which of these
 };
 
 } // namespace quadrille_examples

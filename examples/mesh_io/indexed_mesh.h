@@ -2,11 +2,13 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_INDEXED_MESH_H
 
 #include "colors.h"
+#include "face_parts.h"
 #include "losses.h"
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +17,15 @@ namespace quadrille_examples {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
+/// Values of N numbers at the corners of triangles, as in an OBJ file.
+template <std::size_t N>
+struct CornerValues {
+  std::vector<std::array<double, N>> values;
+  std::vector<std::array<std::uint32_t, 3>> triples; ///< empty, or indices for each triangle
+
+  bool empty() const { return triples.empty(); }
+};
+
 /// A triangle soup as a file holds it: any triangles at all, manifold or not.
 struct IndexedMesh {
   std::vector<Point> points;
@@ -22,9 +33,12 @@ struct IndexedMesh {
   std::vector<Color> colors;                              ///< empty, or one per point
   ColorType color_type;                                   ///< in which the colours are
   std::vector<std::array<double, 2>> texture_coordinates; ///< empty, or one per point
-  std::vector<std::string> remarks;                       ///< what reading left out or changed
-  Losses losses;                                          ///< what the file has besides
-  bool is_blank = true; ///< did the file hold neither a vertex nor a face?
+  CornerValues<2> corner_textures;                        ///< instead of these
+  CornerValues<3> corner_normals;
+  FaceParts parts;                  ///< of the triangles
+  std::vector<std::string> remarks; ///< what reading left out or changed
+  Losses losses;                    ///< what the file has besides
+  bool is_blank = true;             ///< did the file hold neither a vertex nor a face?
 };
 
 } // namespace quadrille_examples

@@ -2,20 +2,23 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_OBJ_H
 
 /// \file
-/// Wavefront OBJ: vertices, faces and texture coordinates. Vertex colours, with or without alpha,
-/// are read and written behind the coordinates, as MeshLab does. All else (normals, materials,
-/// groups, lines, curves) is passed over, and told.
+/// Wavefront OBJ: vertices, faces, the texture coordinates and normals of their corners, materials,
+/// groups and objects. Vertex colours, with or without alpha, are behind the coordinates, as
+/// MeshLab has them. All else (lines, curves) is passed over, and told.
 
+#include "face_parts.h"
 #include "indexed_mesh.h"
-#include "number_text.h"
 #include "polygon_soup.h"
 #include "text.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace quadrille_examples {
 
@@ -60,11 +63,11 @@ public:
       read_line(lines_.next_word());
     vertices_.require_defined(soup_.points.size(), lines_);
     textures_.require_defined(soup_.texture_table.size(), lines_);
-    normals_.require_defined(normal_count_, lines_);
+    normals_.require_defined(soup_.normal_table.size(), lines_);
     if (!soup_.colors.empty())
       soup_.colors.resize(soup_.points.size(), unset);
-    if (soup_.texture_table.empty())
-      soup_.corner_textures.clear();
+    soup_.parts = parts_.take();
+    soup_.has_normals = soup_.parts.has(&FacePart::has_normals);
     return std::move(soup_);
   }
 
@@ -80,34 +83,38 @@ private:
       read_normal();
     else if (keyword == "f")
       read_face();
-    else
+    else if (keyword == "mtllib")
+      parts_.add_library(lines_.rest_as_name());
+    else if (!read_part(keyword))
       pass_over(keyword);
   }
 
-  void read_normal() {
-    ++normal_count_;
-    soup_.tell_normals();
+  /// What the faces from here on belong to; false if that is not what the line says.
+  bool read_part(std::string_view keyword) {
+    if (keyword == "o")
+      part_.object = next_name();
+    else if (keyword == "g")
+      part_.group = next_name();
+    else if (keyword == "usemtl")
+      part_.material = next_name();
+    else if (keyword == "s")
+      part_.smoothing = next_smoothing();
+    else
+      return false;
+    return true;
+  }
+
+  std::uint32_t next_name() { return parts_.name(lines_.rest_as_name()); }
+
+  std::uint32_t next_smoothing() {
+    const std::string_view value = lines_.peek_word();
+    return parts_.name(value == "off" || value == "0" ? "" : value);
   }
 
   void pass_over(std::string_view keyword) {
-    struct Kind {
-      std::string_view keyword;
-      const char* name;
-    };
-    static constexpr Kind kinds[] = {{"mtllib", "material libraries (mtllib)"},
-                                     {"usemtl", "materials (usemtl)"},
-                                     {"g", "groups"},
-                                     {"o", "objects"},
-                                     {"s", "smoothing groups"},
-                                     {"l", "lines"},
-                                     {"p", "points"}};
-    const std::string_view value = lines_.peek_word();
-    if (keyword == "s" && (value == "off" || value == "0"))
-      return; // none
-    for (const Kind& kind : kinds)
-      if (keyword == kind.keyword)
-        return soup_.losses.add(kind.name);
-    soup_.losses.add("lines that begin with " + in_quotes(keyword));
+    soup_.losses.add(keyword == "l"   ? "lines"
+                     : keyword == "p" ? "points"
+                                      : "lines that begin with " + in_quotes(keyword));
   }
 
   void read_vertex() {
@@ -137,10 +144,29 @@ private:
     soup_.texture_table.push_back({u, v});
   }
 
+  void read_normal() {
+    const double x = lines_.next_number("normal");
+    const double y = lines_.next_number("normal");
+    soup_.normal_table.push_back({x, y, lines_.next_number("normal")});
+  }
+
   void read_face() {
+    const std::size_t begin = soup_.corners.size();
     for (std::string_view word = next_corner(); !word.empty(); word = next_corner())
       read_corner(word);
     soup_.end_polygon();
+    part_.has_textures = all_have(soup_.corner_textures, begin, "texture coordinates");
+    part_.has_normals = all_have(soup_.corner_normals, begin, "normals");
+    parts_.add_face(part_);
+  }
+
+  /// Has each corner of the face that begins there an index? If only some have, these are lost.
+  bool all_have(const std::vector<std::uint32_t>& indices, std::size_t begin, const char* what) {
+    const auto first = indices.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto without = std::count(first, indices.end(), PolygonSoup::no_value);
+    if (without > 0 && without < indices.end() - first)
+      soup_.losses.add(std::string(what) + " of faces that have them at some corners only");
+    return without == 0;
   }
 
   /// A backslash at the end of a line continues it on the next.
@@ -172,49 +198,21 @@ private:
 
     soup_.corners.push_back(vertices_.resolve(vertex, soup_.points.size(), lines_));
     soup_.corner_textures.push_back(
-        texture.empty() ? PolygonSoup::no_texture
+        texture.empty() ? PolygonSoup::no_value
                         : textures_.resolve(texture, soup_.texture_table.size(), lines_));
-    if (!normal.empty())
-      normals_.resolve(normal, normal_count_, lines_);
+    soup_.corner_normals.push_back(
+        normal.empty() ? PolygonSoup::no_value
+                       : normals_.resolve(normal, soup_.normal_table.size(), lines_));
   }
 
   LineReader lines_;
   ObjIndices vertices_{"vertex"};
   ObjIndices textures_{"texture coordinate"};
   ObjIndices normals_{"normal"};
-  std::size_t normal_count_ = 0;
+  FacePart part_;
+  PartNumbers parts_;
   PolygonSoup soup_;
 };
-
-inline std::string encode_obj(const IndexedMesh& mesh) {
-  const bool has_textures = !mesh.texture_coordinates.empty();
-  std::string text = "# " + std::to_string(mesh.points.size()) + " vertices, " +
-                     std::to_string(mesh.triangles.size()) + " faces\n";
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    const Point& p = mesh.points[i];
-    text += 'v';
-    append_numbers(text, p.x(), p.y(), p.z());
-    const std::size_t channels = mesh.colors.empty() ? 0 : mesh.color_type.has_alpha ? 4 : 3;
-    for (std::size_t channel = 0; channel < channels; ++channel)
-      append_fraction(text += ' ', mesh.colors[i][channel], mesh.color_type);
-    text += '\n';
-  }
-  for (const auto& [u, v] : mesh.texture_coordinates) {
-    text += "vt";
-    append_numbers(text, u, v);
-    text += '\n';
-  }
-  for (const auto& triangle : mesh.triangles) {
-    text += 'f';
-    for (const std::uint32_t index : triangle) {
-      append_numbers(text, index + 1);
-      if (has_textures)
-        append_number(text += '/', index + 1);
-    }
-    text += '\n';
-  }
-  return text;
-}
 
 } // namespace quadrille_examples
 

@@ -248,12 +248,12 @@ private:
 
   void append_corner_textures() {
     const std::size_t earlier = soup_.corners.size() - indices_.size();
-    soup_.corner_textures.resize(earlier, PolygonSoup::no_texture); // of faces that have none
+    soup_.corner_textures.resize(earlier, PolygonSoup::no_value); // of faces that have none
     const bool is_complete = corner_textures_.size() == 2 * indices_.size();
     for (std::size_t i = 0; i < indices_.size(); ++i) {
       soup_.corner_textures.push_back(is_complete
                                           ? static_cast<std::uint32_t>(soup_.texture_table.size())
-                                          : PolygonSoup::no_texture);
+                                          : PolygonSoup::no_value);
       if (is_complete)
         soup_.texture_table.push_back({corner_textures_[2 * i], corner_textures_[2 * i + 1]});
     }

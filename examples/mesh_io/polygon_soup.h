@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace quadrille_examples {
@@ -19,7 +18,7 @@ namespace quadrille_examples {
 inline constexpr std::uint64_t most_points = std::numeric_limits<std::uint32_t>::max() - 1;
 
 struct PolygonSoup {
-  static constexpr std::uint32_t no_texture = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
 
   std::vector<Point> points;
   std::vector<Color> colors; ///< empty or one per point; the alpha may be `opaque`
@@ -31,16 +30,22 @@ struct PolygonSoup {
   /// The corners of all polygons, one polygon after the other; all smaller than `points.size()`.
   std::vector<std::uint32_t> corners;
   std::vector<std::size_t> polygon_ends; ///< where in `corners` each polygon ends
-  /// For the formats that keep them at the corners: a table, and an index into it (or `no_texture`)
+  /// For the formats that keep them at the corners: a table, and an index into it (or `no_value`)
   /// for each of the corners, or for none of them.
   std::vector<std::array<double, 2>> texture_table;
   std::vector<std::uint32_t> corner_textures;
+  std::vector<std::array<double, 3>> normal_table;
+  std::vector<std::uint32_t> corner_normals;
+  /// Of the polygons, for the formats of which the values at the corners are kept there; else
+  /// empty, and the values are gathered at the points.
+  FaceParts parts;
 
-  bool has_normals = false; ///< which are not kept
+  bool has_normals = false;
 
   std::vector<std::string> remarks;
   Losses losses;
 
+  /// There are normals, which are not kept.
   void tell_normals() {
     has_normals = true;
     losses.add("normals");
@@ -49,9 +54,9 @@ struct PolygonSoup {
   /// Ends the polygon of the corners that have been appended since the last one.
   void end_polygon() { polygon_ends.push_back(corners.size()); }
 
-  std::span<const std::uint32_t> polygon(std::size_t i) const {
-    const std::size_t begin = i == 0 ? 0 : polygon_ends[i - 1];
-    return {corners.data() + begin, polygon_ends[i] - begin};
+  /// Where in `corners` a polygon begins.
+  std::size_t begin_of(std::size_t polygon) const {
+    return polygon == 0 ? 0 : polygon_ends[polygon - 1];
   }
 };
 

@@ -187,6 +187,18 @@ public:
   /// The rest of the line.
   std::string_view rest_of_line() const { return text().substr(position_, line_end_ - position_); }
 
+  /// The rest of the line as a name, which may hold blanks, and a # unless that stands alone.
+  std::string_view rest_as_name() const {
+    std::string_view name = text().substr(position_, newline_ - position_);
+    for (std::size_t i = 0; i < name.size(); ++i)
+      if (name[i] == '#' && (i == 0 || is_blank(name[i - 1])) &&
+          (i + 1 == name.size() || is_blank(name[i + 1])))
+        name = name.substr(0, i);
+    while (!name.empty() && is_blank(name.back()))
+      name.remove_suffix(1);
+    return name;
+  }
+
   double next_number(const char* what) {
     const std::string_view word = next_word();
     const std::optional<double> value = parse_number(word);
@@ -245,7 +257,7 @@ private:
     const auto end = std::find_if(begin, source_->content.end(), is_newline);
     const auto text_end = comments_ == Comments::hash ? std::find(begin, end, '#') : end;
     line_end_ = position_ + static_cast<std::size_t>(text_end - begin);
-    next_ = position_ + static_cast<std::size_t>(end - begin);
+    newline_ = next_ = position_ + static_cast<std::size_t>(end - begin);
     next_ += text().substr(next_, 2) == "\r\n" ? 2 : 1;
     next_ = std::min(next_, text().size());
     ++line_number_;
@@ -267,7 +279,8 @@ private:
   Comments comments_;
   std::size_t position_ = 0; // of the next word in the line
   std::size_t line_end_ = 0;
-  std::size_t next_ = 0; // start of the next line
+  std::size_t newline_ = 0; // behind the line and its comment
+  std::size_t next_ = 0;    // start of the next line
   std::size_t line_number_ = 0;
 };
 

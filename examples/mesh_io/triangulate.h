@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,19 +20,18 @@ namespace quadrille_examples {
 
 /// Cuts one polygon, convex or not, into triangles. A quadrilateral, which need not be flat, is cut
 /// along the diagonal that folds it less; a larger polygon by a constrained Delaunay triangulation
-/// in the coordinate plane that it faces most.
+/// in the coordinate plane that it faces most. The triangles are of corner numbers.
 class PolygonTriangulation {
 public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// The polygon has three corners or more.
-  PolygonTriangulation(const std::vector<Point>& points, std::span<const std::uint32_t> polygon)
-      : polygon_(polygon), outline_(outline(points, polygon)) {}
+  explicit PolygonTriangulation(const std::vector<Point>& corners) : outline_(outline(corners)) {}
 
   /// Appends the triangles; false if the projected outline crosses or touches itself, or is flat,
   /// so that there is no telling inside from outside.
   bool append_to(std::vector<Triangle>& triangles) const {
-    if (polygon_.size() == 4)
+    if (outline_.size() == 4)
       return append_quadrilateral(triangles);
     Triangulation triangulation;
     try {
@@ -57,22 +55,19 @@ private:
 
   /// The corners, moved to the origin and scaled by a power of two to a size of about one, so that
   /// no area over- or underflows.
-  static std::vector<Point> outline(const std::vector<Point>& points,
-                                    std::span<const std::uint32_t> polygon) {
-    const Point& origin = points[polygon[0]];
+  static std::vector<Point> outline(const std::vector<Point>& corners) {
+    const Point& origin = corners[0];
     double size = 0;
-    for (const std::uint32_t corner : polygon)
+    for (const Point& p : corners)
       for (int axis = 0; axis < 3; ++axis)
-        size = std::max(size, std::abs(points[corner][axis] - origin[axis]));
+        size = std::max(size, std::abs(p[axis] - origin[axis]));
     const int exponent = size > 0 && std::isfinite(size) ? -std::ilogb(size) : 0;
     const auto local = [&](const Point& p, int axis) {
       return std::scalbn(p[axis] - origin[axis], exponent);
     };
     std::vector<Point> result;
-    for (const std::uint32_t corner : polygon) {
-      const Point& p = points[corner];
+    for (const Point& p : corners)
       result.emplace_back(local(p, 0), local(p, 1), local(p, 2));
-    }
     return result;
   }
 
@@ -82,11 +77,10 @@ private:
     const auto normal = [this](std::size_t a, std::size_t b, std::size_t c) {
       return CGAL::cross_product(outline_[b] - outline_[a], outline_[c] - outline_[a]);
     };
-    const auto& q = polygon_;
     if (normal(0, 1, 2) * normal(0, 2, 3) >= normal(1, 2, 3) * normal(1, 3, 0))
-      triangles.insert(triangles.end(), {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}});
+      triangles.insert(triangles.end(), {{0, 1, 2}, {0, 2, 3}});
     else
-      triangles.insert(triangles.end(), {{q[1], q[2], q[3]}, {q[1], q[3], q[0]}});
+      triangles.insert(triangles.end(), {{1, 2, 3}, {1, 3, 0}});
     return true;
   }
 
@@ -140,17 +134,16 @@ private:
 
   bool append_inside(const Triangulation& triangulation, std::vector<Triangle>& triangles) const {
     const std::size_t before = triangles.size();
-    const auto corner = [&](const auto face, int i) { return polygon_[face->vertex(i)->info()]; };
+    const auto corner = [](const auto face, int i) { return face->vertex(i)->info(); };
     for (const auto face : triangulation.finite_face_handles())
       if (!face->info())
         triangles.push_back({corner(face, 0), corner(face, 1), corner(face, 2)});
-    if (triangles.size() - before == polygon_.size() - 2)
+    if (triangles.size() - before == outline_.size() - 2)
       return true;
     triangles.resize(before);
     return false;
   }
 
-  std::span<const std::uint32_t> polygon_;
   std::vector<Point> outline_;
 };
 

@@ -42,6 +42,27 @@ inline void keep_points(IndexedMesh& mesh, const std::vector<bool>& kept) {
       corner = new_index[corner];
 }
 
+template <class Value>
+void keep_values(std::vector<Value>& values, const std::vector<bool>& kept) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (kept[i])
+      values[count++] = values[i];
+  values.resize(count);
+}
+
+/// Removes the triangles that are not `kept`, with what belongs to them. Returns how many went.
+inline std::size_t keep_triangles(IndexedMesh& mesh, const std::vector<bool>& kept) {
+  const auto gone = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+  if (gone == 0)
+    return 0;
+  keep_values(mesh.triangles, kept);
+  keep_values(mesh.corner_textures.triples, kept);
+  keep_values(mesh.corner_normals.triples, kept);
+  keep_values(mesh.parts.of_faces, kept);
+  return gone;
+}
+
 /// The order of vertices by what they have beside their place.
 class AttributeOrder {
 public:

@@ -1,6 +1,7 @@
 // Bytes are a file, the first of them its format: it is refused with an exception, or read, and
-// then simplified with its colours and texture coordinates, written and read again.
+// then simplified with its colours, texture coordinates, normals and parts, written and read again.
 #include "../../examples/mesh_attributes.h"
+#include "../../examples/mesh_channels.h"
 #include "../../examples/mesh_io.h"
 
 #include <quadrille/simplify.h>
@@ -33,7 +34,27 @@ bool is_finite(const Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
+template <std::size_t N>
+void require_valid(const CornerValues<N>& corners, std::size_t triangles) {
+  require(corners.empty() || corners.triples.size() == triangles, "triples");
+  for (const auto& triple : corners.triples)
+    for (const std::uint32_t index : triple)
+      require(index < corners.values.size(), "an index of no value");
+  for (const auto& value : corners.values)
+    for (const double number : value)
+      require(std::isfinite(number), "a value at a corner that is none");
+}
+
+void require_valid(const FaceParts& parts, std::size_t triangles) {
+  require(parts.of_faces.empty() || parts.of_faces.size() == triangles, "parts");
+  for (const std::uint32_t part : parts.of_faces)
+    require(part < parts.parts.size(), "no part");
+}
+
 void require_valid(const IndexedMesh& mesh) {
+  require_valid(mesh.corner_textures, mesh.triangles.size());
+  require_valid(mesh.corner_normals, mesh.triangles.size());
+  require_valid(mesh.parts, mesh.triangles.size());
   require(std::all_of(mesh.points.begin(), mesh.points.end(), is_finite), "not finite");
   require(mesh.colors.empty() || mesh.colors.size() == mesh.points.size(), "colours");
   require(mesh.texture_coordinates.empty() || mesh.texture_coordinates.size() == mesh.points.size(),
@@ -61,6 +82,14 @@ IndexedMesh read(const MeshFormat& format, const std::filesystem::path& path, st
 
 /// As the program does.
 void simplify(IndexedMesh& mesh) {
+  if (needs_channels(mesh)) {
+    MeshChannels(mesh).take_through(
+        [&](const auto&... channels) {
+          return quadrille::simplify(mesh.points, mesh.triangles, channels...);
+        },
+        {});
+    return;
+  }
   const MeshAttributes attributes(mesh, {0.02, 0.2});
   std::vector<CarriedAttributes<6>> carried = attributes.carried<6>();
   quadrille::AttributeQuadric<6> cost;
@@ -96,8 +125,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             "other triangles were written");
     require(again.colors.empty() != format.holds_attributes || mesh.colors.empty(),
             "colours were lost");
+    const bool have_same = again.corner_textures.empty() == mesh.corner_textures.empty() &&
+                           again.corner_normals.empty() == mesh.corner_normals.empty();
+    require(path.extension() != ".obj" || !again.remarks.empty() || !have_same ||
+                format.encode(again) == written,
+            "another file was written");
   } catch (const std::runtime_error& error) { // refused, in one line
     require(std::string(error.what()).find('\n') == std::string::npos, "more than one line");
+  } catch (const std::invalid_argument&) { // attributes that no weight makes comparable
   }
   return 0;
 }
