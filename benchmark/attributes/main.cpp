@@ -126,6 +126,8 @@ int main(int argc, char** argv) {
   settings.add_to(app);
   CLI11_PARSE(app, argc, argv);
 
+  if (contenders(settings).empty())
+    return EXIT_SUCCESS; // it is another benchmark that is asked for
   std::filesystem::create_directories(settings.out);
   bool all_used = true;
   for (const std::string& model : settings.models)
