@@ -27,7 +27,7 @@ public:
 
   std::size_t components() const { return components_; }
   double weight(Index wedge) const { return weights_[wedge]; }
-  const AffineMap* maps(Index wedge) const { return &maps_[wedge * components_]; }
+  const AffineMap* maps(Index wedge) const { return maps_.data() + wedge * components_; }
   double value(Index wedge, std::size_t component) const {
     return maps_[wedge * components_ + component].value;
   }
@@ -118,7 +118,7 @@ public:
     weights_[wedge] = map.weight;
     if (!borders_.empty())
       borders_[wedge] = map.border;
-    std::copy(map.maps.begin(), map.maps.end(), &maps_[wedge * components_]);
+    std::copy(map.maps.begin(), map.maps.end(), maps_.data() + wedge * components_);
   }
   void write(Index wedge, const WedgeMap& map, Index origin) {
     write(wedge, map);
