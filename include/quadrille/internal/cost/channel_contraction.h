@@ -53,8 +53,9 @@ public:
       return false;
     bool closes = false;
     joins.for_each_group([&](const WedgeJoins::Group& group) {
-      closes = closes || has_seam_within(star.first, pair_.first, group.first) ||
-               has_seam_within(star.second, pair_.second, group.second);
+      closes = closes ||
+               has_seam_within(star.first, star, pair_.first, pair_.second, group.first) ||
+               has_seam_within(star.second, star, pair_.second, pair_.first, group.second);
     });
     return closes;
   }
@@ -150,21 +151,28 @@ private:
         if (records().have_equal_values(w, x))
           joins.add(w, x);
   }
-  // Is there a seam at a vertex between two of some wedges?
-  bool has_seam_within(const AppendBuffer<StarFace>& faces, Index v,
-                       const WedgeList& wedges) const {
+  // Is there a seam at an end, other than that between the ends, between two of some wedges? The
+  // faces at that end alone are given.
+  bool has_seam_within(const AppendBuffer<StarFace>& faces, const PairStar& star, Index v,
+                       Index other_end, const WedgeList& wedges) const {
     if (wedges.size() < 2)
       return false;
-    const auto is_within = [&](const StarFace& f) {
-      return std::find(wedges.begin(), wedges.end(), channel_.wedge(complex_, f.face, v)) !=
-             wedges.end();
-    };
+    std::vector<std::pair<Index, Index>> sides; // the other end of an edge, a face
     for (const StarFace& f : faces)
-      for (const StarFace& g : faces)
-        for (Index w : {f.second, f.third})
-          if (f.face < g.face && g.has(w) && channel_.has_seam(complex_, f.face, g.face, v, w) &&
-              is_within(f) && is_within(g))
-            return true;
+      for (Index w : {f.second, f.third})
+        sides.emplace_back(w, f.face);
+    for (const StarFace& f : star.shared)
+      sides.emplace_back(f.other_than(pair_.second), f.face);
+    std::erase_if(sides, [&](const auto& side) {
+      const Index wedge = channel_.wedge(complex_, side.second, v);
+      return side.first == other_end ||
+             std::find(wedges.begin(), wedges.end(), wedge) == wedges.end();
+    });
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t j = i + 1; j < sides.size() && sides[j].first == sides[i].first; ++j)
+        if (channel_.has_seam(complex_, sides[i].second, sides[j].second, v, sides[i].first))
+          return true;
     return false;
   }
 
