@@ -435,12 +435,3 @@ TEST_CASE("Random values at corners leave labels as they are, and finite values"
     }
   }
 }
-
-TEST_CASE("Random values at corners tear no chart and merge none") {
-  for (std::uint64_t seed = 1; seed <= 48; ++seed) {
-    const Textured surface = random_corners(random_closed(seed), seed);
-    const auto [result, report] = as_triples(surface, 0);
-    CAPTURE(seed, report);
-    CHECK(faces_of_charts(result).size() == faces_of_charts(surface).size());
-  }
-}
