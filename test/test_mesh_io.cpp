@@ -386,6 +386,7 @@ TEST_CASE("Names in OBJ files may hold blanks and #, and end before a comment", 
   CHECK(name_of("usemtl #1") == "#1");
   CHECK(name_of("usemtl Material #25 # red") == "Material #25");
   CHECK(name_of("usemtl a#b\r") == "a#b");
+  CHECK(name_of("usemtl a# b#") == "a# b#");
 }
 
 TEST_CASE("Parts that differ by their smoothing groups only are one region", "[mesh_io]") {
