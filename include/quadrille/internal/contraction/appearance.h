@@ -64,8 +64,7 @@ public:
       if (sides.size() == 2)
         edges.push_back({v, w});
       if constexpr (has_channels)
-        for (const auto& [end, face] : sides)
-          channels_.hold_borders(seams_.labels(), face, v, w);
+        channels_.hold_borders(seams_.labels(), sides, v, w);
     });
     memories_.remember_creases(policies_.cost, border_weight(), geometry_.positions(), complex_,
                                edges);

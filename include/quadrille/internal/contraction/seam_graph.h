@@ -142,8 +142,7 @@ private:
   bool is_seam(Index face, Index other, Index v, Index w) const {
     return (!label_.empty() && label_[face] != label_[other]) ||
            std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
-             return channel.are_seams_kept() && (channel.has_seam(*complex_, face, other, v, w) ||
-                                                 channel.has_fold(*complex_, face, other, v, w));
+             return channel.are_seams_kept() && channel.ends_between(*complex_, face, other, v, w);
            });
   }
 

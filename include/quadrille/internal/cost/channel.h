@@ -123,6 +123,11 @@ public:
     }
   }
 
+  /// Does a chart end between two faces at the edge vw, or is it folded there?
+  bool ends_between(const TriangleComplex& complex, Index face, Index other, Index v,
+                    Index w) const {
+    return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
+  }
   /// Are charts held where they end?
   bool holds_borders() const { return is_texture_ && seams_ == Seams::kept && border_weight_ > 0; }
   /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide

@@ -62,19 +62,23 @@ public:
                        });
   }
 
-  /// Holds the charts of a face at its edge vw, where they end.
-  void hold_borders(const Array<Index>& labels, Index face, Index v, Index w) {
-    const double squared =
+  /// Holds the charts that end at the edge vw; the second of each of its sides is a face.
+  template <class Sides>
+  void hold_borders(const Array<Index>& labels, const Sides& sides, Index v, Index w) {
+    const double area =
         weight_of_area(squared_distance(geometry_.position(v), geometry_.position(w)));
     for (Channel& channel : channels_) {
-      if (!channel.holds_borders())
+      if (!channel.holds_borders() ||
+          (sides.size() == 2 &&
+           !channel.ends_between(complex_, sides[0].second, sides[1].second, v, w)))
         continue;
-      for (const auto& [end, other] : {std::pair(v, w), std::pair(w, v)}) {
-        QuadricForm<3> held;
-        channel.hold_border(complex_, labels, face, end, other, squared, held);
-        form_at(end) += held;
-        traces_[end] += held.trace();
-      }
+      for (const auto& [other_end, face] : sides)
+        for (const auto& [end, other] : {std::pair(v, w), std::pair(w, v)}) {
+          QuadricForm<3> held;
+          channel.hold_border(complex_, labels, face, end, other, area, held);
+          form_at(end) += held;
+          traces_[end] += held.trace();
+        }
     }
   }
 

@@ -115,10 +115,12 @@ ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& num
       weights.factors = extent.factors_by_label();
   } else if (range > 0 && scale.diagonal() > 0)
     by_default = part_of_diagonal * scale.length_from_mesh(scale.diagonal()) / range;
+  // A default is bounded: what it makes of a texture of no size is not the user's fault.
+  const double greatest = range > 0 ? (std::min)(0x1p150, 0x1p30 / range) : 0x1p150;
   for (std::size_t c = 0; c < channel.components; ++c) {
     const double weight =
-        channel.importance *
-        (channel.weights.empty() ? by_default : scale.length_from_mesh(channel.weights[c]));
+        channel.importance * (channel.weights.empty() ? std::clamp(by_default, 0x1p-150, greatest)
+                                                      : scale.length_from_mesh(channel.weights[c]));
     weights.squared.push_back(weight * weight);
     if (!(weight * weight > 0x1p-400 && weight * weight < 0x1p400) || !(weight * range < 0x1p40))
       throw std::invalid_argument("quadrille::simplify: component " + std::to_string(c) +
