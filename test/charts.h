@@ -228,12 +228,12 @@ inline std::vector<std::uint32_t> cut_vertices(const Textured& surface) {
   detail::Partition parts(3 * surface.soup.triangles.size());
   for (const auto& [edge, sides] : sides_of_edges(surface.soup))
     if (!is_seam(surface, sides)) {
-      const auto merge = [&](std::size_t i, std::size_t j) {
-        parts.merge(static_cast<std::uint32_t>(3 * sides[0].face + i),
-                    static_cast<std::uint32_t>(3 * sides[1].face + j));
+      const EdgeSide &one = sides[0], &two = sides[1];
+      const auto corner = [](std::size_t face, std::size_t i) {
+        return static_cast<std::uint32_t>(3 * face + i);
       };
-      merge(sides[0].lower, sides[1].lower);
-      merge(sides[0].upper, sides[1].upper);
+      parts.merge(corner(one.face, one.lower), corner(two.face, two.lower));
+      parts.merge(corner(one.face, one.upper), corner(two.face, two.upper));
     }
   std::vector<std::uint32_t> result;
   for (std::uint32_t corner = 0; corner < 3 * surface.soup.triangles.size(); ++corner)

@@ -245,7 +245,7 @@ std::set<std::array<double, 2>> places_at(const TexturedMesh<Mesh>& asset, Mesh:
 TEST_CASE(
     "Each of several channels keeps to its own seams, and is continuous over those of others") {
   for (const Seams seams : {Seams::priced, Seams::kept})
-    for (const std::size_t faces : {200, 80}) {
+    for (const std::size_t faces : {200U, 80U}) {
       Asset asset = cylinder_of_four_channels();
       const Textured before = asset.surface();
       const Report report = asset.run(faces, {.normals = {.seams = seams}});
@@ -387,7 +387,7 @@ TEST_CASE("A channel of one value changes nothing") {
 }
 
 TEST_CASE("A component that is the same at all corners keeps its bits") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Textured surface = random_corners(random_closed(seed), seed);
     for (auto& triangle : surface.texture)
       for (TexturePlace& place : triangle)
@@ -436,7 +436,7 @@ TEST_CASE("Values may be of floats, and triples of integers with a sign") {
 
 TEST_CASE("A surface each face of which has its normal goes where it goes without") {
   for (const Soup& soup : {sphere(3), with_noise(torus(24, 12), 1, 0.01)})
-    for (const std::size_t faces : {200, 50}) {
+    for (const std::size_t faces : {200U, 50U}) {
       const NormalsResult result = with_normals(soup, facet_normals(soup), faces);
       CAPTURE(faces, result.report);
       CHECK(is_target_reached(result.report.stop));
@@ -527,13 +527,13 @@ TEST_CASE("Where seams are free, places of the texture around a vertex become on
       const TexturePlace& place = cube.texture[t][i];
       auto& [low, high] =
           ranges.try_emplace(cube.soup.triangles[t][i], std::array{place, place}).first->second;
-      for (const std::size_t c : {0, 1})
+      for (const std::size_t c : {0U, 1U})
         low[c] = std::min(low[c], place[c]), high[c] = std::max(high[c], place[c]);
     }
   for (std::size_t t = 0; t < cube.labels.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& [low, high] = ranges.at(cube.soup.triangles[t][i]);
-      for (const std::size_t c : {0, 1}) {
+      for (const std::size_t c : {0U, 1U}) {
         CHECK(result.texture[t][i][c] > low[c] - 1e-12);
         CHECK(result.texture[t][i][c] < high[c] + 1e-12);
       }

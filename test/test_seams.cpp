@@ -166,7 +166,7 @@ TEST_CASE("Corners of charts that are not told vanish") { // else the patterns s
 
 TEST_CASE("The seam of a cylinder stays a path from border to border, along which v is linear") {
   const Textured cylinder = textured_cylinder(40, 16);
-  for (const std::size_t faces : {400, 100, 14}) {
+  for (const std::size_t faces : {400U, 100U, 14U}) {
     const auto [result, report] = as_triples(cylinder, faces);
     CAPTURE(faces, report);
     CHECK(report.faces_after <= faces);
