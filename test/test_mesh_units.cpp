@@ -146,10 +146,10 @@ TEST_CASE("Policies of a user's speak the mesh's unit of length") {
 
 namespace {
 
-using Colors = std::vector<std::array<double, 3>>;
+using ColorValues = std::vector<std::array<double, 3>>;
 
-Colors colors_of(const Soup& soup, double scale) {
-  Colors colors;
+ColorValues colors_of(const Soup& soup, double scale) {
+  ColorValues colors;
   for (const Position& p : soup.points)
     colors.push_back({0.5 + 0.4 * p[0] / scale, 0.5, 0.3});
   return colors;
@@ -191,7 +191,7 @@ TEST_CASE("Policies of a user's speak the units of attributes") {
   const double scale = GENERATE(1e-6, 1.0, 1e6);
   CAPTURE(scale);
   const Soup soup = input(scale);
-  Colors colors = colors_of(soup, scale);
+  ColorValues colors = colors_of(soup, scale);
   const auto map = CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors));
   PointSoup points(soup);
 

@@ -96,7 +96,8 @@ TEST_CASE("Two sums of quadrics at a time have the least values of each") {
     const QuadricForm<3> first = away(), second = away(), third = away(), fourth = away();
     const Vector<3> d = random_vector<3>(random), e = random_vector<3>(random);
     const auto values = quadrille::internal::least_values(
-        {&first, &second}, {&third, &fourth}, {d, e}, quadrille::internal::Lanes{1e9, 1e9});
+        {&first, &second}, {&third, &fourth}, {d, e}, quadrille::internal::Lanes{1e9, 1e9},
+        quadrille::internal::NothingAdded{});
     const auto left = QuadricForm<3>::sum_about_first(first, third, d);
     const auto right = QuadricForm<3>::sum_about_first(second, fourth, e);
     CHECK(values[0] == Approx(left(*left.minimizer())));
