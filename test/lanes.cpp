@@ -48,7 +48,8 @@ void compute_at_random() {
     for (Vector<3>& way : ways)
       way = random_vector(random);
     const internal::Lanes reach{2, 4};
-    print(internal::least_values({&forms[0], &forms[1]}, {&forms[2], &forms[3]}, ways, reach));
+    print(internal::least_values({&forms[0], &forms[1]}, {&forms[2], &forms[3]}, ways, reach,
+                                 internal::NothingAdded{}));
 
     const auto current = [](const QuadricForm<3>& form) {
       return MemorylessQuadric::Current{form.matrix(), form.gradient()};

@@ -35,7 +35,8 @@ public:
     for_each_channel(maps_, [&](auto& map, std::size_t) {
       ChannelInput input = map.input(workspace);
       if constexpr (is_indexed<SourceOf<decltype(map)>>) {
-        if (std::ranges::empty(*map.source().values) && std::ranges::empty(*map.source().triples))
+        if (std::ranges::size(*map.source().values) == 0 &&
+            std::ranges::size(*map.source().triples) == 0)
           input = ChannelInput(&workspace); // of no component: no channel at all
         else
           read_indexed(map, triangles, input);
@@ -181,7 +182,7 @@ private:
     using Triples = std::remove_cvref_t<decltype(*map.source().triples)>;
     std::pair<Values, Triples> left{empty_like(*map.source().values),
                                     empty_like(*map.source().triples)};
-    if (std::ranges::empty(*map.source().triples))
+    if (std::ranges::size(*map.source().triples) == 0)
       return left;
     const Array<Index> input_faces = result.input_faces();
     std::vector<Use> uses = uses_of(result, faces, input_faces, c, map);
@@ -204,7 +205,9 @@ private:
     Index old;
     std::vector<double> wedge_value; // empty: as it was
     Index wedge;
-    friend auto operator<=>(const Use&, const Use&) = default;
+    friend bool operator<(const Use& a, const Use& b) {
+      return std::tie(a.old, a.wedge_value, a.wedge) < std::tie(b.old, b.wedge_value, b.wedge);
+    }
   };
 
   template <class Result, class Map>

@@ -49,7 +49,7 @@ template <class T>
 T to_number(double x) {
   constexpr double greatest_double = (std::numeric_limits<double>::max)();
   if constexpr (std::floating_point<T> && sizeof(T) < sizeof(double)) {
-    constexpr double greatest = (std::numeric_limits<T>::max)();
+    constexpr auto greatest = static_cast<double>((std::numeric_limits<T>::max)());
     return static_cast<T>(std::clamp(x, -greatest, greatest));
   } else {
     return T(std::clamp(x, -greatest_double, greatest_double));
