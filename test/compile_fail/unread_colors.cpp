@@ -6,9 +6,9 @@ int main() {
   const auto colors =
       mesh.add_property_map<CGAL::SM_Vertex_index, CGAL::IO::Color>("v:color").first;
 #ifdef REMEDY
-  simplify<ColorQuadric>(mesh, CGAL::parameters::vertex_color_map(colors));
+  const auto named = CGAL::parameters::vertex_color_map(colors);
 #else
-  simplify<ColorQuadric>(mesh, CGAL::parameters::vertex_color_map(colors).vertex_texture_map(
-                                   colors)); // mistake
+  const auto named = CGAL::parameters::vertex_color_map(colors).vertex_texture_map(colors);
 #endif
+  simplify<ColorQuadric>(mesh, named); // mistake
 }
