@@ -1,5 +1,6 @@
 #!/bin/sh
-# Checks that Debug and Release builds of all compilers give the same results, to the last digit.
+# Checks that a Debug build of the first compiler and Release builds of all give the same results, to
+# the last digit.
 #   sh debug_and_release.sh MODEL.off FLAG... -- COMPILER...
 # Where the processor has a fused multiply-add, compilers take it in different places, so it is
 # switched off.
@@ -18,6 +19,7 @@ trap 'rm -rf "$folder"' EXIT
 
 for compiler; do
   for build in -O0 '-O2 -DNDEBUG'; do
+    [ "$build" != -O0 ] || [ ! -e "$folder/first" ] || continue
     # shellcheck disable=SC2086
     "$compiler" $flags -ffp-contract=off $build "$here/debug_and_release.cpp" -o "$folder/program"
     "$folder/program" "$model" >"$folder/results"
