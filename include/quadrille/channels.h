@@ -87,10 +87,16 @@ template <class Source_>
 struct ChannelArgument {
   using Source = Source_;
 
-  Source source;
-  ChannelOptions options;
+  explicit ChannelArgument(Source map, ChannelOptions given = {})
+      : source(std::move(map)), options(std::move(given)) {}
+  template <class Values, NotOptions Triples>
+  ChannelArgument(Values& values, Triples& triples, ChannelOptions given = {})
+      : source{&values, &triples}, options(std::move(given)) {}
 
   void validate() const { options.validate(); }
+
+  Source source;
+  ChannelOptions options;
 };
 
 } // namespace internal
@@ -108,76 +114,44 @@ struct ChannelArgument {
 /// texture as Rejection::texture. Edges where the texture is mirrored are seams too.
 template <class Source>
 struct Texture : internal::ChannelArgument<Source> {
-  explicit Texture(Source map, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
-  template <class Values, internal::NotOptions Triples>
-  Texture(Values& values, Triples& triples, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
+  using internal::ChannelArgument<Source>::ChannelArgument;
 };
 template <class Map>
-Texture(Map) -> Texture<Map>;
-template <class Map>
-Texture(Map, ChannelOptions) -> Texture<Map>;
+Texture(Map, ChannelOptions = {}) -> Texture<Map>;
 template <class Values, internal::NotOptions Triples>
-Texture(Values&, Triples&) -> Texture<IndexedValues<Values, Triples>>;
-template <class Values, internal::NotOptions Triples>
-Texture(Values&, Triples&, ChannelOptions) -> Texture<IndexedValues<Values, Triples>>;
+Texture(Values&, Triples&, ChannelOptions = {}) -> Texture<IndexedValues<Values, Triples>>;
 
 /// Normals of three components; those that change get unit length. Otherwise as Texture.
 template <class Source>
 struct Normals : internal::ChannelArgument<Source> {
-  explicit Normals(Source map, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
-  template <class Values, internal::NotOptions Triples>
-  Normals(Values& values, Triples& triples, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
+  using internal::ChannelArgument<Source>::ChannelArgument;
 };
 template <class Map>
-Normals(Map) -> Normals<Map>;
-template <class Map>
-Normals(Map, ChannelOptions) -> Normals<Map>;
+Normals(Map, ChannelOptions = {}) -> Normals<Map>;
 template <class Values, internal::NotOptions Triples>
-Normals(Values&, Triples&) -> Normals<IndexedValues<Values, Triples>>;
-template <class Values, internal::NotOptions Triples>
-Normals(Values&, Triples&, ChannelOptions) -> Normals<IndexedValues<Values, Triples>>;
+Normals(Values&, Triples&, ChannelOptions = {}) -> Normals<IndexedValues<Values, Triples>>;
 
 /// Colours of three components, or of four with alpha; those that change stay in the range of those
 /// that there were, or in [0, 1] where these lie there. Otherwise as Texture.
 template <class Source>
 struct Colors : internal::ChannelArgument<Source> {
-  explicit Colors(Source map, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
-  template <class Values, internal::NotOptions Triples>
-  Colors(Values& values, Triples& triples, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
+  using internal::ChannelArgument<Source>::ChannelArgument;
 };
 template <class Map>
-Colors(Map) -> Colors<Map>;
-template <class Map>
-Colors(Map, ChannelOptions) -> Colors<Map>;
+Colors(Map, ChannelOptions = {}) -> Colors<Map>;
 template <class Values, internal::NotOptions Triples>
-Colors(Values&, Triples&) -> Colors<IndexedValues<Values, Triples>>;
-template <class Values, internal::NotOptions Triples>
-Colors(Values&, Triples&, ChannelOptions) -> Colors<IndexedValues<Values, Triples>>;
+Colors(Values&, Triples&, ChannelOptions = {}) -> Colors<IndexedValues<Values, Triples>>;
 
 /// Anything else of as many components as the type of the values tells: weights of a skin, heat, a
 /// second channel of anything. Otherwise as Texture.
 template <class Source>
 struct Attributes : internal::ChannelArgument<Source> {
-  explicit Attributes(Source map, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{std::move(map), std::move(given)} {}
-  template <class Values, internal::NotOptions Triples>
-  Attributes(Values& values, Triples& triples, ChannelOptions given = {})
-      : internal::ChannelArgument<Source>{{&values, &triples}, std::move(given)} {}
+  using internal::ChannelArgument<Source>::ChannelArgument;
 };
 template <class Map>
-Attributes(Map) -> Attributes<Map>;
-template <class Map>
-Attributes(Map, ChannelOptions) -> Attributes<Map>;
+Attributes(Map, ChannelOptions = {}) -> Attributes<Map>;
 template <class Values, internal::NotOptions Triples>
-Attributes(Values&, Triples&) -> Attributes<IndexedValues<Values, Triples>>;
-template <class Values, internal::NotOptions Triples>
-Attributes(Values&, Triples&, ChannelOptions) -> Attributes<IndexedValues<Values, Triples>>;
+Attributes(Values&, Triples&, ChannelOptions = {}) -> Attributes<IndexedValues<Values, Triples>>;
 
 /// An argument of `simplify` for a soup whose vertices are split at seams, as the buffers of a
 /// renderer: points at exactly the same place are one vertex, and are told apart by the channels.

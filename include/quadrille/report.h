@@ -58,9 +58,9 @@ enum class Rejection {
   distance,    ///< the surface would leave the distance that the stop policy allows
   position,    ///< the placement gave a position that is not finite
   destruction, ///< a part would lose its shape for a target that can't be reached
-  seam,        ///< a region of labels would be torn, vanish or meet another one: see Labels
-  texture,     ///< a face would turn over in a texture: see Texture
-  filter,      ///< a filter of the user's refused
+  seam,    ///< a region of labels, or a chart of a texture, would not stay: see Labels and Texture
+  texture, ///< a face would turn over in a texture: see Texture
+  filter,  ///< a filter of the user's refused
 };
 inline constexpr std::size_t rejection_causes = 11;
 

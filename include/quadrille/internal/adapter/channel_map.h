@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <ranges>
 #include <stdexcept>
 #include <string>
@@ -100,8 +101,6 @@ public:
                 "use std::array<double, n>, say.");
   using Values = AttributeMap<Map, size, attribute>;
 
-  std::vector<std::pair<Key, Value>> overwritten; ///< by an adapter, which may put them back
-
   explicit ChannelMap(const Channel& channel)
       : channel_(channel), values_(MapOfSource<Source>::of(channel.source)) {}
 
@@ -145,32 +144,37 @@ public:
     values_.limit_to(low, high);
   }
 
-  /// A value that a simplification has changed, in the range of its type, with what else an old one
-  /// has; or one that it has not.
-  Value changed(const Value& old, const Vector<size>& value) const {
-    return values_.changed(old, value);
+  /// What a wedge of a result has instead of an old value, with what else that has; nothing if it
+  /// is the same. What a simplification has changed is put in the range of its type.
+  template <class Result>
+  std::optional<Value> changed(const Result& result, std::size_t channel, Index wedge,
+                               const Value& old) const {
+    Vector<size> value;
+    for (std::size_t c = 0; c < size; ++c)
+      value[c] = result.channel(channel).value(wedge, c);
+    if (Values::components(old) == value)
+      return std::nullopt;
+    return result.channel(channel).origin(wedge) == none ? values_.changed(old, value)
+                                                         : Values::value(old, value);
   }
-  Value unchanged(const Value& old, const Vector<size>& value) const {
-    return Values::value(old, value);
-  }
-  Vector<size> components(const Value& value) const { return Values::components(value); }
 
   Value raw(const Key& key) const { return values_.raw(key); }
   void put_raw(const Key& key, const Value& value) { values_.put_raw(key, value); }
+  /// The same, so that undo() can put back what there was.
+  void overwrite(const Key& key, const Value& value) {
+    overwritten_.emplace_back(key, raw(key));
+    put_raw(key, value);
+  }
+  void undo() {
+    for (const auto& [key, value] : overwritten_)
+      put_raw(key, value);
+  }
 
 private:
   Channel channel_;
   Values values_;
+  std::vector<std::pair<Key, Value>> overwritten_;
 };
-
-/// The value of a wedge of a result.
-template <std::size_t N, class Result>
-Vector<N> value_of(const Result& result, std::size_t channel, Index wedge) {
-  Vector<N> value;
-  for (std::size_t c = 0; c < N; ++c)
-    value[c] = result.channel(channel).value(wedge, c);
-  return value;
-}
 
 /// Channels of the user's as a tuple of their maps.
 template <class... Channel>
@@ -184,6 +188,11 @@ template <class Maps, class Visit>
 void for_each_channel(Maps& maps, Visit visit) {
   std::size_t c = 0;
   std::apply([&](auto&... map) { (visit(map, c++), ...); }, maps);
+}
+/// Puts back what has been overwritten in each.
+template <class Maps>
+void undo_channels(Maps& maps) {
+  for_each_channel(maps, [](auto& map, std::size_t) { map.undo(); });
 }
 
 } // namespace quadrille::internal

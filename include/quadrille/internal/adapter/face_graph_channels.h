@@ -57,18 +57,13 @@ public:
       using Key = typename std::remove_cvref_t<decltype(map)>::Key;
       if constexpr (std::same_as<Key, Vertex>)
         for (Index v = 0; v < vertices; ++v)
-          write_value(result, c, result.wedge(c, v), vertex_of(v), map);
+          write_value(result, c, result.first_wedge(v), vertex_of(v), map);
       else
         for (Index side = 0; side < halfedges.size(); ++side)
           write_value(result, c, result.wedge(c, side / 3, side % 3), halfedges[side], map);
     });
   }
-  void undo() {
-    for_each_channel(maps_, [&](auto& map, std::size_t) {
-      for (const auto& [key, value] : map.overwritten)
-        map.put_raw(key, value);
-    });
-  }
+  void undo() { undo_channels(maps_); }
 
   /// A vertex that is written twice has the same values twice.
   void copy(Vertex from, Vertex to) {
@@ -96,14 +91,10 @@ private:
   }
 
   template <class Result, class Key, class Map>
-  void write_value(const Result& result, std::size_t c, Index wedge, const Key& key, Map& map) {
-    const auto value = value_of<Map::size>(result, c, wedge);
-    const auto old = map.raw(key);
-    if (map.components(old) == value)
-      return;
-    map.overwritten.emplace_back(key, old);
-    const bool is_changed = result.channel(c).origin(wedge) == none;
-    map.put_raw(key, is_changed ? map.changed(old, value) : map.unchanged(old, value));
+  static void write_value(const Result& result, std::size_t c, Index wedge, const Key& key,
+                          Map& map) {
+    if (const auto value = map.changed(result, c, wedge, map.raw(key)))
+      map.overwrite(key, *value);
   }
 
   Maps maps_;

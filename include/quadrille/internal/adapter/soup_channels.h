@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ADAPTER_SOUP_CHANNELS_H
 
 #include <quadrille/internal/adapter/channel_map.h>
+#include <quadrille/internal/adapter/soup_parts.h>
 #include <quadrille/internal/adapter/split_points.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
@@ -77,8 +78,8 @@ public:
         for (std::size_t i = 0; i < vertices.size(); ++i) {
           // A new index is never above the old one, so nothing is overwritten that is needed.
           const auto old = map.raw(std::size_t{inputs[vertices[i]]});
-          map.overwritten.emplace_back(i, map.raw(i));
-          map.put_raw(i, value_left(result, c, result.wedge(c, vertices[i]), old, map));
+          map.overwrite(i,
+                        map.changed(result, c, result.first_wedge(vertices[i]), old).value_or(old));
         }
     });
   }
@@ -88,13 +89,13 @@ public:
     for_each_channel(maps_, [&](auto& map, std::size_t c) {
       if constexpr (!is_indexed<SourceOf<decltype(map)>>) {
         std::vector<typename std::remove_cvref_t<decltype(map)>::Value> values;
-        for (std::size_t i = 0; i < points.size(); ++i)
-          values.push_back(value_left(result, c, result.wedge(c, points.face(i), points.corner(i)),
-                                      map.raw(std::size_t{points.origin(i)}), map));
         for (std::size_t i = 0; i < points.size(); ++i) {
-          map.overwritten.emplace_back(i, map.raw(i));
-          map.put_raw(i, values[i]);
+          const auto old = map.raw(std::size_t{points.origin(i)});
+          const Index wedge = result.wedge(c, points.face(i), points.corner(i));
+          values.push_back(map.changed(result, c, wedge, old).value_or(old));
         }
+        for (std::size_t i = 0; i < points.size(); ++i)
+          map.overwrite(i, values[i]);
       }
     });
   }
@@ -107,12 +108,7 @@ public:
     });
     return channels;
   }
-  void undo() {
-    for_each_channel(maps_, [](auto& map, std::size_t) {
-      for (const auto& [key, value] : map.overwritten)
-        map.put_raw(key, value);
-    });
-  }
+  void undo() { undo_channels(maps_); }
 
 private:
   using Indices = std::make_index_sequence<std::tuple_size_v<Maps>>;
@@ -131,36 +127,9 @@ private:
     for (std::size_t i = 0; i < count; ++i)
       map.read(i, input);
     for (const auto& triple : triples)
-      input.corners.push_back(read_triple(triple, count, input.corners.size()));
-  }
-
-  template <class Triple>
-  static std::array<Index, 3> read_triple(const Triple& triple, std::size_t count,
-                                          std::size_t face) {
-    const auto refuse = [&](const std::string& what) {
-      throw std::invalid_argument("quadrille::simplify: face " + std::to_string(face) + what);
-    };
-    if (std::ranges::size(triple) != 3)
-      refuse(" has " + std::to_string(std::ranges::size(triple)) + " indices of a channel, not 3");
-    std::array<Index, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!std::in_range<Index>(triple[i]) || std::cmp_greater_equal(triple[i], count))
-        refuse(" names value " + std::to_string(triple[i]) + " of " + std::to_string(count) +
-               " of a channel");
-      corners[i] = static_cast<Index>(triple[i]);
-    }
-    return corners;
-  }
-
-  // What a wedge has instead of an old value.
-  template <class Result, class Map>
-  static auto value_left(const Result& result, std::size_t c, Index wedge,
-                         const typename Map::Value& old, const Map& map) {
-    const auto value = value_of<Map::size>(result, c, wedge);
-    if (map.components(old) == value)
-      return old;
-    return result.channel(c).origin(wedge) == none ? map.changed(old, value)
-                                                   : map.unchanged(old, value);
+      input.corners.push_back(read_indices(
+          triple, input.corners.size(), count, "value", " of a channel",
+          " has " + std::to_string(std::ranges::size(triple)) + " indices of a channel, not 3"));
   }
 
   struct Nothing {};
@@ -190,7 +159,7 @@ private:
     const Use* last = nullptr;
     for (const Use& use : uses) {
       if (!last || use.old != last->old || use.wedge_value != last->wedge_value)
-        left.first.push_back(value_left(result, c, use.wedge, map.raw(std::size_t{use.old}), map));
+        left.first.push_back(left_of(map, result, c, use));
       place[use.wedge] = static_cast<Index>(std::ranges::size(left.first) - 1);
       last = &use;
     }
@@ -209,6 +178,12 @@ private:
       return std::tie(a.old, a.wedge_value, a.wedge) < std::tie(b.old, b.wedge_value, b.wedge);
     }
   };
+
+  template <class Map, class Result>
+  static auto left_of(const Map& map, const Result& result, std::size_t c, const Use& use) {
+    const auto old = map.raw(std::size_t{use.old});
+    return map.changed(result, c, use.wedge, old).value_or(old);
+  }
 
   template <class Result, class Map>
   static std::vector<Use> uses_of(const Result& result, const Array<Index>& faces,

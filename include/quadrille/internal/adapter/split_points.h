@@ -3,10 +3,11 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -82,15 +83,13 @@ private:
         points.push_back({c.origin, c.vertex, c.face, c.corner});
       point_of[k] = static_cast<Index>(points.size() - 1);
     }
-    std::vector<Index> order(points.size()), rank(points.size());
-    for (Index i = 0; i < order.size(); ++i)
-      order[i] = i;
+    Array<Index> order(points.size());
+    std::iota(order.begin(), order.end(), Index{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](Index i, Index j) { return points[i].origin < points[j].origin; });
-    for (Index i = 0; i < order.size(); ++i) {
-      rank[order[i]] = i;
-      points_.push_back(points[order[i]]);
-    }
+    for (Index i : order)
+      points_.push_back(points[i]);
+    const Array<Index> rank = places(order, order.size());
     for (std::size_t k = 0; k < corners.size(); ++k)
       number_[corners[k].place] = rank[point_of[k]];
   }

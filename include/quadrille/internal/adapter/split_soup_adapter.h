@@ -115,7 +115,9 @@ private:
     }
     Array<Index> order(places.size(), workspace_);
     std::iota(order.begin(), order.end(), Index{0});
-    const auto key = [&](const Index& i) { return std::tie(places[i][0], places[i][1], places[i][2], i); };
+    const auto key = [&](const Index& i) {
+      return std::tie(places[i][0], places[i][1], places[i][2], i);
+    };
     std::sort(order.begin(), order.end(), [&](Index i, Index j) { return key(i) < key(j); });
     Array<Index> first(places.size(), workspace_);
     for (std::size_t k = 0; k < order.size(); ++k) {

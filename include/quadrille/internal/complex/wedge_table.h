@@ -35,7 +35,7 @@ public:
   bool has_one(Index vertex) const { return !has_seams() || next_[vertex] == none; }
 
   /// Makes wedges of corners: those around a vertex that are connected by edges at which
-  /// are_one(v, face, i, face', j) holds of both corners at v, or all of them, if it holds of all.
+  /// are_one(face, i, face', j) holds of both corners at v, or all of them, if it holds of all.
   /// Calls found(wedge, face, i) for a
   /// corner of each wedge.
   template <class AreOne, class Found>
@@ -158,7 +158,7 @@ private:
       corners_.clear();
       complex.for_each_corner(v, [&](Index face, Index i) { corners_.push_back({face, i}); });
       is_one_ = std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
-        return are_one(v, corners_[0].first, corners_[0].second, c.first, c.second);
+        return are_one(corners_[0].first, corners_[0].second, c.first, c.second);
       });
       if (is_one_)
         return;
@@ -175,7 +175,7 @@ private:
         for (std::size_t t = s + 1; t < sides_.size() && sides_[t].first == sides_[s].first; ++t) {
           const auto [face, i] = corners_[sides_[s].second];
           const auto [other, j] = corners_[sides_[t].second];
-          if (are_one(v, face, i, other, j))
+          if (are_one(face, i, other, j))
             join(sides_[s].second, sides_[t].second);
         }
     }

@@ -51,8 +51,8 @@ public:
     const Index f = faces_[face];
     return channel(c).wedge(complex(), f, complex().vertices(f)[corner]);
   }
-  /// The first one of a vertex.
-  Index wedge(std::size_t, Index v) const { return vertices_[v]; }
+  /// The first one of a vertex, in any channel.
+  Index first_wedge(Index v) const { return vertices_[v]; }
   /// How many numbers of wedges a channel may use.
   std::size_t wedge_count(std::size_t c) const {
     return channel(c).wedge_count(complex().vertex_capacity());

@@ -36,19 +36,17 @@ struct ContractedPair {
 /// to it, ChannelContraction tells.
 class Channel {
 public:
-  /// `squared_weights`: see MapJoiner. `factors`: how much more each label weighs; none if all
-  /// weigh the same. Where pairs may be no edges, wedges of different values may come together
-  /// anywhere.
+  /// Where pairs may be no edges, wedges of different values may come together anywhere, unless
+  /// each vertex has one.
   template <class Numbering>
   Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
           ChannelWeights weights, bool are_pairs_edges)
       : seams_(input.seams), is_texture_(input.is_texture), border_weight_(input.border_weight),
-        has_one_a_vertex_(input.corners.empty() || input.seams == Seams::free),
-        are_pairs_edges_(are_pairs_edges || has_one_a_vertex_),
+        are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
         factors_(std::move(weights.factors)), table_(complex.workspace()),
         joiner_(std::move(weights.squared)), records_(input.components, complex.workspace()) {
     const ChannelReader reader(input, numbering, complex);
-    if (has_one_a_vertex_)
+    if (has_one_a_vertex(input))
       reader.read_vertices(records_);
     else
       reader.read_wedges(table_, records_, are_pairs_edges_);
@@ -218,6 +216,10 @@ public:
   bool are_pairs_edges() const { return are_pairs_edges_; }
 
 private:
+  static bool has_one_a_vertex(const ChannelInput& input) {
+    return input.corners.empty() || input.seams == Seams::free;
+  }
+
   // How much more a face weighs than others, for its label.
   double factor(const Array<Index>& labels, Index face) const {
     return factors_.empty() || labels.empty() ? 1 : factors_[labels[face]];
@@ -262,8 +264,7 @@ private:
   Seams seams_;
   bool is_texture_;
   double border_weight_;
-  bool has_one_a_vertex_; // whatever its pairs
-  bool are_pairs_edges_;
+  bool are_pairs_edges_;        // or may be taken as such
   std::vector<double> factors_; // of each label; or none
   WedgeTable table_;
   MapJoiner joiner_;

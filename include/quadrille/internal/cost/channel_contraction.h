@@ -25,9 +25,9 @@ class ChannelContraction {
 public:
   /// What a contraction leaves instead of some wedges.
   struct Change {
-    WedgeMap map;     ///< about the first end, later about the target
+    WedgeMap map;     ///< about the target
     WedgeList wedges; ///< that become it
-    Index origin;     ///< see origin()
+    Index origin;     ///< see Channel::origin
   };
   using Changes = boost::container::small_vector<Change, 4>;
 

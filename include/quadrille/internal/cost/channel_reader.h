@@ -28,7 +28,7 @@ public:
     Array<Index> origins(complex_.vertex_capacity(), none, complex_.workspace());
     table.build(
         complex_,
-        [&](Index, Index face, Index i, Index other, Index j) {
+        [&](Index face, Index i, Index other, Index j) {
           return input_.are_equal(value_at(face, i), value_at(other, j));
         },
         [&](Index wedge, Index face, Index i) {

@@ -150,11 +150,10 @@ public:
       }
     traces_[event.kept] = traces_[pair.first] + traces_[pair.second] + joins.trace();
     if constexpr (!remembers_forms<Cost>) {
-      QuadricForm<3>& form = forms_[event.kept];
       joins +=
           QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
       joins.move_origin(target);
-      form = joins;
+      forms_[event.kept] = joins;
     }
   }
 
