@@ -183,20 +183,28 @@ TEST_CASE("Surfaces with one value a vertex are simplified as by brute force") {
   require_same_channels<Vertex, 3>(soup, {{colors, {weight, weight, 0.5 * weight}}});
 }
 
+// Where the middle of a small surface is.
+double half_of(std::uint64_t seed) {
+  return seed % 3 == 2 ? 0.5 : 0;
+}
+
+// A texture of two charts, one on each side of the middle.
+CornerValues two_charts(const Soup& soup, std::uint64_t seed) {
+  return values_of(soup, [&](std::uint32_t t, std::uint32_t v, const Position& p) {
+    const double chart = middle(soup, t, 0) < half_of(seed) ? 0 : 3;
+    return Value{p[1] + 0.2 * p[0] + chart, p[2] + 0.1 * noise(seed, v)};
+  });
+}
+
 TEST_CASE("Channels with seams of their own are simplified as by brute force") {
   const auto seed = GENERATE(range<std::uint64_t>(0, 3));
   CAPTURE(seed);
   const Soup soup = small_surface(seed);
-  const double half = seed % 3 == 2 ? 0.5 : 0;
-  const CornerValues texture =
-      values_of(soup, [&](std::uint32_t t, std::uint32_t v, const Position& p) {
-        const double chart = middle(soup, t, 0) < half ? 0 : 3;
-        return Value{p[1] + 0.2 * p[0] + chart, p[2] + 0.1 * noise(seed, v)};
-      });
+  const CornerValues texture = two_charts(soup, seed);
   const CornerValues colors =
       values_of(soup, [&](std::uint32_t t, std::uint32_t, const Position& p) {
         Value color = smooth_color(p);
-        color[1] += middle(soup, t, 1) < half ? 0 : 0.25;
+        color[1] += middle(soup, t, 1) < half_of(seed) ? 0 : 0.25;
         return color;
       });
   require_same_channels<Halfedge, 2, 3>(soup, {{texture, {0.5, 0.5}}, {colors, {0.2, 0.3, 0.1}}});
@@ -217,12 +225,7 @@ TEST_CASE("Charts of a texture are simplified as by brute force") {
   const double border_weight = GENERATE(10.0, 0.0);
   CAPTURE(seed, border_weight);
   const Soup soup = small_surface(seed);
-  const double half = seed % 3 == 2 ? 0.5 : 0;
-  const CornerValues texture =
-      values_of(soup, [&](std::uint32_t t, std::uint32_t v, const Position& p) {
-        const double chart = middle(soup, t, 0) < half ? 0 : 3;
-        return Value{p[1] + 0.2 * p[0] + chart, p[2] + 0.1 * noise(seed, v)};
-      });
+  const CornerValues texture = two_charts(soup, seed);
   require_same_channels<Halfedge, 2>(soup, {{texture, {0.5, 0.5}, true, border_weight}});
 }
 

@@ -407,31 +407,31 @@ TEST_CASE("Charts that are apart in space become one surface by ThresholdPairs, 
 
 // --- Random values -------------------------------------------------------------------------------
 
-TEST_CASE("Charts of random patches, some of one place, keep their pattern") {
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+// Calls check(result, surface) for surfaces with a random texture, to half of their faces and as
+// far as they go.
+template <class TextureOf, class Check>
+void check_random(std::uint64_t seeds, TextureOf texture_of, Check check) {
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Soup soup =
         seed % 4 == 3 ? with_holes(random_closed(seed), seed, 12) : random_closed(seed);
-    const Textured surface = random_charts(soup, seed);
+    const Textured surface = texture_of(soup, seed);
     for (const double ratio : {0.5, 0.}) {
       const auto [result, report] = as_triples(surface, part_of(surface, ratio));
       CAPTURE(seed, ratio, report);
-      check_charts(result, surface);
+      check(result, surface);
     }
   }
 }
 
+TEST_CASE("Charts of random patches, some of one place, keep their pattern") {
+  check_random(24, random_charts, check_charts);
+}
+
 TEST_CASE("Random values at corners leave labels as they are, and finite values") {
-  for (std::uint64_t seed = 1; seed <= 48; ++seed) {
-    const Soup soup =
-        seed % 4 == 3 ? with_holes(random_closed(seed), seed, 12) : random_closed(seed);
-    const Textured surface = random_corners(soup, seed);
-    for (const double ratio : {0.5, 0.}) {
-      const auto [result, report] = as_triples(surface, part_of(surface, ratio));
-      CAPTURE(seed, ratio, report);
-      CHECK(is_finite(result));
-      CHECK(is_same_topology(topology_of(result.soup), topology_of(surface.soup)));
-      const bool is_same = pattern_of_labels(result) == pattern_of_labels(surface);
-      CHECK(is_same);
-    }
-  }
+  check_random(48, random_corners, [](const Textured& result, const Textured& surface) {
+    CHECK(is_finite(result));
+    CHECK(is_same_topology(topology_of(result.soup), topology_of(surface.soup)));
+    const bool is_same = pattern_of_labels(result) == pattern_of_labels(surface);
+    CHECK(is_same);
+  });
 }

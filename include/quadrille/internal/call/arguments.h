@@ -193,14 +193,9 @@ Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels
     -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels, Splits,
                 Filters...>;
 
-inline namespace QUADRILLE_THREADING {
-
-/// All policies of a call, checked for fitting together. Cost and placement may be template
-/// arguments, or NotGiven.
-template <class CostArgument, class PlacementArgument, class... Arguments>
-auto pick_policies(const Arguments&... arguments) {
-  using CGAL::parameters::get_parameter;
-  using Cost = CostOf<CostArgument, Arguments...>;
+/// Refuses to compile a call with two arguments where one is meant.
+template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
+constexpr void check_counts() {
   static_assert(count_of<Kind::cost, Cost, Arguments...> <= 1,
                 "simplify takes one cost: pass only one.");
   static_assert(count_of<Kind::cost, Cost, Arguments...> == 0 ||
@@ -222,7 +217,17 @@ auto pick_policies(const Arguments&... arguments) {
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
                 "simplify takes one chain of named parameters: join them with a dot.");
+}
 
+inline namespace QUADRILLE_THREADING {
+
+/// All policies of a call, checked for fitting together. Cost and placement may be template
+/// arguments, or NotGiven.
+template <class CostArgument, class PlacementArgument, class... Arguments>
+auto pick_policies(const Arguments&... arguments) {
+  using CGAL::parameters::get_parameter;
+  using Cost = CostOf<CostArgument, Arguments...>;
+  check_counts<CostArgument, PlacementArgument, Cost, Arguments...>();
   const auto placement =
       pick<Kind::placement, Cost, Given<PlacementArgument, OptimalPlacement>>(arguments...);
   static_assert(PlacementPolicy<decltype(placement), Cost>,

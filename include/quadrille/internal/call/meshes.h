@@ -67,6 +67,31 @@ concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& t
   requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
 };
 
+/// Fixes the vertices that are constrained, if any are.
+template <class Reader, class Input, class NamedParameters>
+void fix_vertices(Reader& reader, Input& input, const NamedParameters& named) {
+  const auto fixed =
+      CGAL::parameters::get_parameter(named, CGAL::internal_np::vertex_is_constrained);
+  if constexpr (is_given<decltype(fixed)>)
+    reader.fix_vertices(fixed, input);
+}
+
+/// Fixes the edges that are constrained, and makes creases of those that are named so.
+template <class Cost, class Reader, class Input, class NamedParameters>
+void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
+  using CGAL::parameters::get_parameter;
+  const auto fixed = get_parameter(named, CGAL::internal_np::edge_is_constrained);
+  const auto creases = get_parameter(named, parameters::edge_is_crease);
+  if constexpr (is_given<decltype(fixed)>)
+    reader.fix_edges(fixed, input);
+  if constexpr (is_given<decltype(creases)>) {
+    static_assert(
+        requires(const Cost cost) { cost.crease_degrees; },
+        "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
+    reader.name_creases(creases, input);
+  }
+}
+
 template <class Mesh, class Policies, class NamedParameters>
 Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedParameters& named) {
   using CGAL::parameters::choose_parameter;
@@ -93,25 +118,31 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
       adapter(mesh, points, indices, attributes, workspace, std::move(channels));
   const auto read = [&](auto& reader) {
     auto input = reader.read();
-    const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
-    const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
-    const auto creases = get_parameter(named, parameters::edge_is_crease);
-    if constexpr (is_given<decltype(fixed_vertices)>)
-      reader.fix_vertices(fixed_vertices, input);
-    if constexpr (is_given<decltype(fixed_edges)>)
-      reader.fix_edges(fixed_edges, input);
-    if constexpr (is_given<decltype(creases)>) {
-      static_assert(
-          requires(const Cost cost) { cost.crease_degrees; },
-          "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
-      reader.name_creases(creases, input);
-    }
+    fix_vertices(reader, input, named);
+    name_edges<Cost>(reader, input, named);
     if constexpr (has_labels<typename Policies::Labels>)
       input.labels = numbers_of_labels(policies.labels.map, faces(mesh), workspace);
     reader.release();
     return input;
   };
   return run(adapter, policies, read, teller(named));
+}
+
+/// The adapter of a soup, whose vertices may be split.
+template <class Points, class Triangles, class Map, class Attributes, class Policies>
+auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attributes,
+                  const Policies& policies, Workspace& workspace) {
+  using Labels = typename Policies::Labels;
+  auto channels = channel_maps(policies.channels);
+  if constexpr (Policies::splits_vertices) {
+    static_assert(Attributes::size == 0, "quadrille::simplify: SplitVertices goes with costs in "
+                                         "space: pass attributes as channels.");
+    return SplitSoupAdapter<Points, Triangles, Map, Labels, decltype(channels)>(
+        points, triangles, map, policies.labels, std::move(channels), workspace);
+  } else {
+    return SoupAdapter<Points, Triangles, Map, Attributes, Labels, decltype(channels)>(
+        points, triangles, map, attributes, policies.labels, std::move(channels), workspace);
+  }
 }
 
 template <class Points, class Triangles, class Policies, class NamedParameters>
@@ -136,25 +167,10 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
       memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));
-  auto channels = channel_maps(policies.channels);
-  auto adapter = [&] {
-    if constexpr (Policies::splits_vertices) {
-      static_assert(Cost::dimension == 3, "quadrille::simplify: SplitVertices goes with costs in "
-                                          "space: pass attributes as channels.");
-      return SplitSoupAdapter<Points, Triangles, decltype(map), typename Policies::Labels,
-                              decltype(channels)>(points, triangles, map, policies.labels,
-                                                  std::move(channels), workspace);
-    } else {
-      return SoupAdapter<Points, Triangles, decltype(map), decltype(attributes),
-                         typename Policies::Labels, decltype(channels)>(
-          points, triangles, map, attributes, policies.labels, std::move(channels), workspace);
-    }
-  }();
+  auto adapter = soup_adapter(points, triangles, map, attributes, policies, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
-    const auto fixed_vertices = get_parameter(named, CGAL::internal_np::vertex_is_constrained);
-    if constexpr (is_given<decltype(fixed_vertices)>)
-      reader.fix_vertices(fixed_vertices, input);
+    fix_vertices(reader, input, named);
     if constexpr (has_labels<typename Policies::Labels>)
       input.labels =
           numbers_of_labels(policies.labels.map,
