@@ -738,6 +738,13 @@ TEST_CASE("Input that makes no sense is refused, and left as it was") {
   require_refused(nothing, "has 3 weights", {.texture = {.weights = {1, 1, 1}}});
   require_refused(nothing, "a channel of 1 components has 2 weights",
                   {.heights = {.weights = {1, 1}}});
+  require_refused(nothing, "existing does not go with a Texture",
+                  {.texture = {.new_values = NewValues::existing}});
+  require_refused(nothing, "recomputed goes with Normals",
+                  {.colors = {.new_values = NewValues::recomputed}});
+  require_refused(nothing, "weights goes with Attributes",
+                  {.normals = {.new_values = NewValues::weights}});
+  require_refused(nothing, "linear_light goes with Colors", {.heights = {.linear_light = true}});
   for (const double value : {-1., not_a_number, infinity})
     require_refused(nothing, "border_weight", {.texture = {.border_weight = value}});
   for (const double value : {0., -1., not_a_number, infinity}) {

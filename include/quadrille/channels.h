@@ -36,7 +36,18 @@ namespace quadrille {
 enum class Seams {
   kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or turned over
   priced, ///< they may vanish; what that costs is in the error. Wedges stay apart until then
-  free    ///< the values around a vertex are one from the beginning, their mean
+  free    ///< the values around a vertex are one from the beginning: their mean, or the first if
+          ///< only existing values may be
+};
+
+/// What the corners have whose values a simplification changes.
+enum class NewValues {
+  optimal,   ///< the values of least cost, between those that there were
+  weights,   ///< the same, at least 0 and with the sum 1: weights of a skin
+  existing,  ///< of the values that have become one, the closest to the optimal ones: for indices,
+             ///< classes and whatever has nothing in between. Not for a Texture
+  recomputed ///< of Normals: sums over the faces of the result around the corner, weighted by their
+             ///< angles. Corners that a simplification does not touch get them too
 };
 
 /// How a channel counts.
@@ -53,6 +64,10 @@ struct ChannelOptions {
   /// How firmly charts of a texture whose seams are kept hold their borders in the texture, for
   /// each square of an edge's length; at least 0. The same along an edge as off it is 1.
   double border_weight = 10;
+  NewValues new_values = NewValues::optimal;
+  /// Of Colors in sRGB, numbers in [0, 1] or in the whole range of an integral type: they are
+  /// averaged as light is, and so are their default weights. Alpha is linear already.
+  bool linear_light = false;
 
   /// Throws std::invalid_argument for an importance or a weight that makes no sense.
   void validate() const {

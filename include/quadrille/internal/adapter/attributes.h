@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -85,17 +86,22 @@ public:
   void write(const Key& key, const Vector<N>& attributes) {
     put(map_, key, changed(get(map_, key), attributes));
   }
-  Value changed(const Value& old, Vector<N> attributes) const {
+  Value changed(const Value& old, const Vector<N>& attributes) const {
+    const std::optional<Vector<N>> inside = in_range(attributes);
+    return inside ? value(old, *inside) : old;
+  }
+  /// Nothing where opposite normals have met, so that the old one is left.
+  std::optional<Vector<N>> in_range(Vector<N> attributes) const {
     if constexpr (A == Attribute::color)
       for (std::size_t i = 0; i < N; ++i)
         attributes[i] = std::clamp(attributes[i], low_[i], high_[i]);
     if constexpr (A == Attribute::normal) {
       const double squared = squared_length(attributes);
       if (!(squared > 0))
-        return old; // opposite normals have met: the old one is left
+        return std::nullopt;
       attributes *= 1 / std::sqrt(squared);
     }
-    return value(old, attributes);
+    return attributes;
   }
 
   Value raw(const auto& key) const { return get(map_, key); }
@@ -104,11 +110,11 @@ public:
   /// With what else an old value has.
   static Value value(Value old, const Vector<N>& attributes) {
     if constexpr (std::is_arithmetic_v<Value>) {
-      return in_range<Value>(attributes[0]);
+      return rounded<Value>(attributes[0]);
     } else if constexpr (std::is_assignable_v<decltype(component(old, 0)), double>) {
       using T = std::remove_cvref_t<decltype(component(old, 0))>;
       for (std::size_t i = 0; i < N; ++i)
-        component(old, i) = in_range<T>(attributes[i]);
+        component(old, i) = rounded<T>(attributes[i]);
       return old;
     } else {
       return [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -138,15 +144,15 @@ private:
   }
 
   template <class T>
-  static T in_range(double x) {
+  static T rounded(double x) {
     if constexpr (std::integral<T>) {
       using Limits = std::numeric_limits<T>; // as a double max() of 64 bits is one too many
-      const double rounded = std::round(x);
-      if (!(rounded > static_cast<double>((Limits::min)())))
+      const double whole = std::round(x);
+      if (!(whole > static_cast<double>((Limits::min)())))
         return (Limits::min)();
-      if (rounded >= static_cast<double>((Limits::max)()))
+      if (whole >= static_cast<double>((Limits::max)()))
         return (Limits::max)();
-      return static_cast<T>(rounded);
+      return static_cast<T>(whole);
     } else {
       return to_number<T>(x);
     }

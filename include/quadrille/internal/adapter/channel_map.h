@@ -4,6 +4,7 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
 #include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/adapter/linear_light.h>
 #include <quadrille/internal/base/attribute_values.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -106,14 +108,11 @@ public:
 
   const Source& source() const { return channel_.source; }
 
-  /// With all but values and corners. Throws std::invalid_argument for weights that are not one for
-  /// each component.
+  /// With all but values and corners. Throws std::invalid_argument for options that do not go with
+  /// the channel.
   ChannelInput input(Workspace& workspace) const {
     const ChannelOptions& options = channel_.options;
-    if (!options.weights.empty() && options.weights.size() != size)
-      throw std::invalid_argument("quadrille::simplify: a channel of " + std::to_string(size) +
-                                  " components has " + std::to_string(options.weights.size()) +
-                                  " weights");
+    require_fit(options);
     ChannelInput input(&workspace);
     input.components = size;
     input.weights = options.weights;
@@ -121,11 +120,12 @@ public:
     input.is_texture = attribute == Attribute::texture;
     input.seams = options.seams.value_or(input.is_texture ? Seams::kept : Seams::priced);
     input.border_weight = options.border_weight;
+    input.new_values = options.new_values;
     return input;
   }
 
   void read(const Key& key, ChannelInput& input) const {
-    const Vector<size> value = values_.read(key);
+    const Vector<size> value = components(values_.raw(key));
     input.values.insert(input.values.end(), value.coordinates.begin(), value.coordinates.end());
   }
   /// What is written stays in the limits of what faces had.
@@ -152,10 +152,11 @@ public:
     Vector<size> value;
     for (std::size_t c = 0; c < size; ++c)
       value[c] = result.channel(channel).value(wedge, c);
-    if (Values::components(old) == value)
+    if (components(old) == value)
       return std::nullopt;
-    return result.channel(channel).origin(wedge) == none ? values_.changed(old, value)
-                                                         : Values::value(old, value);
+    const bool is_new = result.channel(channel).origin(wedge) == none;
+    const std::optional<Vector<size>> inside = is_new ? in_range(value) : value;
+    return inside ? with_components(old, *inside) : old;
   }
 
   Value raw(const Key& key) const { return values_.raw(key); }
@@ -171,6 +172,62 @@ public:
   }
 
 private:
+  static void require_fit(const ChannelOptions& options) {
+    const auto require = [](bool fits, const std::string& what) {
+      if (!fits)
+        throw std::invalid_argument("quadrille::simplify: " + what);
+    };
+    require(options.weights.empty() || options.weights.size() == size,
+            "a channel of " + std::to_string(size) + " components has " +
+                std::to_string(options.weights.size()) + " weights");
+    require(options.new_values != NewValues::existing || attribute != Attribute::texture,
+            "NewValues::existing does not go with a Texture, which would tear");
+    require(options.new_values != NewValues::recomputed || attribute == Attribute::normal,
+            "NewValues::recomputed goes with Normals only");
+    require(options.new_values != NewValues::weights || attribute == Attribute::any,
+            "NewValues::weights goes with Attributes only");
+    require(!options.linear_light || attribute == Attribute::color,
+            "linear_light goes with Colors only");
+  }
+
+  /// The components of a value, in linear light if that is asked for.
+  Vector<size> components(const Value& value) const {
+    Vector<size> components = Values::components(value);
+    if (channel_.options.linear_light)
+      for (std::size_t c = 0; c < size; ++c)
+        components[c] = c < 3 ? light_of_srgb(components[c] / whole) : components[c] / whole;
+    return components;
+  }
+  /// A value with components, in linear light if that is asked for, and what else the old one has.
+  Value with_components(const Value& old, Vector<size> components) const {
+    if (channel_.options.linear_light)
+      for (std::size_t c = 0; c < size; ++c)
+        components[c] = whole * (c < 3 ? srgb_of_light(components[c]) : components[c]);
+    return Values::value(old, components);
+  }
+
+  std::optional<Vector<size>> in_range(const Vector<size>& value) const {
+    return channel_.options.new_values == NewValues::weights ? as_weights(value)
+                                                             : values_.in_range(value);
+  }
+  static std::optional<Vector<size>> as_weights(Vector<size> value) {
+    double sum = 0;
+    for (double& weight : value.coordinates)
+      sum += weight = (std::max)(weight, 0.0);
+    if (!(sum > 0))
+      return std::nullopt;
+    return (1 / sum) * value;
+  }
+
+  using Component = ComponentOf<Value>;
+  /// What counts as 1 in linear light.
+  static constexpr double whole = [] {
+    if constexpr (std::integral<Component>)
+      return static_cast<double>((std::numeric_limits<Component>::max)());
+    else
+      return 1;
+  }();
+
   Channel channel_;
   Values values_;
   std::vector<std::pair<Key, Value>> overwritten_;

@@ -168,6 +168,7 @@ public:
     report.components_before = is_topology_kept_ ? report.components_after : initial_components_;
     if (!progress_.is_cancelled())
       progress_.tell_end();
+    std::vector<Channel> channels = appearance_.take_channels();
     return {scale_,
             link_condition_.is_closed(),
             std::move(complex_),
@@ -175,7 +176,7 @@ public:
             moved_.take(),
             keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
             std::move(numbering_),
-            appearance_.take_channels()};
+            std::move(channels)};
   }
 
 private:

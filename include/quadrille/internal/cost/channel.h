@@ -8,6 +8,7 @@
 #include <quadrille/internal/complex/wedge_table.h>
 #include <quadrille/internal/cost/affine_maps.h>
 #include <quadrille/internal/cost/channel_reader.h>
+#include <quadrille/internal/cost/wedge_normals.h>
 #include <quadrille/internal/cost/wedge_records.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -18,6 +19,7 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -41,7 +43,8 @@ public:
   template <class Numbering>
   Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
           ChannelWeights weights, bool are_pairs_edges)
-      : seams_(input.seams), is_texture_(input.is_texture), border_weight_(input.border_weight),
+      : seams_(input.seams), new_values_(input.new_values), is_texture_(input.is_texture),
+        border_weight_(input.border_weight),
         are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
         factors_(std::move(weights.factors)), table_(complex.workspace()),
         joiner_(std::move(weights.squared)), records_(input.components, complex.workspace()) {
@@ -179,7 +182,7 @@ public:
   void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
                   Index kept, const Vector<3>& target, QuadricForm<3>& form) {
     add_difference(pair, form);
-    records_.join(pair.first, pair.second, pair.to_second, target, kept);
+    records_.join(pair.first, pair.second, pair.to_second, target, kept, joiner_.squared_weights());
     if (table_.has_seams())
       rename_corners(complex, star, pair, [kept](Index) { return kept; });
   }
@@ -196,6 +199,15 @@ public:
     rename_corners(complex, star, pair, renamed);
     wedges.resize(changes.size());
     table_.chain(wedges);
+  }
+
+  /// Gives the wedges the values of a result, where these are not those of least cost.
+  template <class Positions>
+  void settle(const Positions& positions, const TriangleComplex& complex) {
+    if (new_values_ == NewValues::existing)
+      records_.restore_existing();
+    if (new_values_ == NewValues::recomputed)
+      recompute_normals(positions, complex);
   }
 
   /// Leaves out all vertices but those of an ascending list, and the faces for which is_left does
@@ -252,6 +264,15 @@ private:
            (1 + factor * steepness / static_cast<double>(components()));
   }
 
+  template <class Positions>
+  void recompute_normals(const Positions& positions, const TriangleComplex& complex) {
+    const std::vector<Vector<3>> normals =
+        wedge_normals(table_, wedge_count(complex.vertex_capacity()), positions, complex);
+    for (Index wedge = 0; wedge < normals.size(); ++wedge)
+      if (squared_length(normals[wedge]) > 0)
+        records_.set_values(wedge, {normals[wedge][0], normals[wedge][1], normals[wedge][2]});
+  }
+
   template <class Rename>
   void rename_corners(const TriangleComplex& complex, const PairStar& star,
                       const ContractedPair& pair, Rename renamed) {
@@ -262,6 +283,7 @@ private:
   }
 
   Seams seams_;
+  NewValues new_values_;
   bool is_texture_;
   double border_weight_;
   bool are_pairs_edges_;        // or may be taken as such

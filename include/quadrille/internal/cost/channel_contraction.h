@@ -190,7 +190,7 @@ private:
     } else {
       change.map.move_origin(target);
     }
-    change.origin = origin_of(change);
+    set_origin(change);
     return change;
   }
 
@@ -215,7 +215,7 @@ private:
       Change change{records().map(wedge), {wedge}, none};
       if (target != origin)
         change.map.move_origin(target - origin);
-      change.origin = origin_of(change);
+      set_origin(change);
       changes.push_back(std::move(change));
     }
   }
@@ -228,12 +228,8 @@ private:
                                     changes.begin());
   }
 
-  // A value that has not changed has the index that it had.
-  Index origin_of(const Change& change) const {
-    for (Index wedge : change.wedges)
-      if (records().is_origin_of(wedge, change.map))
-        return records().origin(wedge);
-    return none;
+  void set_origin(Change& change) const {
+    change.origin = records().origin_of(change.wedges, change.map, joiner().squared_weights());
   }
 
   const Channel& channel_;

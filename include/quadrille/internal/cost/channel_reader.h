@@ -40,7 +40,8 @@ public:
     records.read(input_, std::move(origins));
   }
 
-  /// One wedge a vertex, with the mean of the values at its corners where these differ.
+  /// One wedge a vertex, with the mean of the values at its corners where these differ, or the
+  /// first of them where only existing values may be.
   void read_vertices(WedgeRecords& records) const {
     Array<Index> origins(complex_.vertex_capacity(), none, complex_.workspace());
     for (Index v = 0; v < origins.size(); ++v)
@@ -49,7 +50,7 @@ public:
           origins[v] = value_at(face, i);
       });
     records.read(input_, std::move(origins));
-    if (!input_.corners.empty())
+    if (!input_.corners.empty() && input_.new_values != NewValues::existing)
       for (Index v = 0; v < complex_.vertex_capacity(); ++v)
         take_mean(records, v);
   }

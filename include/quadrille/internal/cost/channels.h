@@ -47,7 +47,12 @@ public:
 
   void add(Channel channel) { channels_.push_back(std::move(channel)); }
   std::span<const Channel> all() const { return channels_; }
-  std::vector<Channel> take() { return std::move(channels_); }
+  /// With the values of the result.
+  std::vector<Channel> take() {
+    for (Channel& channel : channels_)
+      channel.settle(geometry_.positions(), complex_);
+    return std::move(channels_);
+  }
 
   /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
   void remember(const Array<Index>& labels) {

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/prefetch.h>
+#include <quadrille/internal/complex/wedge_table.h>
 #include <quadrille/internal/cost/affine_maps.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/channel_input.h>
@@ -23,7 +24,7 @@ class WedgeRecords {
 public:
   WedgeRecords(std::size_t components, Workspace* workspace)
       : components_(components), weights_(workspace), maps_(workspace), borders_(workspace),
-        origins_(workspace) {}
+        origins_(workspace), existing_(workspace) {}
 
   std::size_t components() const { return components_; }
   double weight(Index wedge) const { return weights_[wedge]; }
@@ -38,7 +39,8 @@ public:
         return false;
     return true;
   }
-  /// The index of the value that an adapter has read and that the wedge still has; or none.
+  /// The index of the value that an adapter has read and that the wedge still has, or is to have at
+  /// the end; or none.
   Index origin(Index wedge) const { return origins_[wedge]; }
   /// Does a wedge hold the border of a chart?
   bool holds_border(Index wedge) const { return !borders_.empty() && borders_[wedge] != Matrix2{}; }
@@ -46,6 +48,8 @@ public:
   /// Wedges with the values of an input that `origins` names, or `none` for no value.
   void read(const ChannelInput& input, Array<Index> origins) {
     origins_ = std::move(origins);
+    if (input.new_values == NewValues::existing)
+      existing_ = input.values;
     weights_.assign(origins_.size(), 0);
     maps_.resize(origins_.size() * components_);
     for (std::size_t w = 0; w < origins_.size(); ++w)
@@ -57,6 +61,12 @@ public:
     origins_[wedge] = none;
     for (std::size_t c = 0; c < components_; ++c)
       maps_[wedge * components_ + c].value = values[c];
+  }
+  /// All values become those of their origins, if only these may be.
+  void restore_existing() {
+    for (Index wedge = 0; wedge < origins_.size() && !existing_.empty(); ++wedge)
+      for (std::size_t c = 0; c < components_ && origins_[wedge] != none; ++c)
+        maps_[wedge * components_ + c].value = existing_[origins_[wedge] * components_ + c];
   }
 
   /// Leaves nothing but values.
@@ -92,7 +102,7 @@ public:
   /// Joins the wedges of two ends without borders, `to_second` apart, and moves the map to a
   /// target, given from the first: `kept`, which is one of them, has it then.
   void join(Index first, Index second, const Vector<3>& to_second, const Vector<3>& target,
-            Index kept) {
+            Index kept, const std::vector<double>& squared_weights) {
     bool is_first = origins_[first] != none, is_second = origins_[second] != none;
     for (std::size_t c = 0; c < components_; ++c) {
       AffineMap map = joined(first, second, to_second, c);
@@ -102,7 +112,11 @@ public:
       maps_[kept * components_ + c] = map;
     }
     weights_[kept] = weights_[first] + weights_[second];
-    origins_[kept] = is_first ? origins_[first] : is_second ? origins_[second] : none;
+    origins_[kept] = !existing_.empty()
+                         ? closest({origins_[first], origins_[second]}, maps(kept), squared_weights)
+                     : is_first  ? origins_[first]
+                     : is_second ? origins_[second]
+                                 : none;
   }
   void hold_borders() { borders_.resize(weights_.size()); }
 
@@ -125,14 +139,33 @@ public:
     origins_[wedge] = origin;
   }
 
-  /// The origin of a wedge with the values of a map.
-  bool is_origin_of(Index wedge, const WedgeMap& map) const {
-    if (origins_[wedge] == none)
-      return false;
-    for (std::size_t c = 0; c < components_; ++c)
-      if (value(wedge, c) != map.maps[c].value)
-        return false;
-    return true;
+  /// The origin of what some wedges become: a value that has not changed has the index that it had.
+  Index origin_of(const WedgeList& wedges, const WedgeMap& map,
+                  const std::vector<double>& squared_weights) const {
+    if (!existing_.empty()) {
+      WedgeList origins;
+      for (Index wedge : wedges)
+        origins.push_back(origins_[wedge]);
+      return closest(origins, map.maps.data(), squared_weights);
+    }
+    const auto is_left = [&](Index wedge) { return has_values_of(wedge, map); };
+    const auto found = std::find_if(wedges.begin(), wedges.end(), is_left);
+    return found == wedges.end() ? none : origins_[*found];
+  }
+  /// Of some values of the input, the one closest to those of maps. For wedges of which only
+  /// existing values may be.
+  Index closest(const WedgeList& origins, const AffineMap* maps,
+                const std::vector<double>& squared_weights) const {
+    const auto distance = [&](Index origin) {
+      double sum = 0;
+      for (std::size_t c = 0; c < components_; ++c) {
+        const double off = existing_[origin * components_ + c] - maps[c].value;
+        sum += squared_weights[c] * off * off;
+      }
+      return sum;
+    };
+    return *std::min_element(origins.begin(), origins.end(),
+                             [&](Index i, Index j) { return distance(i) < distance(j); });
   }
 
   /// Leaves out all wedges but those of a list, which get the numbers 0, 1, …
@@ -149,6 +182,15 @@ public:
   }
 
 private:
+  bool has_values_of(Index wedge, const WedgeMap& map) const {
+    if (origins_[wedge] == none)
+      return false;
+    for (std::size_t c = 0; c < components_; ++c)
+      if (value(wedge, c) != map.maps[c].value)
+        return false;
+    return true;
+  }
+
   template <class Values>
   static void pack(Values& values, const Array<Index>& left, std::size_t size) {
     if (values.empty())
@@ -164,6 +206,7 @@ private:
   Array<AffineMap> maps_;  // one a component
   Array<Matrix2> borders_; // empty if no chart is held
   Array<Index> origins_;
+  Array<double> existing_; // the values of the input, if only these may be
 };
 
 } // namespace quadrille::internal

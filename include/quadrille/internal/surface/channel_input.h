@@ -28,6 +28,7 @@ struct ChannelInput {
   Seams seams = Seams::priced;
   bool is_texture = false;
   double border_weight = 0; ///< see ChannelOptions
+  NewValues new_values = NewValues::optimal;
 
   double value(Index i, std::size_t component) const { return values[i * components + component]; }
   /// Of a corner of an input face, which is at an input vertex.
