@@ -84,9 +84,9 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto [policies, carried] = internal::pick_policies<Cost, Placement>(arguments...);
     const auto named = internal::pick_named(arguments...);
-    return internal::simplify_face_graph(mesh, policies, named);
+    return internal::simplify_face_graph(mesh, policies, carried, named);
   } else {
     return internal::refuse<2, void(Mesh&), Cost, Placement, Arguments...>();
   }
@@ -113,9 +113,9 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
     Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto [policies, carried] = internal::pick_policies<Cost, Placement>(arguments...);
     const auto named = internal::pick_named(arguments...);
-    return internal::simplify_soup(points, triangles, policies, named);
+    return internal::simplify_soup(points, triangles, policies, carried, named);
   } else {
     return internal::refuse<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
   }

@@ -187,11 +187,10 @@ concept Fitting =
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
 template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
-          class Threads, class Labels, class Channels, class Splits, class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels, Splits,
-         std::optional<Topology>, std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Labels, Channels, Splits,
-                Filters...>;
+          class Threads, class Carries, class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, std::optional<Topology>,
+         std::tuple<Filters...>)
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, Filters...>;
 
 /// Refuses to compile a call with two arguments where one is meant.
 template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
@@ -221,8 +220,8 @@ constexpr void check_counts() {
 
 inline namespace QUADRILLE_THREADING {
 
-/// All policies of a call, checked for fitting together. Cost and placement may be template
-/// arguments, or NotGiven.
+/// All policies of a call, checked for fitting together, and what it carries. Cost and placement
+/// may be template arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
   using CGAL::parameters::get_parameter;
@@ -238,6 +237,7 @@ auto pick_policies(const Arguments&... arguments) {
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
     topology = pick<Kind::topology, Cost, Topology>(arguments...);
   const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  const auto carried = pick_carried<Cost>(arguments...);
   Policies policies{
       pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...),
       placement,
@@ -246,19 +246,15 @@ auto pick_policies(const Arguments&... arguments) {
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
-      pick_labels(arguments...),
-      pick_channels<Cost>(arguments...),
-      Splits<Arguments...>(),
+      carries(carried),
       topology,
       pick_filters<Cost>(arguments...)};
   validate(policies.cost);
   validate(policies.pairs);
   validate(policies.stop);
   validate(policies.order);
-  validate(policies.labels);
-  std::apply([](const auto&... channel) { (validate(channel), ...); }, policies.channels);
   policies.threads.validate();
-  return policies;
+  return std::pair(policies, carried);
 }
 
 } // namespace QUADRILLE_THREADING

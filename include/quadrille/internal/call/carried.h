@@ -95,9 +95,26 @@ auto pick_channels(const Arguments&... arguments) {
 
 #undef QUADRILLE_PICK
 
-/// Is there a SplitVertices among the arguments?
-template <class... Arguments>
-using Splits = std::bool_constant<(std::same_as<Arguments, SplitVertices> || ...)>;
+/// All that a call carries.
+template <class Cost, class... Arguments>
+auto pick_carried(const Arguments&... arguments) {
+  const auto labels = pick_labels(arguments...);
+  const auto channels = pick_channels<Cost>(arguments...);
+  constexpr bool splits_vertices = (std::same_as<Arguments, SplitVertices> || ...);
+  validate(labels);
+  std::apply([](const auto&... channel) { (validate(channel), ...); }, channels);
+  return Carried<std::remove_const_t<decltype(labels)>, std::remove_const_t<decltype(channels)>,
+                 splits_vertices>{labels, channels};
+}
+
+/// What the engine knows of it.
+template <class Carried>
+auto carries(const Carried& carried) {
+  Carries<Carried::has_labels, Carried::has_channels> carries;
+  if constexpr (Carried::has_labels)
+    carries.label_border_weight = carried.labels.border_weight;
+  return carries;
+}
 
 } // namespace quadrille::internal
 

@@ -92,12 +92,13 @@ void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
   }
 }
 
-template <class Mesh, class Policies, class NamedParameters>
-Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedParameters& named) {
+template <class Mesh, class Policies, class Carried, class NamedParameters>
+Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& carried,
+                           const NamedParameters& named) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
-  static_assert(!Policies::splits_vertices,
+  static_assert(!Carried::splits_vertices,
                 "quadrille::simplify: SplitVertices is for soups; a mesh has halfedges for maps.");
   namespace np = CGAL::internal_np;
   check_named<Cost, NamedParameters>(
@@ -112,7 +113,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(memory_needs<Policies>(num_vertices(mesh), num_faces(mesh)));
-  auto channels = channel_maps(policies.channels);
+  auto channels = channel_maps(carried.channels);
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes),
                    decltype(channels)>
       adapter(mesh, points, indices, attributes, workspace, std::move(channels));
@@ -120,8 +121,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
     auto input = reader.read();
     fix_vertices(reader, input, named);
     name_edges<Cost>(reader, input, named);
-    if constexpr (has_labels<typename Policies::Labels>)
-      input.labels = numbers_of_labels(policies.labels.map, faces(mesh), workspace);
+    if constexpr (Carried::has_labels)
+      input.labels = numbers_of_labels(carried.labels.map, faces(mesh), workspace);
     reader.release();
     return input;
   };
@@ -129,25 +130,25 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const NamedPara
 }
 
 /// The adapter of a soup, whose vertices may be split.
-template <class Points, class Triangles, class Map, class Attributes, class Policies>
+template <class Points, class Triangles, class Map, class Attributes, class Carried>
 auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attributes,
-                  const Policies& policies, Workspace& workspace) {
-  using Labels = typename Policies::Labels;
-  auto channels = channel_maps(policies.channels);
-  if constexpr (Policies::splits_vertices) {
+                  const Carried& carried, Workspace& workspace) {
+  using Labels = typename Carried::Labels;
+  auto channels = channel_maps(carried.channels);
+  if constexpr (Carried::splits_vertices) {
     static_assert(Attributes::size == 0, "quadrille::simplify: SplitVertices goes with costs in "
                                          "space: pass attributes as channels.");
     return SplitSoupAdapter<Points, Triangles, Map, Labels, decltype(channels)>(
-        points, triangles, map, policies.labels, std::move(channels), workspace);
+        points, triangles, map, carried.labels, std::move(channels), workspace);
   } else {
     return SoupAdapter<Points, Triangles, Map, Attributes, Labels, decltype(channels)>(
-        points, triangles, map, attributes, policies.labels, std::move(channels), workspace);
+        points, triangles, map, attributes, carried.labels, std::move(channels), workspace);
   }
 }
 
-template <class Points, class Triangles, class Policies, class NamedParameters>
+template <class Points, class Triangles, class Policies, class Carried, class NamedParameters>
 Report simplify_soup(Points& points, Triangles& triangles, const Policies& policies,
-                     const NamedParameters& named) {
+                     const Carried& carried, const NamedParameters& named) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
@@ -167,13 +168,13 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
       memory_needs<Policies>(std::ranges::size(points), std::ranges::size(triangles)));
-  auto adapter = soup_adapter(points, triangles, map, attributes, policies, workspace);
+  auto adapter = soup_adapter(points, triangles, map, attributes, carried, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     fix_vertices(reader, input, named);
-    if constexpr (has_labels<typename Policies::Labels>)
+    if constexpr (Carried::has_labels)
       input.labels =
-          numbers_of_labels(policies.labels.map,
+          numbers_of_labels(carried.labels.map,
                             boost::irange(std::size_t{0}, std::ranges::size(triangles)), workspace);
     return input;
   };

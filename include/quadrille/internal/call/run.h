@@ -37,7 +37,7 @@ private:
 template <class Policies>
 MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
   using Cost = typename Policies::Cost;
-  constexpr bool has_labels = internal::has_labels<typename Policies::Labels>;
+  constexpr bool has_labels = Policies::Carries::has_labels;
   constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
   constexpr std::size_t columns =
       bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +

@@ -66,12 +66,12 @@ public:
       if constexpr (has_channels)
         channels_.hold_borders(seams_.labels(), sides, v, w);
     });
-    memories_.remember_creases(policies_.cost, border_weight(), geometry_.positions(), complex_,
-                               edges);
+    memories_.remember_creases(policies_.cost, policies_.carries.label_border_weight,
+                               geometry_.positions(), complex_, edges);
   }
 
   auto observers() {
-    return std::tuple_cat(tie_if<has_channels>(channels_), tie_if<keeps_seams<Policies>>(seams_));
+    return std::tuple_cat(tie_if<has_channels>(channels_), tie_if<Policies::keeps_seams>(seams_));
   }
   static auto vertex_columns(auto& self) {
     using C = std::remove_cvref_t<decltype(self.channels_)>;
@@ -90,14 +90,7 @@ public:
   std::vector<Channel> take_channels() { return channels_.take(); }
 
 private:
-  static constexpr bool has_channels = internal::has_channels<typename Policies::Channels>;
-
-  double border_weight() const {
-    if constexpr (has_labels<typename Policies::Labels>)
-      return policies_.labels.border_weight;
-    else
-      return 1;
-  }
+  static constexpr bool has_channels = Policies::Carries::has_channels;
 
   const Policies& policies_;
   TriangleComplex& complex_;

@@ -45,7 +45,7 @@ public:
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
-    if constexpr (keeps_seams<Policies>)
+    if constexpr (Policies::keeps_seams)
       if (seams_.is_changed_by(star, a, b))
         return Rejection::seam;
     if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(star, a, b))
@@ -83,7 +83,7 @@ private:
     };
     std::apply([&](const auto&... filter) { (looks_and_refuses(filter) || ...); },
                policies_.filters);
-    if constexpr (has_channels<typename Policies::Channels>)
+    if constexpr (Policies::Carries::has_channels)
       if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
                                         contraction.second(), target))
         return Rejection::texture;

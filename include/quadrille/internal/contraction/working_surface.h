@@ -77,7 +77,7 @@ public:
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       Cleanup(complex_, scratch()).remove_all_duplicate_faces();
-    if constexpr (keeps_seams<Policies>)
+    if constexpr (Policies::keeps_seams)
       appearance_.read(input, numbering_, scale_, pairs_.are_edges());
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
@@ -219,7 +219,7 @@ private:
     VertexLabels& labels = scratch().labels;
     memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
                        creases_.left(numbering_), is_interior, policies_.threads);
-    if constexpr (keeps_seams<Policies>)
+    if constexpr (Policies::keeps_seams)
       appearance_.remember();
     terms_.sum_up(labels);
   }

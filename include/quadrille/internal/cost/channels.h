@@ -217,7 +217,7 @@ struct NoChannels {
 };
 
 template <class Policies>
-using ChannelsOf = std::conditional_t<has_channels<typename Policies::Channels>,
+using ChannelsOf = std::conditional_t<Policies::Carries::has_channels,
                                       Channels<typename Policies::Cost>, NoChannels>;
 
 } // namespace quadrille::internal

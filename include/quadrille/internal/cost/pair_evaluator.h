@@ -41,8 +41,8 @@ public:
   using Memories = VertexMemories<Cost>;
   using Terms = typename LocalTermsOf<Cost>::type;
   using Channels = ChannelsOf<Policies>;
-  static constexpr bool counts_channels = has_channels<typename Policies::Channels>;
-  static constexpr bool keeps_corners = keeps_seams<Policies>;
+  static constexpr bool counts_channels = Policies::Carries::has_channels;
+  static constexpr bool keeps_corners = Policies::keeps_seams;
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,

@@ -75,17 +75,32 @@ struct PairOf {
 
 /// Where faces have no labels that are to be kept.
 struct NoLabels {};
-template <class Labels>
-inline constexpr bool has_labels = !std::same_as<Labels, NoLabels>;
 
-/// Where attributes are not carried beside the cost. Else a tuple of Texture, Normals, …
-using NoChannelArguments = std::tuple<>;
-template <class Channels>
-inline constexpr bool has_channels = !std::same_as<Channels, NoChannelArguments>;
+/// What a call carries beside the shape, as the user has it: labels of faces, or NoLabels; a tuple
+/// of Texture, Normals, …; is there a SplitVertices?
+template <class Labels_, class Channels_, bool splits>
+struct Carried {
+  using Labels = Labels_;
+  using Channels = Channels_;
+  static constexpr bool has_labels = !std::same_as<Labels, NoLabels>;
+  static constexpr bool has_channels = !std::same_as<Channels, std::tuple<>>;
+  static constexpr bool splits_vertices = splits;
+
+  Labels labels;
+  Channels channels;
+};
+
+/// The same as the engine sees it, which is one for all maps and channels.
+template <bool labels, bool channels>
+struct Carries {
+  static constexpr bool has_labels = labels;
+  static constexpr bool has_channels = channels;
+  double label_border_weight = 1; ///< see Labels
+};
 
 /// Everything that `simplify` was asked for, each with its default where it was not named.
 template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
-          class Threads_, class Labels_, class Channels_, class Splits_, class... Filters>
+          class Threads_, class Carries_, class... Filters>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
@@ -94,9 +109,9 @@ struct Policies {
   using Order = Order_;
   using Visitor = Visitor_;
   using Threads = Threads_;
-  using Labels = Labels_;
-  using Channels = Channels_;
-  static constexpr bool splits_vertices = Splits_::value;
+  using Carries = Carries_;
+  /// Are there seams that may have to be kept?
+  static constexpr bool keeps_seams = Carries::has_labels || Carries::has_channels;
 
   Cost cost;
   Placement placement;
@@ -104,18 +119,11 @@ struct Policies {
   Stop stop;
   Order order;
   Visitor visitor;
-  Threads threads;                  // as many as the order asks for
-  Labels labels;                    // of faces, or NoLabels
-  Channels channels;                // of attributes
-  Splits_ splits;                   // is there a SplitVertices?
+  Threads threads; // as many as the order asks for
+  Carries carries;
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;
 };
-
-/// Are there seams that may have to be kept?
-template <class Policies>
-inline constexpr bool keeps_seams =
-    has_labels<typename Policies::Labels> || has_channels<typename Policies::Channels>;
 
 /// Expresses what is remembered about the point d, where the cost keeps its memory about its
 /// vertex.
