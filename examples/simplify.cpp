@@ -355,10 +355,11 @@ ChannelImportance channel_importance(const Options& options) {
   };
   return {.of_colors = importance_if_asked_by("color"),
           .of_textures = importance_if_asked_by("texture"),
-          .of_normals = importance_if_asked_by("")};
+          .of_normals = importance_if_asked_by(""),
+          .of_numbers = importance_if_asked_by("")};
 }
 
-/// With values at corners and parts of faces.
+/// With values at corners, named numbers and parts of faces.
 quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options) {
   const auto simplify_by = [&](const auto& cost) {
     return MeshChannels(mesh).take_through(
