@@ -348,7 +348,8 @@ Importance importance(const Options& options) {
   return importance;
 }
 
-/// All count by default; else only those that the cost is asked for by name.
+/// All count by default; else only those that the cost is asked for by name. Numbers may be noise,
+/// so they hardly count.
 ChannelImportance channel_importance(const Options& options) {
   const auto importance_if_asked_by = [&](const char* cost) {
     return options.cost.empty() || options.cost == cost ? 1. : hardly;
@@ -356,7 +357,7 @@ ChannelImportance channel_importance(const Options& options) {
   return {.of_colors = importance_if_asked_by("color"),
           .of_textures = importance_if_asked_by("texture"),
           .of_normals = importance_if_asked_by(""),
-          .of_numbers = importance_if_asked_by("")};
+          .of_numbers = hardly};
 }
 
 /// With values at corners, named numbers and parts of faces.

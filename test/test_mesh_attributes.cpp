@@ -330,6 +330,7 @@ TEST_CASE("Integers and a few colours of faces are regions, numbers and pictures
   CHECK(count_regions("part", whole, by(2)) == 256);
   CHECK(count_regions("part", whole, by(1)) == 1);
   CHECK(count_regions("part", single, by(100)) == 1);
+  CHECK(count_regions("flags", whole, by(100)) == 1);
   CHECK(count_regions("red", byte, by(8)) == 64);
   CHECK(count_regions("red", byte, by(7)) == 1);
   CHECK(count_regions("green", single, by(100)) == 6);
