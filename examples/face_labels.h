@@ -28,8 +28,8 @@ struct FaceLabel {
 /// To which region each face belongs. Regions are what differs by parts, by integers or by colours
 /// of faces, as segmentations have them. Where integers are different for more than every second
 /// face they are numbers of faces, and more than a few colours are a picture: their borders would
-/// hold every vertex. `flags` of MeshLab tell what lies on a border. Other numbers are measured, and
-/// tell nothing apart. Whatever it is, each face keeps its own.
+/// hold every vertex. `flags` of MeshLab tell what lies on a border. Other numbers are measured,
+/// and tell nothing apart. Whatever it is, each face keeps its own.
 class FaceRegions {
 public:
   explicit FaceRegions(const IndexedMesh& mesh) : regions_(mesh.triangles.size()) {
