@@ -171,9 +171,13 @@ private:
     return color_type_.is_single ? static_cast<double>(static_cast<float>(inside)) : inside;
   }
 
-  /// The parts of the faces are all the same: what differs needs channels.
+  /// Parts of faces and named numbers are all the same: what differs needs channels.
   void resize(IndexedMesh& mesh) const {
     mesh.parts.of_faces.resize(std::min(mesh.parts.of_faces.size(), mesh.triangles.size()));
+    for (NamedNumbers& numbers : mesh.vertex_numbers)
+      numbers.values.resize(mesh.points.size());
+    for (NamedNumbers& numbers : mesh.face_numbers)
+      numbers.values.resize(mesh.triangles.size());
     if (!colors_.empty())
       mesh.colors.resize(mesh.points.size());
     if (!textures_.empty())

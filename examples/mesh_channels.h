@@ -1,16 +1,20 @@
 #ifndef QUADRILLE_EXAMPLES_MESH_CHANNELS_H
 #define QUADRILLE_EXAMPLES_MESH_CHANNELS_H
 
-#include "mesh_io/colors.h"
+#include "face_labels.h"
 #include "mesh_io/face_parts.h"
 #include "mesh_io/indexed_mesh.h"
+#include "mesh_io/named_numbers.h"
+#include "vertex_values.h"
 
 #include <quadrille/channels.h>
 #include <quadrille/labels.h>
+#include <quadrille/parameters.h>
 #include <quadrille/report.h>
 
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,55 +23,63 @@ namespace quadrille_examples {
 
 /// How much attributes count, as quadrille::ChannelOptions has it.
 struct ChannelImportance {
-  double of_colors = 1, of_textures = 1, of_normals = 1;
+  double of_colors = 1, of_textures = 1, of_normals = 1, of_numbers = 1;
 };
 
 /// Has a mesh what MeshChannels takes along and MeshAttributes does not?
 inline bool needs_channels(const IndexedMesh& mesh) {
-  return !mesh.corner_textures.empty() || !mesh.corner_normals.empty() || mesh.parts.differ();
+  const auto differ = [](const NamedNumbers& numbers) { return numbers.differ(); };
+  return !mesh.corner_textures.empty() || !mesh.corner_normals.empty() || mesh.parts.differ() ||
+         std::any_of(mesh.vertex_numbers.begin(), mesh.vertex_numbers.end(), differ) ||
+         std::any_of(mesh.face_numbers.begin(), mesh.face_numbers.end(), differ);
 }
 
-/// The values at the corners of a mesh, its colours and the parts of its faces, on their way
-/// through `simplify`. One type of call serves all meshes: a channel without values is none, and so
-/// are labels that are all the same.
+/// What the vertices, the corners and the faces of a mesh have, on its way through `simplify`. One
+/// type of call serves all meshes: a channel without values is none, and so are labels that are all
+/// the same.
 class MeshChannels {
 public:
-  explicit MeshChannels(IndexedMesh& mesh) : mesh_(mesh), labels_(mesh.parts.labels()) {
-    if (mesh.colors.empty())
-      return;
-    colors_.values = std::move(mesh.colors);
-    colors_.triples = mesh.triangles;
-  }
+  explicit MeshChannels(IndexedMesh& mesh)
+      : mesh_(mesh), colors_(std::move(mesh.colors), mesh),
+        textures_(std::move(mesh.texture_coordinates), mesh), numbers_(mesh),
+        labels_(FaceRegions(mesh).labels()) {}
 
   /// Calls simplify(argument...) with arguments for `quadrille::simplify`, and gives the mesh what
   /// that leaves of them.
   template <class Simplify>
   quadrille::Report take_through(Simplify simplify, const ChannelImportance& importance) {
-    const quadrille::Report report = simplify(
-        quadrille::Texture(mesh_.corner_textures.values, mesh_.corner_textures.triples,
-                           {.importance = importance.of_textures}),
-        quadrille::Normals(mesh_.corner_normals.values, mesh_.corner_normals.triples,
-                           {.importance = importance.of_normals}),
-        quadrille::Colors(colors_.values, colors_.triples, {.importance = importance.of_colors}),
-        quadrille::Labels{CGAL::make_property_map(labels_)});
-    restore_colors();
-    mesh_.parts.take(labels_, mesh_.triangles.size());
+    const quadrille::Report report =
+        call(simplify, importance, std::make_index_sequence<VertexNumbers::most_channels>());
+    mesh_.colors = colors_.of_points(mesh_);
+    mesh_.texture_coordinates = textures_.of_points(mesh_);
+    numbers_.restore(mesh_);
+    take_faces(mesh_, labels_);
     return report;
   }
 
 private:
-  void restore_colors() {
-    if (colors_.empty())
-      return;
-    mesh_.colors.resize(mesh_.points.size());
-    for (std::size_t face = 0; face < mesh_.triangles.size(); ++face)
-      for (std::size_t i = 0; i < 3; ++i)
-        mesh_.colors[mesh_.triangles[face][i]] = colors_.values[colors_.triples[face][i]];
+  template <class Simplify, std::size_t... I>
+  quadrille::Report call(Simplify simplify, const ChannelImportance& importance,
+                         std::index_sequence<I...>) {
+    auto& textures = textures_.empty() ? mesh_.corner_textures : textures_.corners;
+    auto& normals = mesh_.corner_normals;
+    auto& colors = colors_.corners;
+    return simplify(
+        quadrille::Texture(textures.values, textures.triples,
+                           {.importance = importance.of_textures}),
+        quadrille::Normals(normals.values, normals.triples, {.importance = importance.of_normals}),
+        quadrille::Colors(colors.values, colors.triples, {.importance = importance.of_colors}),
+        quadrille::Attributes(numbers_.channel(I).values, numbers_.channel(I).triples,
+                              {.importance = importance.of_numbers})...,
+        quadrille::Labels{CGAL::make_property_map(labels_)},
+        quadrille::parameters::vertex_image_map(CGAL::make_property_map(numbers_.images())));
   }
 
   IndexedMesh& mesh_;
-  CornerValues<4> colors_;
-  std::vector<PartLabel> labels_;
+  VertexValues<4> colors_;
+  VertexValues<2> textures_;
+  VertexNumbers numbers_;
+  std::vector<FaceLabel> labels_;
 };
 
 } // namespace quadrille_examples

@@ -35,17 +35,20 @@ struct MeshFormat {
   PolygonSoup (*read)(const Source&);
   std::string (*encode)(const IndexedMesh&);
   bool holds_attributes; ///< colours and texture coordinates
-  bool holds_corners;    ///< several texture coordinates at a vertex, normals, parts of faces
+  bool holds_corners;    ///< several texture coordinates at a vertex, normals
+  bool holds_parts;      ///< materials, groups and objects
+  bool holds_numbers;    ///< numbers of vertices and faces by any name, comments
 };
 
 inline constexpr MeshFormat mesh_formats[] = {
-    {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true,
-     false},
-    {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true, true},
-    {".ply", read_ply, encode_ply, true, false},
-    {".stl", read_stl, encode_stl, false, false},
+    {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true, false,
+     false, false},
+    {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true, true,
+     true, false},
+    {".ply", read_ply, encode_ply, true, true, false, true},
+    {".stl", read_stl, encode_stl, false, false, false, false},
     {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad, false,
-     false}};
+     false, false, false}};
 
 /// The format of an extension, in any case of letters; nothing if there is none.
 inline const MeshFormat* find_format(const std::string& extension) {
@@ -86,41 +89,72 @@ inline void require_replaceable(const std::filesystem::path& path, bool is_force
   }
 }
 
-/// Takes out of a mesh what a format does not hold of the corners and parts of faces, and tells it,
-/// and what else the format does not hold, in `IndexedMesh::losses`. Texture coordinates stay.
-inline void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
+/// Takes the names of parts of a mesh, and tells them.
+inline void lose_parts(IndexedMesh& mesh) {
   const auto lose = [&](bool has, const char* what) {
     if (has)
       mesh.losses.add(what);
   };
-  if (!format.holds_attributes) {
-    lose(!mesh.colors.empty(), "colours");
-    lose(!mesh.texture_coordinates.empty() || !mesh.corner_textures.empty(), "texture coordinates");
-  }
-  if (format.holds_corners)
-    return;
-  lose(!mesh.corner_normals.empty(), "normals");
   lose(!mesh.parts.libraries.empty(), "material libraries (mtllib)");
   lose(mesh.parts.has(&FacePart::material), "materials (usemtl)");
   lose(mesh.parts.has(&FacePart::object), "objects");
   lose(mesh.parts.has(&FacePart::group), "groups");
   lose(mesh.parts.has(&FacePart::smoothing), "smoothing groups");
-  mesh.corner_normals = {};
   mesh.parts.forget_names();
+}
+
+/// The same of the normals of its corners.
+inline void lose_normals(IndexedMesh& mesh) {
+  if (!mesh.corner_normals.empty())
+    mesh.losses.add("normals");
+  mesh.corner_normals = {};
+  for (FacePart& part : mesh.parts.parts)
+    part.has_normals = false;
+}
+
+/// The same of its comments and named numbers.
+inline void lose_numbers(IndexedMesh& mesh) {
+  for (const std::string& comment : mesh.texture_comments)
+    mesh.losses.add("comment " + in_quotes(comment, 100));
+  for (const NamedNumbers& numbers : mesh.vertex_numbers)
+    mesh.losses.add("vertex property " + in_quotes(numbers.name));
+  for (const NamedNumbers& numbers : mesh.face_numbers)
+    mesh.losses.add("face property " + in_quotes(numbers.name));
+  mesh.texture_comments.clear();
+  mesh.vertex_numbers.clear();
+  mesh.face_numbers.clear();
+}
+
+/// Takes out of a mesh what a format does not hold, and tells it in `IndexedMesh::losses`; but
+/// colours and texture coordinates, which are told, stay.
+inline void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
+  if (!format.holds_numbers)
+    lose_numbers(mesh);
+  if (!format.holds_attributes) {
+    if (!mesh.colors.empty())
+      mesh.losses.add("colours");
+    if (!mesh.texture_coordinates.empty() || !mesh.corner_textures.empty())
+      mesh.losses.add("texture coordinates");
+  }
+  if (!format.holds_corners)
+    lose_normals(mesh);
+  if (!format.holds_parts)
+    lose_parts(mesh);
 }
 
 /// A mesh as the content of a file.
 inline std::string encoded(const IndexedMesh& mesh, const MeshFormat& format) {
   if (format.holds_attributes && !format.holds_corners && !mesh.corner_textures.empty())
-    return format.encode(SeamSplitter::split(mesh));
+    return format.encode(with_vertex_textures(mesh));
   return format.encode(mesh);
 }
 
 /// Writes a mesh, to standard output if the path is "-": all of it, or, throwing
 /// `std::runtime_error`, nothing, in which case a file that was there stays. See FileReplacement.
 /// Coordinates read back as they are, but for STL, which is of single precision. Colours are
-/// written to OFF, OBJ and PLY, texture coordinates too, in OFF and PLY with a vertex for each side
-/// of a seam; normals and parts of faces to OBJ.
+/// written to OFF, OBJ and PLY, texture coordinates too, in OFF with a vertex for each side of a
+/// seam; normals to OBJ and PLY, in PLY with a vertex for each; parts of faces to OBJ; named
+/// numbers to PLY. Of what is at corners PLY gets single precision, unless it was read as double.
 inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
                        const MeshFormat& format, bool is_forced = false) {
   try {

@@ -348,17 +348,19 @@ Importance importance(const Options& options) {
   return importance;
 }
 
-/// All count by default; else only those that the cost is asked for by name.
+/// All count by default; else only those that the cost is asked for by name. Numbers may be noise,
+/// so they hardly count.
 ChannelImportance channel_importance(const Options& options) {
   const auto importance_if_asked_by = [&](const char* cost) {
     return options.cost.empty() || options.cost == cost ? 1. : hardly;
   };
   return {.of_colors = importance_if_asked_by("color"),
           .of_textures = importance_if_asked_by("texture"),
-          .of_normals = importance_if_asked_by("")};
+          .of_normals = importance_if_asked_by(""),
+          .of_numbers = hardly};
 }
 
-/// With values at corners and parts of faces.
+/// With values at corners, named numbers and parts of faces.
 quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options) {
   const auto simplify_by = [&](const auto& cost) {
     return MeshChannels(mesh).take_through(

@@ -134,11 +134,18 @@ if has sphere_6_charts_corners.obj; then
 fi
 if has labels_quality_texnumber.ply; then
   run out.ply
+  [ -s "$work/stderr" ] && fail "there is something to remark"
+  for line in 'comment TextureFile atlas.png' 'property float nx' 'property float quality' \
+    'property int label' 'property list uchar float texcoord' 'property int texnumber' \
+    'property uchar red' 'property int region'; do
+    [ "$(grep -acx "$line" "$work/out.ply")" -eq 1 ] || fail "not one line '$line'"
+  done
+  run out.obj
   expect_remark 'not kept: .*TextureFile atlas.png.*quality.*label.*texnumber.*region'
 fi
 if has hard_edges_split.ply; then # split for normals only
   run out.off --ratio 0.3
-  grep -q 'differed by their normals only' "$work/stderr" || fail "no remark on what was welded"
+  grep -q 'differed by their normals or texture coordinates only' "$work/stderr" || fail "no remark on what was welded"
   if grep -q 'cracks may open' "$work/stderr"; then fail "a seam is left"; fi
 fi
 for name in split_seam.off; do

@@ -202,7 +202,7 @@ run 0 --ratio 1 loose.off out.off
 expect_vertices out.off loose.off
 expect stderr '^loose.off: boundary edges at the place of another one.*: 2$'
 run 0 --ratio 1 --weld loose.off out.off
-expect stderr 'not kept: colours or texture coordinates of welded vertices .*: 2$'
+expect stderr 'not kept: colours, texture coordinates or properties of welded vertices .*: 2$'
 [ "$(vertices out.off | wc -l)" -eq 4 ] || fail "not welded"
 
 # A sphere of two halves, each with vertices of its own along the cut.
@@ -254,7 +254,7 @@ printf '# 3 vertices, 1 faces\nmtllib a.mtl\nv 0 0 0 0.2 0.4 0.6 0.5\nv 1 0 0 0.
 v 0 1 0 0.2 0.4 0.6 0.5\nvn 0 0 1\ng c\nusemtl b\ns 1\nf 1//1 2//1 3//1\n' | cmp -s - out.obj ||
   fail "an OBJ file has changed"
 run 0 --ratio 1 out.obj out.ply
-expect stderr '^out.obj: not kept: normals, material libraries \(mtllib\), materials \(usemtl\), groups, smoothing groups$'
+expect stderr '^out.obj: not kept: material libraries \(mtllib\), materials \(usemtl\), groups, smoothing groups$'
 [ "$(wc -l <stderr)" -eq 1 ] || fail "more than one remark"
 run 0 --ratio 1 out.ply again.obj
 grep '^v ' out.obj >old
@@ -353,6 +353,57 @@ awk 'NR == 2 { n = $1; next }
   NR > 2 + n { a = side[$2]; b = side[$3]; c = side[$4]
                if (a && b && a != b || b && c && b != c || c && a && c != a) bad = 1 }
   END { exit bad || !n }' out.off || fail "texture coordinates have moved"
+
+# The same sheet as PLY of all there is, of two pictures and two labels: written again it is the same,
+# and what it becomes has all of it. As OBJ it has the same texture coordinates.
+awk 'BEGIN { print "ply\nformat ascii 1.0\ncomment TextureFile red.png\ncomment TextureFile blue.png" }
+  $1 == "v" { v[++n] = $2 " " $3 " " $4 " " 200 * $5 " " 200 * $6 " 99 " $2 / 7 " " ($2 < 10 ? 5 : 6) }
+  $1 == "vt" { t[++m] = $2 " " $3 }
+  $1 == "usemtl" { picture = $2 == "red" ? 0 : 1 }
+  $1 == "g" { label = $2 == "front" ? -3 : 9 }
+  $1 == "f" {
+    for (k = 2; k <= 5; ++k) { split($k, c, "/"); p[k] = c[1] - 1; q[k] = t[c[2]] }
+    f[++l] = "4 " p[2] " " p[3] " " p[4] " " p[5] " 8 " q[2] " " q[3] " " q[4] " " q[5] " " picture " " label
+  }
+  END {
+    print "element vertex", n "\nproperty double x\nproperty double y\nproperty double z"
+    print "property uchar red\nproperty uchar green\nproperty uchar blue"
+    print "property float quality\nproperty int label"
+    print "element face", l "\nproperty list uchar int vertex_indices"
+    print "property list uchar float texcoord\nproperty int texnumber\nproperty short label\nend_header"
+    for (i = 1; i <= n; ++i) print v[i]
+    for (i = 1; i <= l; ++i) print f[i]
+  }' parts.obj >parts.ply
+check_textures='
+  function abs(x) { return x < 0 ? -x : x }
+  $1 == "v" { x[++v] = $2; y[v] = $3 }
+  $1 == "vt" { s[++t] = $2; u[t] = $3 }
+  $1 == "f" {
+    for (k = 2; k <= 4; ++k) {
+      split($k, c, "/"); p = c[1]; q = c[2]
+      red = abs(s[q] - x[p] / 20) < 0.07 && abs(u[q] - y[p] / 20) < 0.07
+      blue = abs(s[q] - 2 + x[p] / 10) < 0.07 && abs(u[q] - y[p] / 30) < 0.07
+      if (!red && !blue) { print "a texture coordinate has moved: " $0; exit 1 }
+    }
+  }'
+for cost in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--cost texture' \
+  '--cost color' '--cost length'; do
+  for ratio in 1 0.5 0.2; do
+    # shellcheck disable=SC2086
+    run 0 $cost --ratio $ratio parts.ply out.ply
+    expect_nothing stderr
+    for line in 'comment TextureFile red.png' 'comment TextureFile blue.png' 'property uchar red' \
+      'property float quality' 'property int label' 'property list uchar float texcoord' \
+      'property int texnumber' 'property short label'; do
+      [ "$(grep -acx "$line" out.ply)" -eq 1 ] || fail "not one line '$line'"
+    done
+    run 0 --ratio 1 out.ply again.ply
+    cmp -s out.ply again.ply || fail "another file when it is written again"
+    run 0 --ratio 1 out.ply out.obj
+    expect stderr "^out.ply: not kept: comment 'TextureFile red.png', comment 'TextureFile blue.png', vertex property 'quality', vertex property 'label', face property 'texnumber', face property 'label'$"
+    wrong=$(awk "$check_textures" out.obj) || fail "$wrong"
+  done
+done
 
 # Standard input and output
 run 0 plain.off expected.off

@@ -1,10 +1,11 @@
-// The colours and texture coordinates of a mesh on their way through `simplify`:
-// examples/mesh_attributes.h, and costs that carry them, examples/carrying_cost.h, or are chosen at
-// run time, examples/local_cost.h.
+// What the vertices, corners and faces of a mesh have on its way through `simplify`:
+// examples/mesh_attributes.h and mesh_channels.h, and costs that carry attributes,
+// examples/carrying_cost.h, or are chosen at run time, examples/local_cost.h.
 
 #include "../examples/carrying_cost.h"
 #include "../examples/local_cost.h"
 #include "../examples/mesh_attributes.h"
+#include "../examples/mesh_channels.h"
 
 #include <quadrille/simplify.h>
 
@@ -17,6 +18,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
 #include <vector>
 
 using namespace quadrille_examples;
@@ -41,6 +45,44 @@ IndexedMesh sheet(std::uint32_t n) {
     }
   mesh.color_type = {1, false, false, true};
   return mesh;
+}
+
+constexpr NumberType single = {4, false, true}, whole = {4, true, true}, byte = {1, true, false};
+
+/// The sheet with numbers of vertices: x, x where that is one, which label a place has, a constant.
+IndexedMesh sheet_with_numbers(std::uint32_t n) {
+  IndexedMesh mesh = sheet(n);
+  mesh.vertex_numbers = {
+      {"x", single, {}}, {"gaps", single, {}}, {"label", whole, {}}, {"one", single, {}}};
+  for (const Point& p : mesh.points) {
+    mesh.vertex_numbers[0].values.push_back(p.x());
+    mesh.vertex_numbers[1].values.push_back(p.y() > 3 ? p.x()
+                                                      : std::numeric_limits<double>::quiet_NaN());
+    mesh.vertex_numbers[2].values.push_back(p.x() < 4.5 ? 1000 : -7);
+    mesh.vertex_numbers[3].values.push_back(1);
+  }
+  return mesh;
+}
+
+quadrille::Report simplify_channels(IndexedMesh& mesh, double ratio) {
+  const auto call = [&](const auto&... channels) {
+    return quadrille::simplify(mesh.points, mesh.triangles, quadrille::FaceRatio{ratio},
+                               channels...);
+  };
+  return MeshChannels(mesh).take_through(call, {});
+}
+
+/// How many regions the faces of the sheet have if one has a number of its own by value_of(face).
+template <class ValueOf>
+std::size_t count_regions(const std::string& name, const NumberType& type, ValueOf value_of) {
+  IndexedMesh mesh = sheet(16);
+  mesh.face_numbers = {{name, type, {}}};
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face)
+    mesh.face_numbers[0].values.push_back(static_cast<double>(value_of(face)));
+  std::set<std::uint32_t> regions;
+  for (const FaceLabel& label : FaceRegions(mesh).labels())
+    regions.insert(label.region);
+  return regions.size();
 }
 
 constexpr Importance importance = {0.02, 0.2};
@@ -213,4 +255,106 @@ TEST_CASE("Constant attributes are those of the points that faces use", "[mesh_a
   attributes.restore(mesh);
   CHECK(mesh.colors == std::vector<Color>(3, {1, 2, 3, 4}));
   CHECK(mesh.texture_coordinates == std::vector<std::array<double, 2>>(3, {.1, .2}));
+}
+
+TEST_CASE("Numbers of vertices follow them, and labels are of those that there were",
+          "[mesh_attributes]") {
+  for (const double ratio : {1., 0.5, 0.1}) {
+    CAPTURE(ratio);
+    IndexedMesh mesh = sheet_with_numbers(16);
+    const IndexedMesh input = mesh;
+    REQUIRE(needs_channels(mesh));
+    simplify_channels(mesh, ratio);
+    for (const NamedNumbers& numbers : mesh.vertex_numbers)
+      REQUIRE(numbers.values.size() == mesh.points.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const double x = mesh.points[v].x();
+      const double value = mesh.vertex_numbers[0].values[v];
+      CHECK(value == static_cast<float>(value));
+      CHECK(std::abs(value - x) < 1);
+      const double label = mesh.vertex_numbers[2].values[v];
+      CHECK((label == 1000 || label == -7));
+      CHECK((label == 1000 ? x < 7.5 : x > 1.5));
+      const double gap = mesh.vertex_numbers[1].values[v];
+      CHECK((std::isnan(gap) ? mesh.points[v].y() < 6 : gap == std::round(gap)));
+      CHECK(mesh.vertex_numbers[3].values[v] == 1);
+      CHECK(std::abs(mesh.colors[v][0] - x / 16) < 0.1);
+      CHECK(std::abs(mesh.texture_coordinates[v][0] - x / 7) < 0.2);
+    }
+    if (ratio == 1) {
+      CHECK(mesh.points == input.points);
+      CHECK(mesh.vertex_numbers[0].values == input.vertex_numbers[0].values);
+      CHECK(mesh.vertex_numbers[2].values == input.vertex_numbers[2].values);
+    }
+  }
+}
+
+TEST_CASE("Numbers stay in the range that there was, and more than a few are kept",
+          "[mesh_attributes]") {
+  IndexedMesh mesh = sheet(12);
+  for (int i = 0; i < 12; ++i) {
+    mesh.vertex_numbers.push_back({std::to_string(i), single, {}});
+    for (const Point& p : mesh.points)
+      mesh.vertex_numbers.back().values.push_back(i + (p.x() > 6 && p.y() < 6));
+  }
+  mesh.vertex_numbers[3].values[0] = 1e200; // weighs nothing beside a length
+  simplify_channels(mesh, 0.2);
+  for (int i = 0; i < 12; ++i)
+    for (const double value : mesh.vertex_numbers[static_cast<std::size_t>(i)].values)
+      CHECK((value == 1e200 || (value >= i && value <= i + 1)));
+}
+
+TEST_CASE("Constant numbers need no channels", "[mesh_attributes]") {
+  IndexedMesh mesh = sheet(4);
+  CHECK(!needs_channels(mesh));
+  mesh.vertex_numbers = {{"one", single, std::vector<double>(25, 1)}};
+  mesh.face_numbers = {{"flags", whole, std::vector<double>(32, 7)}};
+  CHECK(!needs_channels(mesh));
+  const MeshAttributes attributes(mesh, importance);
+  auto carried = attributes.carried<6>();
+  mesh.points.resize(9);
+  mesh.triangles.resize(8);
+  attributes.restore(mesh, carried);
+  CHECK(mesh.vertex_numbers[0].values == std::vector<double>(9, 1));
+  CHECK(mesh.face_numbers[0].values == std::vector<double>(8, 7));
+  mesh.face_numbers[0].values[3] = 8;
+  CHECK(needs_channels(mesh));
+}
+
+TEST_CASE("Integers and a few colours of faces are regions, numbers and pictures none",
+          "[mesh_attributes]") { // of 512 faces
+  const auto by = [](std::size_t divisor) {
+    return [divisor](std::size_t face) { return face / divisor; };
+  };
+  CHECK(count_regions("part", whole, by(100)) == 6);
+  CHECK(count_regions("part", whole, by(2)) == 256);
+  CHECK(count_regions("part", whole, by(1)) == 1);
+  CHECK(count_regions("part", single, by(100)) == 1);
+  CHECK(count_regions("flags", whole, by(100)) == 1);
+  CHECK(count_regions("red", byte, by(8)) == 64);
+  CHECK(count_regions("red", byte, by(7)) == 1);
+  CHECK(count_regions("green", single, by(100)) == 6);
+}
+
+TEST_CASE("Each face keeps its own, and the borders of regions hold", "[mesh_attributes]") {
+  IndexedMesh mesh = sheet(16);
+  const std::size_t faces = mesh.triangles.size();
+  mesh.face_numbers = {{"id", whole, {}}, {"part", whole, {}}, {"area", single, {}}};
+  for (std::size_t face = 0; face < faces; ++face) {
+    mesh.face_numbers[0].values.push_back(static_cast<double>(face));
+    mesh.face_numbers[1].values.push_back(face < faces / 2 ? 1 : 2);
+    mesh.face_numbers[2].values.push_back(static_cast<double>(face) / 3);
+  }
+  simplify_channels(mesh, 0.1);
+  CHECK(mesh.triangles.size() < 55);
+  const auto& ids = mesh.face_numbers[0].values;
+  CHECK(ids.size() == mesh.triangles.size());
+  CHECK(std::is_sorted(ids.begin(), ids.end()));
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    const bool is_first = ids[face] < static_cast<double>(faces / 2);
+    CHECK(mesh.face_numbers[1].values[face] == (is_first ? 1 : 2));
+    CHECK(mesh.face_numbers[2].values[face] == ids[face] / 3);
+    for (const std::uint32_t v : mesh.triangles[face]) // the border is at x = 8
+      CHECK((is_first ? mesh.points[v].x() < 8.5 : mesh.points[v].x() > 7.5));
+  }
 }

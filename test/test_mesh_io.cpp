@@ -95,7 +95,7 @@ std::string bytes(Value value, std::endian order = std::endian::little) {
 /// Wherever the format has them; there are no seams.
 std::vector<std::array<double, 2>> textures_of_vertices(const IndexedMesh& mesh) {
   return mesh.corner_textures.empty() ? mesh.texture_coordinates
-                                      : SeamSplitter::split(mesh).texture_coordinates;
+                                      : with_vertex_textures(mesh).texture_coordinates;
 }
 
 double area(const IndexedMesh& mesh) {
@@ -391,16 +391,12 @@ TEST_CASE("Names in OBJ files may hold blanks and #, and end before a comment", 
 
 TEST_CASE("Parts that differ by their smoothing groups only are one region", "[mesh_io]") {
   const std::string f = "f 1 2 3\n";
-  const IndexedMesh mesh =
+  const FaceParts parts =
       read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\n" + f + "s 1\n" + f + "g b\n" + f +
-                        "usemtl c\n" + f + "g\ns 0\nusemtl a\n" + f + "o d\n" + f);
-  std::vector<std::uint32_t> regions, parts;
-  for (const PartLabel& label : mesh.parts.labels()) {
-    regions.push_back(label.region);
-    parts.push_back(label.part);
-  }
-  CHECK(regions == std::vector<std::uint32_t>{0, 0, 1, 2, 0, 3});
-  CHECK(parts == std::vector<std::uint32_t>{0, 1, 2, 3, 0, 4});
+                        "usemtl c\n" + f + "g\ns 0\nusemtl a\n" + f + "o d\n" + f)
+          .parts;
+  CHECK(parts.of_faces == std::vector<std::uint32_t>{0, 1, 2, 3, 0, 4});
+  CHECK(parts.regions() == std::vector<std::uint32_t>{0, 0, 1, 2, 3});
 }
 
 TEST_CASE("Faces without texture coordinates are written without them", "[mesh_io]") {
@@ -409,8 +405,8 @@ TEST_CASE("Faces without texture coordinates are written without them", "[mesh_i
   CHECK(mesh.losses.text() == "texture coordinates of faces that have them at some corners only");
   CHECK(mesh.corner_textures.triples == std::vector<Triangle>{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}});
   CHECK(encode_obj(mesh).ends_with("f 1/2/1 2/1/1 3/1/1\nf 1 3 4\nf 4 3 2\n"));
-  CHECK(mesh.parts.labels()[0].region != mesh.parts.labels()[1].region);
-  CHECK(mesh.parts.labels()[1].region == mesh.parts.labels()[2].region);
+  CHECK(mesh.parts.of_faces == std::vector<std::uint32_t>{0, 1, 1});
+  CHECK(mesh.parts.regions() == std::vector<std::uint32_t>{0, 1});
 
   const IndexedMesh unused = read("a.obj", points + "f 1 2 3\n");
   CHECK(unused.corner_textures.values.empty());
@@ -475,8 +471,7 @@ TEST_CASE("Texture coordinates and normals of corners that are no numbers are re
                                  "normals that are not finite, taken as (0, 0, 1): 1"});
 }
 
-TEST_CASE("Formats of one texture coordinate a vertex get a vertex for each side of a seam",
-          "[mesh_io]") {
+TEST_CASE("OFF gets a vertex for each side of a seam of the texture", "[mesh_io]") {
   // 4---3---5   a seam along 1-3; the texture is the same on both sides of 2-3, though written
   // twice; | / | /     1, 4 and 6 have a face without texture coordinates 1---2
   const IndexedMesh mesh = read(
@@ -485,18 +480,26 @@ TEST_CASE("Formats of one texture coordinate a vertex get a vertex for each side
       "vt 0 0\nvt .5 0\nvt .5 1\nvt .6\nvt .9 1\nvt .5 0\nvt 1 1\nf 1/1 2/2 3/3\n"
       "f 1/4 3/5 4/5\nf 2/6 5/7 3/3\nf 1 4 6\n");
   const Folder folder;
-  for (const std::string name : {"a.off", "a.ply"}) {
-    CAPTURE(name);
-    write_mesh(folder.path(name), mesh);
-    const IndexedMesh again = read_mesh(folder.path(name));
-    CHECK(again.triangles == std::vector<Triangle>{{0, 1, 2}, {6, 7, 3}, {1, 4, 2}, {0, 3, 5}});
-    CHECK(again.points[6] == mesh.points[0]);
-    CHECK(again.points[7] == mesh.points[2]);
-    CHECK(bytes_of(again)[7] == bytes_of(mesh)[2]);
-    CHECK(again.texture_coordinates ==
-          std::vector<std::array<double, 2>>{
-              {0, 0}, {.5, 0}, {.5, 1}, {.9, 1}, {1, 1}, {0, 0}, {.6, 0}, {.9, 1}});
-  }
+  write_mesh(folder.path("a.off"), mesh);
+  const IndexedMesh again = read_mesh(folder.path("a.off"));
+  CHECK(again.triangles == std::vector<Triangle>{{0, 1, 2}, {6, 7, 3}, {1, 4, 2}, {0, 3, 5}});
+  CHECK(again.points[6] == mesh.points[0]);
+  CHECK(again.points[7] == mesh.points[2]);
+  CHECK(bytes_of(again)[7] == bytes_of(mesh)[2]);
+  CHECK(again.texture_coordinates ==
+        std::vector<std::array<double, 2>>{
+            {0, 0}, {.5, 0}, {.5, 1}, {.9, 1}, {1, 1}, {0, 0}, {.6, 0}, {.9, 1}});
+
+  write_mesh(folder.path("a.ply"), mesh);
+  const IndexedMesh of_ply = read_mesh(folder.path("a.ply"));
+  CHECK(of_ply.triangles == mesh.triangles);
+  CHECK(of_ply.parts.of_faces == mesh.parts.of_faces);
+  for (std::size_t face = 0; face < 3; ++face)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [s, t] = mesh.corner_textures.values[mesh.corner_textures.triples[face][i]];
+      CHECK(of_ply.corner_textures.values[of_ply.corner_textures.triples[face][i]] ==
+            std::array<double, 2>{static_cast<float>(s), static_cast<float>(t)});
+    }
   write_mesh(folder.path("a.stl"), mesh);
   CHECK(read_mesh(folder.path("a.stl")).points.size() == 6);
 }
@@ -514,14 +517,17 @@ TEST_CASE("What a format does not hold of corners and parts is told and left out
   CHECK(fitted("a.obj").losses.empty());
   CHECK(encode_obj(fitted("a.obj")) == encode_obj(mesh));
   const std::string parts =
-      "normals, material libraries (mtllib), materials (usemtl), objects, groups, smoothing groups";
+      "material libraries (mtllib), materials (usemtl), objects, groups, smoothing groups";
   CHECK(fitted("a.ply").losses.text() == parts);
-  CHECK(fitted("a.off").losses.text() == parts);
-  CHECK(fitted("a.stl").losses.text() == "texture coordinates, " + parts);
-  CHECK(fitted("a.ply").corner_normals.empty());
+  CHECK(fitted("a.off").losses.text() == "normals, " + parts);
+  CHECK(fitted("a.stl").losses.text() == "texture coordinates, normals, " + parts);
+  CHECK(!fitted("a.ply").corner_normals.empty());
+  CHECK(fitted("a.off").corner_normals.empty());
   CHECK(!fitted("a.ply").corner_textures.empty());
   CHECK(mesh.parts.differ());
   CHECK(!fitted("a.ply").parts.differ());
+  CHECK(fitted("a.ply").parts.of(0).has_normals);
+  CHECK(!fitted("a.off").parts.of(0).has_normals);
 }
 
 TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_io]") {
@@ -531,11 +537,165 @@ TEST_CASE("PLY faces may hold the texture coordinates of their corners", "[mesh_
       "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
   const IndexedMesh mesh = read("a.ply", header + "0 3 2 1 3\n6 0 0 .5 0 0 .5 3 0 1 2\n"
                                                   "6 .5 0 1 1 0 .9 3 1 3 2\n");
-  CHECK(mesh.texture_coordinates ==
-        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {0, .5}, {1, 1}});
-  CHECK(mesh.losses.text() == "all but one of the texture coordinates of vertices on seams: 1");
-  CHECK(
-      read("a.ply", header + "0 3 2 1 3\n0 3 0 1 2\n2 1 1 3 1 3 2\n").texture_coordinates.empty());
+  CHECK(mesh.texture_coordinates.empty());
+  CHECK(mesh.losses.empty());
+  CHECK(mesh.corner_textures.values ==
+        std::vector<std::array<double, 2>>{{0, 0}, {.5, 0}, {0, .5}, {.5, 0}, {1, 1}, {0, .9}});
+  CHECK(mesh.corner_textures.triples == std::vector<Triangle>{{0, 0, 0}, {0, 1, 2}, {3, 4, 5}});
+  CHECK(encode_obj(mesh).ends_with("vt 0 0\nvt 0.5 0\nvt 0 0.5\nvt 0.5 0\nvt 1 1\nvt 0 0.9\n"
+                                   "f 3 2 4\nf 1/1 2/2 3/3\nf 2/4 4/5 3/6\n"));
+  CHECK(read("a.ply", header + "0 3 2 1 3\n0 3 0 1 2\n0 3 1 3 2\n").corner_textures.empty());
+  for (const std::string list : {"2 1 1", "5 0 0 0 0 0", "7 0 0 0 0 0 0 0", "8 0 0 0 0 0 0 0 0"})
+    CHECK(complaint("a.ply", header + "0 3 2 1 3\n" + list + " 3 0 1 2\n0 3 1 3 2\n") ==
+          "a.ply:16: a list of " + list.substr(0, 1) + " texture coordinates for 3 corners");
+}
+
+namespace {
+
+/// A PLY file with all there is, in the order in which it is written: two triangles, of which one
+/// has no texture coordinates.
+std::string ply_of_everything(const std::string& format, std::endian order) {
+  const auto all = [order](auto... values) { return (bytes(values, order) + ...); };
+  std::string content =
+      "ply\nformat " + format +
+      " 1.0\ncomment TextureFile a#1.png\ncomment TextureFile b.png\nelement vertex 4\n"
+      "property double x\nproperty double y\nproperty double z\nproperty float nx\n"
+      "property float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nproperty float quality\nproperty double heat\nproperty int label\n"
+      "property char c\nproperty short d\nproperty ushort e\nproperty uint f\nelement face 2\n"
+      "property list uchar uint vertex_indices\nproperty list uchar double texcoord\n"
+      "property int texnumber\nproperty uchar red\nproperty float area\nend_header\n";
+  for (int i = 0; i < 4; ++i) {
+    content += all(double{i % 2 == 1}, double{i / 2 == 1}, 1e-310 * i, 0.6F, 0.F, 0.8F);
+    content += all(std::uint8_t(250 + i), std::uint8_t{7}, std::uint8_t{9});
+    content += all(0.1F + float(i), i == 2 ? std::nan("") : 1. / 3, std::int32_t{-1 - i});
+    content += all(std::int8_t{-128}, std::int16_t{-32768}, std::uint16_t{65535}, ~0U);
+  }
+  content += all(std::uint8_t{3}, 0U, 1U, 2U, std::uint8_t{6}, 0., .1, .2, .3, 1e-310, 3.);
+  content += all(-7, std::uint8_t{255}, 0.25F);
+  content += all(std::uint8_t{3}, 1U, 3U, 2U, std::uint8_t{0}, 8, std::uint8_t{1}, 0.75F);
+  return content;
+}
+
+} // namespace
+
+TEST_CASE("A PLY file with all there is reads back as it was written", "[mesh_io]") {
+  const std::string content = ply_of_everything("binary_little_endian", std::endian::little);
+  const Folder folder;
+  for (const std::string& variant :
+       {content, ply_of_everything("binary_big_endian", std::endian::big)}) {
+    const IndexedMesh mesh = read_mesh(folder.file("a.ply", variant));
+    CHECK(mesh.losses.empty());
+    CHECK(mesh.remarks.empty());
+    CHECK(mesh.texture_comments.size() == 2);
+    CHECK(mesh.vertex_numbers.size() == 7);
+    CHECK(mesh.face_numbers.size() == 3);
+    write_mesh(folder.path("b.ply"), mesh);
+    CHECK(content_of(folder.path("b.ply")) == content);
+  }
+  for (std::size_t size = 0; size < content.size(); ++size) {
+    CAPTURE(size);
+    CHECK_THROWS_AS(read_mesh(folder.file("c.ply", content.substr(0, size))), std::runtime_error);
+  }
+}
+
+TEST_CASE("Properties of PLY are told where a format does not hold them", "[mesh_io]") {
+  const std::string content = ply_of_everything("binary_little_endian", std::endian::little);
+  const auto fitted = [&](const std::string& name) {
+    IndexedMesh mesh = read("a.ply", content);
+    fit_to_format(mesh, mesh_format(name));
+    CHECK((mesh.vertex_numbers.empty() && mesh.face_numbers.empty()));
+    CHECK(mesh.texture_comments.empty());
+    return mesh.losses.text();
+  };
+  const std::string numbers =
+      "comment 'TextureFile a#1.png', comment 'TextureFile b.png', vertex property 'quality', "
+      "vertex property 'heat', vertex property 'label', vertex property 'c', vertex property 'd', "
+      "vertex property 'e', vertex property 'f', face property 'texnumber', face property 'red', "
+      "face property 'area'";
+  CHECK(fitted("a.obj") == numbers);
+  CHECK(fitted("a.off") == numbers + ", normals");
+  CHECK(fitted("a.stl") == numbers + ", colours, texture coordinates, normals");
+  CHECK(fitted("a.ts") == numbers + ", colours, texture coordinates, normals");
+}
+
+TEST_CASE("PLY vertices are split where the normals of corners differ", "[mesh_io]") {
+  // A roof of two slopes, of which the ridge has two normals and the eaves have none of their own.
+  const IndexedMesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nv 1 2 0\nv 0 2 0\nvn 0 0 1\nvn 0 1 0\n"
+                    "vt 0 0\nvt 1 0\nvt 1 1\n"
+                    "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/1/1\nf 4/1/2 3/3/2 5/2/2\nf 4 5 6\n");
+  const Folder folder;
+  write_mesh(folder.path("a.ply"), mesh);
+  const std::string content = content_of(folder.path("a.ply"));
+  CHECK(content.find("element vertex 8\n") != std::string::npos);
+  CHECK(content.find("property float nx\n") != std::string::npos);
+  const IndexedMesh again = read_mesh(folder.path("a.ply"));
+  CHECK(again.points.size() == 6);
+  CHECK(again.corner_textures.triples.size() == 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto normal = [&](std::size_t face) {
+      return again.corner_normals.values[again.corner_normals.triples[face][i]];
+    };
+    CHECK(normal(1) == std::array<double, 3>{0, 0, 1});
+    CHECK(normal(2) == std::array<double, 3>{0, 1, 0});
+  }
+}
+
+TEST_CASE("Vertices of PLY that differ by a property stay apart", "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+      "property float w\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 0 0 1 0\n1 0 0 0 0 1 nan\n0 1 0 0 0 1 0\n1 0 0 0 1 0 nan\n1 1 0 0 0 1 0\n";
+  const std::string faces = "3 0 1 2\n3 3 4 5\n";
+  CHECK(read("a.ply", header + "0 1 0 0 1 0 0\n" + faces).points.size() == 4);
+  const IndexedMesh apart = read("a.ply", header + "0 1 0 0 1 0 3\n" + faces);
+  CHECK(apart.points.size() == 5);
+  CHECK(apart.vertex_numbers[0].values.back() == 3);
+  const IndexedMesh welded = read("a.ply", header + "0 1 0 0 1 0 3\n" + faces, Weld::always);
+  CHECK(welded.vertex_numbers[0].values.size() == 4);
+  CHECK(welded.losses.text() == "colours, texture coordinates or properties of welded vertices "
+                                "that differ from the first's: 1");
+}
+
+TEST_CASE("Properties of PLY are kept with the faces and vertices that are", "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\n"
+      "element face 3\nproperty uchar label\nproperty list uchar int vertex_indices\n"
+      "element vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar id\nend_header\n4 1 2 4 5\n";
+  const IndexedMesh mesh = read("a.ply", header + "7 4 1 2 5 4\n8 3 1 1 2\n300 3 2 1 4\n"
+                                                  "nan 0 0 50\n0 0 0 51\n1 0 0 52\n"
+                                                  "0 inf 0 53\n0 1 0 54\n1 1 0 -1\n");
+  REQUIRE(mesh.face_numbers.size() == 1);
+  CHECK(mesh.face_numbers[0].values == std::vector<double>{0, 0, 7, 7, 255});
+  CHECK(mesh.vertex_numbers[0].values == std::vector<double>{51, 52, 54, 0});
+  CHECK(mesh.remarks[0] == "integers out of the range of their type, taken as its nearest end: 2");
+}
+
+TEST_CASE("No name is written twice to PLY", "[mesh_io]") {
+  const auto header_of = [](const std::string& properties, const std::string& faces) {
+    std::string row = "0 0 0";
+    for (std::size_t at = 0; (at = properties.find('\n', at)) != std::string::npos; ++at)
+      row += " 1";
+    const IndexedMesh mesh = read(
+        "a.ply", ply("ascii", row + "\n1" + row.substr(1) + "\n0 1" + row.substr(3) + "\n" + faces,
+                     "int", "uchar", properties));
+    const std::string content = encode_ply(mesh);
+    return mesh.losses.text() +
+           content.substr(content.find("z\n") + 2,
+                          content.find("element face") - content.find("z\n") - 2);
+  };
+  const std::string face = "3 0 1 2\n";
+  CHECK(header_of("property float u\nproperty float v\nproperty float s\nproperty float t\n",
+                  face) == "vertex property 's', vertex property 't'property double s\n"
+                           "property double t\n");
+  CHECK(header_of("property uchar r\nproperty uchar g\nproperty uchar b\nproperty uchar red\n",
+                  face) == "vertex property 'red'property uchar red\nproperty uchar green\n"
+                           "property uchar blue\n");
+  CHECK(header_of("property uchar red\nproperty float nx\nproperty float u\n", face) ==
+        "property uchar red\nproperty float nx\nproperty float u\n");
 }
 
 TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
@@ -551,6 +711,10 @@ TEST_CASE("Broken PLY headers are refused with their place", "[mesh_io]") {
       {start + "element vertex 3\nelement vertex 3\n",
        "a.ply:4: element 'vertex' is declared twice"},
       {start + "property float x\n", "a.ply:3: a property without an element"},
+      {start + "element vertex 3\nelement vertices 3\nend_header\n",
+       "a.ply: the header declares vertices under two names"},
+      {start + "element vertex 3\nelement face 3\nelement faces 3\nend_header\n",
+       "a.ply: the header declares faces under two names"},
       {start + "element vertex 3\nproperty quad x\n", "a.ply:4: unknown type 'quad'"},
       {start + "element vertex 3\nproperty float\n", "a.ply:4: a property without a name"},
       {start + "element vertex 3\nproperty list float int x\n",
@@ -884,8 +1048,8 @@ TEST_CASE("Welded vertices keep the colour of the first", "[mesh_io]") {
                               "1 1 0 5 0 0\n0 1 0 3 0 0\n3 0 1 2\n3 3 4 5";
   const IndexedMesh mesh = read("a.off", content, Weld::always);
   CHECK(bytes_of(mesh) == std::vector<CGAL::IO::Color>{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}});
-  CHECK(mesh.losses.text() == "colours or texture coordinates of welded vertices that differ from "
-                              "the first's: 1");
+  CHECK(mesh.losses.text() == "colours, texture coordinates or properties of welded vertices that "
+                              "differ from the first's: 1");
 
   // Loose faces are joined only where they look alike.
   const IndexedMesh alike = read("a.off", content);
@@ -1093,11 +1257,11 @@ TEST_CASE("Whatever a file has besides is told", "[mesh_io]") {
           "ply\nformat ascii 1.0\ncomment made by hand, texture baked\ncomment TextureFile a.png\n"
           "obj_info skin.JPG\nelement vertex 3\nproperty float x\nproperty float y\n"
           "property float z\nproperty float nx\nproperty float quality\nproperty uchar red\n"
-          "element face 1\nproperty list uchar int vertex_indices\nproperty int texnumber\n"
+          "property list uchar int l\nelement face 1\nproperty list uchar int vertex_indices\n"
+          "property int texnumber\nproperty list uchar float color\n"
           "element edge 1\nproperty int vertex1\nelement none 0\nproperty int a\nend_header\n"
-          "0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2 0\n1\n") ==
-      "comment 'TextureFile a.png', comment 'skin.JPG', normals, vertex property 'quality', "
-      "vertex property 'red', face property 'texnumber', element 'edge'");
+          "0 0 0 0 0 0 0\n1 0 0 0 0 0 0\n0 1 0 0 0 0 0\n3 0 1 2 0 0\n1\n") ==
+      "vertex property 'l', face property 'color', element 'edge'");
   CHECK(losses("a.stl", stl_triangle + stl_triangle) == "solids");
   CHECK(losses("a.ts",
                "GOCAD TSurf 1\nHEADER {\nname:a\n*solid*color: red\n}\nTFACE\n"

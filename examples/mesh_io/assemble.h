@@ -31,6 +31,7 @@ public:
   IndexedMesh mesh(Weld weld) {
     mesh_.remarks = std::move(soup_.remarks);
     mesh_.losses = std::move(soup_.losses);
+    mesh_.texture_comments = std::move(soup_.texture_comments);
     mesh_.points = std::move(soup_.points);
     mesh_.is_blank = mesh_.points.empty() && soup_.polygon_ends.empty();
     if (mesh_.points.size() > most_points)
@@ -39,14 +40,15 @@ public:
     convert_colors();
     convert_textures();
     convert_normals();
+    convert_numbers();
     triangulate();
     drop_points_that_are_not_finite();
     if (weld == Weld::always || is_loose()) {
       const Welded welded = weld_points(mesh_, weld);
       remark(welded.vertices, "vertices welded to another at the same place");
       if (welded.unlike > 0)
-        mesh_.losses.add("colours or texture coordinates of welded vertices that differ from the "
-                         "first's: " +
+        mesh_.losses.add("colours, texture coordinates or properties of welded vertices that "
+                         "differ from the first's: " +
                          std::to_string(welded.unlike));
     } else if (soup_.has_normals) {
       remark(weld_split_normals(mesh_),
@@ -91,16 +93,16 @@ private:
 
   void convert_textures() {
     mesh_.texture_coordinates = std::move(soup_.texture_coordinates);
-    if (keeps_corners_ && soup_.parts.has(&FacePart::has_textures))
+    mesh_.corner_textures.are_double = soup_.are_textures_double;
+    if (soup_.parts.has(&FacePart::has_textures))
       mesh_.corner_textures.values = std::move(soup_.texture_table);
-    else if (!keeps_corners_ && !soup_.corner_textures.empty())
-      gather_corner_textures();
     remark(replace_not_finite(mesh_.texture_coordinates, {0, 0}) +
                replace_not_finite(mesh_.corner_textures.values, {0, 0}),
            "texture coordinates that are not finite, taken as 0");
   }
 
   void convert_normals() {
+    mesh_.corner_normals.are_double = soup_.are_normals_double;
     if (soup_.parts.has(&FacePart::has_normals))
       mesh_.corner_normals.values = std::move(soup_.normal_table);
     remark(replace_not_finite(mesh_.corner_normals.values, {0, 0, 1}),
@@ -119,28 +121,12 @@ private:
     return count;
   }
 
-  /// A vertex on a seam has one texture coordinate on each side. Splitting it would cut the surface
-  /// open, so it stays one vertex and keeps the first.
-  void gather_corner_textures() {
-    constexpr std::array<double, 2> none = {0, 0};
-    std::vector<bool> is_set(mesh_.points.size());
-    std::vector<bool> is_on_seam(mesh_.points.size());
-    mesh_.texture_coordinates.assign(mesh_.points.size(), none);
-    for (std::size_t i = 0; i < soup_.corner_textures.size(); ++i) {
-      if (soup_.corner_textures[i] == PolygonSoup::no_value)
-        continue;
-      const std::uint32_t point = soup_.corners[i];
-      const std::array<double, 2>& texture = soup_.texture_table[soup_.corner_textures[i]];
-      if (!is_set[point])
-        mesh_.texture_coordinates[point] = texture;
-      else if (texture != mesh_.texture_coordinates[point])
-        is_on_seam[point] = true;
-      is_set[point] = true;
-    }
-    const auto count = std::count(is_on_seam.begin(), is_on_seam.end(), true);
-    if (count > 0)
-      mesh_.losses.add("all but one of the texture coordinates of vertices on seams: " +
-                       std::to_string(count));
+  void convert_numbers() {
+    mesh_.vertex_numbers = std::move(soup_.vertex_numbers);
+    for (const NamedNumbers& numbers : soup_.face_numbers)
+      mesh_.face_numbers.push_back({numbers.name, numbers.type, {}});
+    remark(mend_numbers(mesh_.vertex_numbers) + mend_numbers(soup_.face_numbers),
+           "integers out of the range of their type, taken as its nearest end");
   }
 
   void triangulate() {
@@ -203,6 +189,8 @@ private:
         triples.back()[i] = indices[corners_[triangle[i]]];
     };
     append(mesh_.triangles, soup_.corners, true);
+    for (std::size_t i = 0; i < mesh_.face_numbers.size(); ++i)
+      mesh_.face_numbers[i].values.push_back(soup_.face_numbers[i].values[polygon]);
     if (!keeps_corners_)
       return;
     const std::uint32_t number = soup_.parts.of_faces[polygon];
@@ -245,7 +233,7 @@ private:
 
   PolygonSoup soup_;
   const std::filesystem::path& path_;
-  bool keeps_corners_; // has the soup values at the corners that stay there?
+  bool keeps_corners_; // does the soup say what the corners of its polygons have?
   IndexedMesh mesh_;
   std::vector<std::size_t> corners_; // of a polygon: where they are among those of the soup
   std::vector<Triangle> triangles_;  // of a polygon: which of these

@@ -2,7 +2,8 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_FACE_PARTS_H
 
 /// \file
-/// To what the faces of an OBJ file belong: objects, groups, materials.
+/// To what the faces of a file belong (objects, groups, materials of OBJ), and what their corners
+/// have.
 
 #include <algorithm>
 #include <compare>
@@ -23,15 +24,6 @@ struct FacePart {
   bool has_normals = false;
 
   friend auto operator<=>(const FacePart&, const FacePart&) = default;
-};
-
-/// The part of a face as a label for `simplify`. Parts that differ by smoothing groups only are one
-/// region: what has normals needs none, and many programs number them at will.
-struct PartLabel {
-  std::uint32_t region, part;
-
-  friend bool operator==(const PartLabel& a, const PartLabel& b) { return a.region == b.region; }
-  friend bool operator<(const PartLabel& a, const PartLabel& b) { return a.region < b.region; }
 };
 
 /// All parts, and that of each face.
@@ -56,32 +48,24 @@ struct FaceParts {
 
   const FacePart& of(std::size_t face) const { return parts[of_faces[face]]; }
 
-  std::vector<PartLabel> labels() const {
-    std::map<FacePart, std::uint32_t> regions;
-    std::vector<std::uint32_t> region_of;
+  /// The region of each part. Parts that differ by smoothing groups only are one region: what has
+  /// normals needs none, and many programs number them at will.
+  std::vector<std::uint32_t> regions() const {
+    std::map<FacePart, std::uint32_t> numbers;
+    std::vector<std::uint32_t> result;
     for (FacePart part : parts) {
       part.smoothing = 0;
-      const auto next = static_cast<std::uint32_t>(regions.size());
-      region_of.push_back(regions.try_emplace(part, next).first->second);
+      const auto next = static_cast<std::uint32_t>(numbers.size());
+      result.push_back(numbers.try_emplace(part, next).first->second);
     }
-    std::vector<PartLabel> result;
-    for (const std::uint32_t part : of_faces)
-      result.push_back({region_of[part], part});
     return result;
   }
 
-  /// Takes the first `count` labels back, those of the faces that are left.
-  void take(const std::vector<PartLabel>& labels, std::size_t count) {
-    of_faces.resize(count);
-    std::transform(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(count),
-                   of_faces.begin(), [](const PartLabel& label) { return label.part; });
-  }
-
-  /// Leaves of each part what its corners have, but for normals.
+  /// Leaves of each part what its corners have.
   void forget_names() {
     libraries.clear();
     for (FacePart& part : parts)
-      part = {.has_textures = part.has_textures};
+      part = {.has_textures = part.has_textures, .has_normals = part.has_normals};
   }
 };
 

@@ -4,6 +4,7 @@
 #include "colors.h"
 #include "face_parts.h"
 #include "losses.h"
+#include "named_numbers.h"
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -22,6 +23,7 @@ template <std::size_t N>
 struct CornerValues {
   std::vector<std::array<double, N>> values;
   std::vector<std::array<std::uint32_t, 3>> triples; ///< empty, or indices for each triangle
+  bool are_double = false; ///< in a file of types; else of single precision
 
   bool empty() const { return triples.empty(); }
 };
@@ -35,10 +37,13 @@ struct IndexedMesh {
   std::vector<std::array<double, 2>> texture_coordinates; ///< empty, or one per point
   CornerValues<2> corner_textures;                        ///< instead of these
   CornerValues<3> corner_normals;
-  FaceParts parts;                  ///< of the triangles
-  std::vector<std::string> remarks; ///< what reading left out or changed
-  Losses losses;                    ///< what the file has besides
-  bool is_blank = true;             ///< did the file hold neither a vertex nor a face?
+  FaceParts parts;                           ///< of the triangles
+  std::vector<NamedNumbers> vertex_numbers;  ///< each of them one per point
+  std::vector<NamedNumbers> face_numbers;    ///< each of them one per triangle
+  std::vector<std::string> texture_comments; ///< those of a PLY file that name textures
+  std::vector<std::string> remarks;          ///< what reading left out or changed
+  Losses losses;                             ///< what the file has besides
+  bool is_blank = true;                      ///< did the file hold neither a vertex nor a face?
 };
 
 } // namespace quadrille_examples

@@ -3,11 +3,15 @@
 
 /// \file
 /// Stanford's polygon file format, as text or bytes of either order. Of the vertices it reads the
-/// coordinates, colours of any type and texture coordinates; of the faces the vertex indices and
-/// MeshLab's texture coordinates of the corners; of triangle strips the triangles. All else is
+/// coordinates, normals, colours of any type and texture coordinates; of the faces the vertex
+/// indices and MeshLab's texture coordinates of the corners; of both all other scalars, as numbers
+/// of their names; of triangle strips the triangles; and comments that name a texture. All else is
 /// passed over, and told.
 
+#include "face_parts.h"
 #include "indexed_mesh.h"
+#include "named_numbers.h"
+#include "ply_columns.h"
 #include "ply_header.h"
 #include "ply_values.h"
 #include "polygon_soup.h"
@@ -35,25 +39,36 @@ public:
     require_vertices();
     for (const std::string& comment : header_.comments)
       if (names_a_texture(comment))
-        soup_.losses.add("comment " + in_quotes(comment, 100));
+        soup_.texture_comments.push_back(comment);
     for (const PlyElement& element : header_.elements)
       if (element.count > 0)
         read_element(element);
     values_.require_end();
+    finish();
     return std::move(soup_);
   }
 
 private:
-  enum Column { x, y, z, red, green, blue, alpha, u, v, ignored, column_count };
+  /// Columns that are known, in a row of the numbers of a vertex.
+  enum Column { x, y, z, nx, ny, nz, red, green, blue, alpha, u, v, column_count };
 
   void require_vertices() {
-    for (const PlyElement& element : header_.elements)
-      if (is_vertex(element))
-        vertex_count_ = element.count;
-    if (!vertex_count_)
+    const std::size_t vertices = require_at_most_one(is_vertex, "vertices");
+    require_at_most_one(is_face, "faces");
+    if (vertices == header_.elements.size())
       fail(source_.path, "the header declares no element 'vertex'");
-    if (*vertex_count_ > most_points)
-      fail(source_.path, std::to_string(*vertex_count_) + " vertices do not fit 32-bit indices");
+    vertex_count_ = header_.elements[vertices].count;
+    if (vertex_count_ > most_points)
+      fail(source_.path, std::to_string(vertex_count_) + " vertices do not fit 32-bit indices");
+  }
+
+  /// The place of the element of a kind, or behind all of them.
+  std::size_t require_at_most_one(bool (*is_of_kind)(const PlyElement&), const char* kind) const {
+    const auto& elements = header_.elements;
+    if (std::count_if(elements.begin(), elements.end(), is_of_kind) > 1)
+      fail(source_.path, std::string("the header declares ") + kind + " under two names");
+    return static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(), is_of_kind) -
+                                    elements.begin());
   }
 
   /// In the manner of "comment TextureFile a.png".
@@ -67,29 +82,22 @@ private:
     return false;
   }
 
-  /// Tells of the properties of which is_read(its place) does not hold.
-  template <class IsRead>
-  void tell_losses(const PlyElement& element, const char* kind, IsRead is_read) {
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      const std::string& name = element.properties[i].name;
-      if (is_read(i))
-        continue;
-      if (name == "nx" || name == "ny" || name == "nz")
-        soup_.tell_normals();
-      else
-        soup_.losses.add(std::string(kind) + " property " + in_quotes(name));
-    }
+  void lose(const char* kind, const PlyProperty& property) {
+    soup_.losses.add(kind + (" property " + in_quotes(property.name)));
   }
 
   static bool is_vertex(const PlyElement& element) {
     return element.name == "vertex" || element.name == "vertices";
+  }
+  static bool is_face(const PlyElement& element) {
+    return element.name == "face" || element.name == "faces";
   }
 
   void read_element(const PlyElement& element) {
     require_room(element);
     if (is_vertex(element))
       read_vertices(element);
-    else if (element.name == "face" || element.name == "faces")
+    else if (is_face(element))
       read_faces(element);
     else if (element.name == "tristrips")
       read_strips(element);
@@ -108,88 +116,137 @@ private:
   }
 
   void read_vertices(const PlyElement& element) {
-    const std::vector<Column> columns = vertex_columns(element);
-    const auto has = [&](Column column) {
-      return std::find(columns.begin(), columns.end(), column) != columns.end();
-    };
-    if (!has(x) || !has(y) || !has(z))
+    PlyColumns columns(element, column_count);
+    if (!columns.assign(x, {{"x"}, {"y"}, {"z"}}))
       fail(source_.path, "the vertices have no x, y and z");
-    const bool has_colors = has(red) && has(green) && has(blue);
-    const bool has_textures = has(u) && has(v);
-    tell_losses(element, "vertex", [&](std::size_t i) {
-      return columns[i] <= z || (has_colors && columns[i] >= red && columns[i] <= alpha) ||
-             (has_textures && (columns[i] == u || columns[i] == v));
+    const bool has_normals = assign_normals(element, columns);
+    const bool has_colors = assign_colors(element, columns);
+    const bool has_textures = assign_textures(columns);
+    soup_.vertex_numbers = columns.assign_others([&](const std::string& name) {
+      return (has_colors && is_one_of(name, {"red", "green", "blue", "alpha"})) ||
+             (has_textures && is_one_of(name, {"s", "t"}));
     });
-    soup_.color_type.has_alpha = has_colors && has(alpha);
+    tell_losses(element, "vertex", columns);
+    begin_rows(element, column_count + soup_.vertex_numbers.size());
+    row_[alpha] = opaque;
     soup_.points.reserve(element.count);
-    std::array<double, column_count> row = {};
-    row[alpha] = opaque;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_row(element, i, columns, row);
-      soup_.points.emplace_back(row[x], row[y], row[z]);
+      read_item(element, i, columns);
+      soup_.points.emplace_back(row_[x], row_[y], row_[z]);
+      if (has_normals)
+        soup_.normal_table.push_back({row_[nx], row_[ny], row_[nz]});
       if (has_colors)
-        soup_.colors.push_back({row[red], row[green], row[blue], row[alpha]});
+        soup_.colors.push_back({row_[red], row_[green], row_[blue], row_[alpha]});
       if (has_textures)
-        soup_.texture_coordinates.push_back({row[u], row[v]});
+        soup_.texture_coordinates.push_back({row_[u], row_[v]});
+      append_row(soup_.vertex_numbers, column_count);
     }
   }
 
-  /// What each property of the vertices holds.
-  std::vector<Column> vertex_columns(const PlyElement& element) {
-    std::vector<Column> columns(element.properties.size(), ignored);
-    const auto assign = [&](Column column, std::initializer_list<std::string_view> names) {
-      const std::optional<std::size_t> place = element.find(names);
-      if (!place || element.properties[*place].is_list())
-        return;
-      columns[*place] = column;
-      if (column == red)
-        set_color_type(element.properties[*place].type);
-    };
-    assign(x, {"x"});
-    assign(y, {"y"});
-    assign(z, {"z"});
-    assign(red, {"red", "r", "diffuse_red"});
-    assign(green, {"green", "g", "diffuse_green"});
-    assign(blue, {"blue", "b", "diffuse_blue"});
-    assign(alpha, {"alpha", "a", "diffuse_alpha"});
-    assign(u, {"u", "s", "texture_u", "texture_s"});
-    assign(v, {"v", "t", "texture_v", "texture_t"});
-    return columns;
+  static bool is_one_of(const std::string& name, PlyColumns::Names names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  void set_color_type(const PlyScalar& type) {
+  bool assign_normals(const PlyElement& element, PlyColumns& columns) {
+    if (!columns.assign(nx, {{"nx"}, {"ny"}, {"nz"}}))
+      return false;
+    soup_.are_normals_double = element.properties[*element.find({"nx"})].type.size == 8;
+    return true;
+  }
+
+  bool assign_colors(const PlyElement& element, PlyColumns& columns) {
+    if (!columns.assign(red, {{"red", "r", "diffuse_red"},
+                              {"green", "g", "diffuse_green"},
+                              {"blue", "b", "diffuse_blue"}}))
+      return false;
+    soup_.color_type.has_alpha = columns.assign(alpha, {{"alpha", "a", "diffuse_alpha"}});
+    set_color_type(element.properties[*element.find({"red", "r", "diffuse_red"})].type);
+    return true;
+  }
+
+  /// Beside texture coordinates at corners those of vertices are numbers like any other.
+  bool assign_textures(PlyColumns& columns) {
+    const auto has_corner_textures = [](const PlyElement& element) {
+      return is_face(element) && find_textures(element);
+    };
+    return std::none_of(header_.elements.begin(), header_.elements.end(), has_corner_textures) &&
+           columns.assign(
+               u, {{"u", "s", "texture_u", "texture_s"}, {"v", "t", "texture_v", "texture_t"}});
+  }
+
+  void set_color_type(const NumberType& type) {
     soup_.color_type.full = type.size == 2 ? 65535 : 255;
     soup_.color_type.is_whole = soup_.is_color_unit_certain = type.is_integer;
     soup_.color_type.is_single = !type.is_integer && type.size == 4;
   }
 
-  void read_row(const PlyElement& element, std::uint64_t index, const std::vector<Column>& columns,
-                std::array<double, column_count>& row) {
-    values_.begin_item(element, index);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
+  /// Tells of the scalars without a column and of the lists but for those that are read.
+  void tell_losses(const PlyElement& element, const char* kind, const PlyColumns& columns,
+                   std::initializer_list<std::optional<std::size_t>> read_lists = {}) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i)
+      if (!columns.of(i) && std::find(read_lists.begin(), read_lists.end(), i) == read_lists.end())
+        lose(kind, element.properties[i]);
+  }
+
+  void begin_rows(const PlyElement& element, std::size_t size) {
+    row_.assign(size, 0);
+    lists_.assign(element.properties.size(), {});
+  }
+
+  /// Reads the scalars that have a column to the row, and the lists.
+  void read_item(const PlyElement& element, std::uint64_t item, const PlyColumns& columns) {
+    values_.begin_item(element, item);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       if (property.is_list())
-        read_list(property);
-      else
-        row[columns[i]] = values_.next(property.type);
+        read_list(property, lists_[i]);
+      else if (const double value = values_.next(property.type); columns.of(i))
+        row_[*columns.of(i)] = value;
     }
     values_.end_item();
+  }
+
+  /// Takes the values of the columns from `first` on.
+  void append_row(std::vector<NamedNumbers>& numbers, std::size_t first) {
+    for (NamedNumbers& column : numbers)
+      column.values.push_back(row_[first++]);
+  }
+
+  /// Grows with the values that are there, not by the count that is claimed.
+  void read_list(const PlyProperty& property, std::vector<double>& list) {
+    const double count = values_.next(*property.count_type);
+    if (count < 0)
+      values_.fail("a list of " + std::to_string(static_cast<std::int64_t>(count)) + " values");
+    list.clear();
+    while (static_cast<double>(list.size()) < count)
+      list.push_back(values_.next(property.type));
   }
 
   void read_faces(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
     const std::optional<std::size_t> textures = find_textures(element);
-    tell_losses(element, "face", [&](std::size_t i) { return i == indices || i == textures; });
+    PlyColumns columns(element, 0);
+    soup_.face_numbers =
+        columns.assign_others([](const std::string& name) { return name == "vertex_indices"; });
+    tell_losses(element, "face", columns, {indices, textures});
+    begin_rows(element, soup_.face_numbers.size());
+    if (textures)
+      soup_.are_textures_double = element.properties[*textures].type.size == 8;
+    fill_face_numbers();
+    const std::vector<double> none;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_item(element, i, indices, textures);
-      for (const double index : indices_)
+      read_item(element, i, columns);
+      for (const double index : lists_[indices])
         soup_.corners.push_back(checked_index(index));
-      if (textures)
-        append_corner_textures();
-      soup_.end_polygon();
+      end_face(textures ? lists_[*textures] : none);
+      append_row(soup_.face_numbers, 0);
     }
-    if (soup_.texture_table.empty())
-      soup_.corner_textures.clear();
+  }
+
+  /// Triangles of strips have zeros.
+  void fill_face_numbers() {
+    for (NamedNumbers& column : soup_.face_numbers)
+      column.values.resize(soup_.polygon_ends.size());
   }
 
   static std::optional<std::size_t> find_textures(const PlyElement& element) {
@@ -206,74 +263,55 @@ private:
     return *place;
   }
 
-  void read_item(const PlyElement& element, std::uint64_t item, std::size_t indices,
-                 std::optional<std::size_t> textures) {
-    values_.begin_item(element, item);
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      const PlyProperty& property = element.properties[i];
-      if (!property.is_list())
-        values_.next(property.type);
-      else if (i == indices)
-        read_list(property).swap(indices_);
-      else if (i == textures)
-        read_list(property).swap(corner_textures_);
-      else
-        read_list(property);
-    }
-    values_.end_item();
-  }
-
   void skip_element(const PlyElement& element) {
+    const PlyColumns columns(element, 0);
+    begin_rows(element, 0);
     for (std::uint64_t i = 0; i < element.count; ++i)
-      read_item(element, i, element.properties.size(), std::nullopt);
+      read_item(element, i, columns);
     soup_.losses.add("element " + in_quotes(element.name));
   }
 
-  /// Grows with the values that are there, not by the count that is claimed.
-  std::vector<double>& read_list(const PlyProperty& property) {
-    const double count = values_.next(*property.count_type);
-    if (count < 0)
-      values_.fail("a list of " + std::to_string(static_cast<std::int64_t>(count)) + " values");
-    list_.clear();
-    while (static_cast<double>(list_.size()) < count)
-      list_.push_back(values_.next(property.type));
-    return list_;
-  }
-
   std::uint32_t checked_index(double index) {
-    if (index < 0 || index >= static_cast<double>(*vertex_count_))
-      values_.fail(out_of_range("vertex", static_cast<std::int64_t>(index), *vertex_count_));
+    if (index < 0 || index >= static_cast<double>(vertex_count_))
+      values_.fail(out_of_range("vertex", static_cast<std::int64_t>(index), vertex_count_));
     return static_cast<std::uint32_t>(index);
   }
 
-  void append_corner_textures() {
-    const std::size_t earlier = soup_.corners.size() - indices_.size();
-    soup_.corner_textures.resize(earlier, PolygonSoup::no_value); // of faces that have none
-    const bool is_complete = corner_textures_.size() == 2 * indices_.size();
-    for (std::size_t i = 0; i < indices_.size(); ++i) {
-      soup_.corner_textures.push_back(is_complete
-                                          ? static_cast<std::uint32_t>(soup_.texture_table.size())
-                                          : PolygonSoup::no_value);
-      if (is_complete)
-        soup_.texture_table.push_back({corner_textures_[2 * i], corner_textures_[2 * i + 1]});
+  /// Ends the face of the corners that have been appended since the last one: two texture
+  /// coordinates for each of them, or none at all.
+  void end_face(const std::vector<double>& textures) {
+    const std::size_t begin = soup_.begin_of(soup_.polygon_ends.size());
+    const std::size_t count = soup_.corners.size() - begin;
+    if (!textures.empty() && textures.size() != 2 * count)
+      values_.fail("a list of " + std::to_string(textures.size()) + " texture coordinates for " +
+                   std::to_string(count) + " corners");
+    if (!textures.empty())
+      soup_.corner_textures.resize(begin, PolygonSoup::no_value); // of faces that have none
+    for (std::size_t i = 0; i < textures.size(); i += 2) {
+      soup_.corner_textures.push_back(static_cast<std::uint32_t>(soup_.texture_table.size()));
+      soup_.texture_table.push_back({textures[i], textures[i + 1]});
     }
+    parts_.add_face({.has_textures = !textures.empty()});
+    soup_.end_polygon();
   }
 
   void read_strips(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
-    tell_losses(element, "strip", [&](std::size_t i) { return i == indices; });
+    const PlyColumns columns(element, 0);
+    tell_losses(element, "strip", columns, {indices});
+    begin_rows(element, 0);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_item(element, i, indices, std::nullopt);
-      append_strip();
+      read_item(element, i, columns);
+      append_strip(lists_[indices]);
     }
   }
 
   /// Every three neighbours are a triangle, turned over at every other place; -1 starts a new
   /// strip, and a repeated index only leads on.
-  void append_strip() {
+  void append_strip(const std::vector<double>& indices) {
     std::array<std::uint32_t, 3> last = {};
     std::size_t length = 0;
-    for (const double index : indices_) {
+    for (const double index : indices) {
       if (index == -1) {
         length = 0;
         continue;
@@ -284,17 +322,29 @@ private:
       const bool is_turned = length % 2 == 0;
       soup_.corners.insert(soup_.corners.end(),
                            {last[is_turned ? 1U : 0U], last[is_turned ? 0U : 1U], last[2]});
-      soup_.end_polygon();
+      end_face({});
     }
+  }
+
+  /// Vertices may come behind the faces that have their normals.
+  void finish() {
+    soup_.parts = parts_.take();
+    if (!soup_.normal_table.empty()) {
+      soup_.has_normals = true;
+      soup_.corner_normals = soup_.corners;
+      for (FacePart& part : soup_.parts.parts)
+        part.has_normals = true;
+    }
+    fill_face_numbers();
   }
 
   const Source& source_;
   const PlyHeader& header_;
   Values values_;
-  std::optional<std::uint64_t> vertex_count_;
-  std::vector<double> list_;
-  std::vector<double> indices_;         // of the item read last
-  std::vector<double> corner_textures_; // of the item read last
+  std::uint64_t vertex_count_ = 0;
+  std::vector<double> row_;                // scalars of the item read last
+  std::vector<std::vector<double>> lists_; // of the item read last, by its properties
+  PartNumbers parts_;
   PolygonSoup soup_;
 };
 

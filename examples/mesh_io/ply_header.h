@@ -4,6 +4,7 @@
 /// \file
 /// The header of Stanford's polygon file format: which elements follow, with which properties.
 
+#include "named_numbers.h"
 #include "text.h"
 
 #include <algorithm>
@@ -18,16 +19,21 @@
 
 namespace quadrille_examples {
 
-struct PlyScalar {
-  std::size_t size;
-  bool is_integer;
-  bool is_signed;
+struct PlyTypeNames {
+  std::array<std::string_view, 2> names; ///< the first is the older
+  NumberType type;
 };
+
+inline constexpr PlyTypeNames ply_types[] = {
+    {{"char", "int8"}, {1, true, true}},      {{"uchar", "uint8"}, {1, true, false}},
+    {{"short", "int16"}, {2, true, true}},    {{"ushort", "uint16"}, {2, true, false}},
+    {{"int", "int32"}, {4, true, true}},      {{"uint", "uint32"}, {4, true, false}},
+    {{"float", "float32"}, {4, false, true}}, {{"double", "float64"}, {8, false, true}}};
 
 struct PlyProperty {
   std::string name;
-  PlyScalar type;
-  std::optional<PlyScalar> count_type; // of a list
+  NumberType type;
+  std::optional<NumberType> count_type; // of a list
 
   bool is_list() const { return count_type.has_value(); }
 };
@@ -104,7 +110,7 @@ private:
 
   void read_comment() {
     if (header_.comments.size() < most_names)
-      header_.comments.emplace_back(lines_.rest_of_line());
+      header_.comments.emplace_back(lines_.rest_as_name());
   }
 
   void read_element() {
@@ -144,20 +150,11 @@ private:
     element.properties.push_back(std::move(property));
   }
 
-  PlyScalar read_type() {
-    struct NamedType {
-      std::array<std::string_view, 2> names;
-      PlyScalar scalar;
-    };
-    static constexpr NamedType types[] = {
-        {{"char", "int8"}, {1, true, true}},      {{"uchar", "uint8"}, {1, true, false}},
-        {{"short", "int16"}, {2, true, true}},    {{"ushort", "uint16"}, {2, true, false}},
-        {{"int", "int32"}, {4, true, true}},      {{"uint", "uint32"}, {4, true, false}},
-        {{"float", "float32"}, {4, false, true}}, {{"double", "float64"}, {8, false, true}}};
+  NumberType read_type() {
     const std::string_view name = lines_.next_word();
-    for (const NamedType& type : types)
-      if (type.names[0] == name || type.names[1] == name)
-        return type.scalar;
+    for (const auto& [names, type] : ply_types)
+      if (names[0] == name || names[1] == name)
+        return type;
     lines_.fail("unknown type " + in_quotes(name));
   }
 

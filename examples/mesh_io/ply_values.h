@@ -29,7 +29,7 @@ public:
       lines_.fail(ends_before(element.name, index, element.count));
   }
 
-  double next(const PlyScalar& type) {
+  double next(const NumberType& type) {
     return type.is_integer ? lines_.next_whole_number("value") : lines_.next_number("value");
   }
 
@@ -43,7 +43,7 @@ public:
       lines_.fail("the file goes on after the last element");
   }
 
-  static constexpr std::size_t least_size(const PlyScalar&) { return 2; } // a digit and a blank
+  static constexpr std::size_t least_size(const NumberType&) { return 2; } // a digit and a blank
   /// One more than there are: the last line may do without its newline.
   std::size_t bytes_left() const { return lines_.bytes_left() + 1; }
 
@@ -65,7 +65,7 @@ public:
     index_ = index;
   }
 
-  double next(const PlyScalar& type) {
+  double next(const NumberType& type) {
     if (!type.is_integer)
       return type.size == 8 ? next_as<double>() : static_cast<double>(next_as<float>());
     switch (type.size) {
@@ -86,7 +86,7 @@ public:
       quadrille_examples::fail(source_->path, "the file goes on after the last element");
   }
 
-  static constexpr std::size_t least_size(const PlyScalar& type) { return type.size; }
+  static constexpr std::size_t least_size(const NumberType& type) { return type.size; }
   std::size_t bytes_left() const { return source_->content.size() - position_; }
 
   [[noreturn]] void fail(const std::string& message) const {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace quadrille_examples {
@@ -30,15 +31,19 @@ struct PolygonSoup {
   /// The corners of all polygons, one polygon after the other; all smaller than `points.size()`.
   std::vector<std::uint32_t> corners;
   std::vector<std::size_t> polygon_ends; ///< where in `corners` each polygon ends
-  /// For the formats that keep them at the corners: a table, and an index into it (or `no_value`)
-  /// for each of the corners, or for none of them.
+  /// For the formats that keep them at the corners: a table, and an index into it for each corner
+  /// of the polygons whose parts have such values.
   std::vector<std::array<double, 2>> texture_table;
   std::vector<std::uint32_t> corner_textures;
   std::vector<std::array<double, 3>> normal_table;
   std::vector<std::uint32_t> corner_normals;
-  /// Of the polygons, for the formats of which the values at the corners are kept there; else
-  /// empty, and the values are gathered at the points.
-  FaceParts parts;
+  bool are_textures_double = false; ///< see CornerValues
+  bool are_normals_double = false;
+  FaceParts parts; ///< of the polygons; empty for the formats that have none
+
+  std::vector<NamedNumbers> vertex_numbers; ///< each of them one per point
+  std::vector<NamedNumbers> face_numbers;   ///< each of them one per polygon
+  std::vector<std::string> texture_comments;
 
   bool has_normals = false;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -16,31 +17,9 @@ namespace quadrille_examples {
 /// When vertices at exactly the same place become one.
 enum class Weld {
   loose_faces, ///< only where no two faces share a vertex, so that there is no surface yet, and
-               ///< only if they have the same colour and texture coordinate
+               ///< only if they have the same colour, texture coordinate and named numbers
   always
 };
-
-/// Removes the points that are not `kept`; no triangle uses them.
-inline void keep_points(IndexedMesh& mesh, const std::vector<bool>& kept) {
-  std::vector<std::uint32_t> new_index(kept.size());
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (!kept[i])
-      continue;
-    mesh.points[count] = mesh.points[i];
-    if (!mesh.colors.empty())
-      mesh.colors[count] = mesh.colors[i];
-    if (!mesh.texture_coordinates.empty())
-      mesh.texture_coordinates[count] = mesh.texture_coordinates[i];
-    new_index[i] = count++;
-  }
-  mesh.points.resize(count);
-  mesh.colors.resize(std::min<std::size_t>(mesh.colors.size(), count));
-  mesh.texture_coordinates.resize(std::min<std::size_t>(mesh.texture_coordinates.size(), count));
-  for (auto& triangle : mesh.triangles)
-    for (std::uint32_t& corner : triangle)
-      corner = new_index[corner];
-}
 
 template <class Value>
 void keep_values(std::vector<Value>& values, const std::vector<bool>& kept) {
@@ -49,6 +28,24 @@ void keep_values(std::vector<Value>& values, const std::vector<bool>& kept) {
     if (kept[i])
       values[count++] = values[i];
   values.resize(count);
+}
+
+/// Removes the points that are not `kept`; no triangle uses them.
+inline void keep_points(IndexedMesh& mesh, const std::vector<bool>& kept) {
+  keep_values(mesh.points, kept);
+  keep_values(mesh.colors, kept);
+  keep_values(mesh.texture_coordinates, kept);
+  for (NamedNumbers& numbers : mesh.vertex_numbers)
+    keep_values(numbers.values, kept);
+  std::vector<std::uint32_t> new_index(kept.size());
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    new_index[i] = count;
+    count += kept[i];
+  }
+  for (auto& triangle : mesh.triangles)
+    for (std::uint32_t& corner : triangle)
+      corner = new_index[corner];
 }
 
 /// Removes the triangles that are not `kept`, with what belongs to them. Returns how many went.
@@ -60,6 +57,8 @@ inline std::size_t keep_triangles(IndexedMesh& mesh, const std::vector<bool>& ke
   keep_values(mesh.corner_textures.triples, kept);
   keep_values(mesh.corner_normals.triples, kept);
   keep_values(mesh.parts.of_faces, kept);
+  for (NamedNumbers& numbers : mesh.face_numbers)
+    keep_values(numbers.values, kept);
   return gone;
 }
 
@@ -68,9 +67,21 @@ class AttributeOrder {
 public:
   explicit AttributeOrder(const IndexedMesh& mesh) : mesh_(mesh) {}
 
-  bool operator()(std::uint32_t a, std::uint32_t b) const { return of(a) < of(b); }
+  bool operator()(std::uint32_t a, std::uint32_t b) const {
+    const auto of_a = of(a), of_b = of(b);
+    if (of_a != of_b)
+      return of_a < of_b;
+    for (const NamedNumbers& numbers : mesh_.vertex_numbers)
+      if (const auto bits_a = bits_of(numbers.values[a]), bits_b = bits_of(numbers.values[b]);
+          bits_a != bits_b)
+        return bits_a < bits_b;
+    return false;
+  }
 
 private:
+  /// Unlike numbers these have an order even where one is none.
+  static std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
+
   std::pair<Color, std::array<double, 2>> of(std::uint32_t v) const {
     return {mesh_.colors.empty() ? Color{} : mesh_.colors[v], mesh_.texture_coordinates.empty()
                                                                   ? std::array<double, 2>{}
@@ -82,12 +93,11 @@ private:
 
 struct Welded {
   std::size_t vertices = 0; ///< that went
-  std::size_t unlike = 0;   ///< of those, with another colour or texture coordinate than the first
+  std::size_t unlike = 0;   ///< of those, with other attributes than the first
 };
 
-/// Of the points at one place, the first stays, with its colour and texture coordinate; unless all
-/// are to be welded, of those that are alike. CGAL's `merge_duplicate_points_in_polygon_soup` knows
-/// of no attributes.
+/// Of the points at one place, the first stays, with its attributes; unless all are to be welded,
+/// of those that are alike. CGAL's `merge_duplicate_points_in_polygon_soup` knows of no attributes.
 inline Welded weld_points(IndexedMesh& mesh, Weld weld) {
   const std::vector<Point>& points = mesh.points;
   const AttributeOrder attributes_before(mesh);

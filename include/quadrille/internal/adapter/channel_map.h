@@ -137,7 +137,7 @@ public:
     high.coordinates.fill(std::numeric_limits<double>::lowest());
     for (const auto& value_triple : input.corners.empty() ? triangles : input.corners)
       for (Index value : value_triple)
-        for (std::size_t c = 0; c < size && input.components > 0; ++c) {
+        for (std::size_t c = 0; c < size; ++c) {
           low[c] = (std::min)(low[c], input.value(value, c));
           high[c] = (std::max)(high[c], input.value(value, c));
         }

@@ -23,7 +23,7 @@
 namespace quadrille::internal {
 
 /// The channels of a soup: in maps over the indices of its points, or values with an index triple
-/// for each triangle.
+/// for each triangle; where there is neither value nor triple, there is no channel.
 template <class Maps>
 class SoupChannels {
 public:
@@ -33,14 +33,14 @@ public:
   /// value that is not there.
   void read(std::size_t points, Workspace& workspace, SurfaceInput<3>& surface) {
     const std::size_t triangles = surface.triangles.size();
-    for_each_channel(maps_, [&](auto& map, std::size_t) {
+    for_each_channel(maps_, [&](auto& map, std::size_t c) {
+      numbers_[c] = surface.channels.size();
       ChannelInput input = map.input(workspace);
       if constexpr (is_indexed<SourceOf<decltype(map)>>) {
         if (std::ranges::size(*map.source().values) == 0 &&
             std::ranges::size(*map.source().triples) == 0)
-          input = ChannelInput(&workspace); // of no component: no channel at all
-        else
-          read_indexed(map, triangles, input);
+          return;
+        read_indexed(map, triangles, input);
       } else {
         for (std::size_t i = 0; i < points; ++i)
           map.read(i, input);
@@ -55,7 +55,7 @@ public:
   template <class Result>
   auto rewritten(const Result& result, const Array<Index>& faces) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return std::make_tuple(this->rewritten(result, faces, I, std::get<I>(maps_))...);
+      return std::make_tuple(this->rewritten(result, faces, numbers_[I], std::get<I>(maps_))...);
     }
     (Indices());
   }
@@ -78,8 +78,9 @@ public:
         for (std::size_t i = 0; i < vertices.size(); ++i) {
           // A new index is never above the old one, so nothing is overwritten that is needed.
           const auto old = map.raw(std::size_t{inputs[vertices[i]]});
-          map.overwrite(i,
-                        map.changed(result, c, result.first_wedge(vertices[i]), old).value_or(old));
+          map.overwrite(
+              i,
+              map.changed(result, numbers_[c], result.first_wedge(vertices[i]), old).value_or(old));
         }
     });
   }
@@ -91,8 +92,8 @@ public:
         std::vector<typename std::remove_cvref_t<decltype(map)>::Value> values;
         for (std::size_t i = 0; i < points.size(); ++i) {
           const auto old = map.raw(std::size_t{points.origin(i)});
-          const Index wedge = result.wedge(c, points.face(i), points.corner(i));
-          values.push_back(map.changed(result, c, wedge, old).value_or(old));
+          const Index wedge = result.wedge(numbers_[c], points.face(i), points.corner(i));
+          values.push_back(map.changed(result, numbers_[c], wedge, old).value_or(old));
         }
         for (std::size_t i = 0; i < points.size(); ++i)
           map.overwrite(i, values[i]);
@@ -104,7 +105,7 @@ public:
     std::vector<std::size_t> channels;
     for_each_channel(maps_, [&](auto& map, std::size_t c) {
       if constexpr (!is_indexed<SourceOf<decltype(map)>>)
-        channels.push_back(c);
+        channels.push_back(numbers_[c]);
     });
     return channels;
   }
@@ -218,6 +219,7 @@ private:
   }
 
   Maps maps_;
+  std::array<std::size_t, std::tuple_size_v<Maps>> numbers_ = {}; // among those that there are
 };
 
 } // namespace quadrille::internal

@@ -52,7 +52,7 @@ public:
     }
     channels_.read(vertex_of_.size(), *workspace_, surface);
     for (ChannelInput& channel : surface.channels)
-      if (channel.corners.empty() && channel.components > 0)
+      if (channel.corners.empty())
         channel.corners = corners;
     return surface;
   }
