@@ -566,7 +566,7 @@ std::string ply_of_everything(const std::string& format, std::endian order) {
       "property list uchar uint vertex_indices\nproperty list uchar double texcoord\n"
       "property int texnumber\nproperty uchar red\nproperty float area\nend_header\n";
   for (int i = 0; i < 4; ++i) {
-    content += all(double{i % 2 == 1}, double{i / 2 == 1}, 1e-310 * i, 0.6F, 0.F, 0.8F);
+    content += all(double(i % 2), double(i / 2), 1e-310 * i, 0.6F, 0.F, 0.8F);
     content += all(std::uint8_t(250 + i), std::uint8_t{7}, std::uint8_t{9});
     content += all(0.1F + float(i), i == 2 ? std::nan("") : 1. / 3, std::int32_t{-1 - i});
     content += all(std::int8_t{-128}, std::int16_t{-32768}, std::uint16_t{65535}, ~0U);

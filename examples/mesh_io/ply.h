@@ -21,6 +21,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -53,8 +54,8 @@ private:
   enum Column { x, y, z, nx, ny, nz, red, green, blue, alpha, u, v, column_count };
 
   void require_vertices() {
-    const std::size_t vertices = require_at_most_one(is_vertex, "vertices");
-    require_at_most_one(is_face, "faces");
+    const std::size_t vertices = require_at_most_one(&PlyElement::is_of_vertices, "vertices");
+    require_at_most_one(&PlyElement::is_of_faces, "faces");
     if (vertices == header_.elements.size())
       fail(source_.path, "the header declares no element 'vertex'");
     vertex_count_ = header_.elements[vertices].count;
@@ -63,41 +64,23 @@ private:
   }
 
   /// The place of the element of a kind, or behind all of them.
-  std::size_t require_at_most_one(bool (*is_of_kind)(const PlyElement&), const char* kind) const {
+  std::size_t require_at_most_one(bool (PlyElement::*is_of_kind)() const, const char* kind) const {
     const auto& elements = header_.elements;
-    if (std::count_if(elements.begin(), elements.end(), is_of_kind) > 1)
+    if (std::count_if(elements.begin(), elements.end(), std::mem_fn(is_of_kind)) > 1)
       fail(source_.path, std::string("the header declares ") + kind + " under two names");
-    return static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(), is_of_kind) -
-                                    elements.begin());
-  }
-
-  /// In the manner of "comment TextureFile a.png".
-  static bool names_a_texture(std::string comment) {
-    std::transform(comment.begin(), comment.end(), comment.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    for (const char* sign : {"texturefile", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".bmp", ".dds",
-                             ".webp", ".exr", ".mtl"})
-      if (comment.find(sign) != std::string::npos)
-        return true;
-    return false;
+    return static_cast<std::size_t>(
+        std::find_if(elements.begin(), elements.end(), std::mem_fn(is_of_kind)) - elements.begin());
   }
 
   void lose(const char* kind, const PlyProperty& property) {
     soup_.losses.add(kind + (" property " + in_quotes(property.name)));
   }
 
-  static bool is_vertex(const PlyElement& element) {
-    return element.name == "vertex" || element.name == "vertices";
-  }
-  static bool is_face(const PlyElement& element) {
-    return element.name == "face" || element.name == "faces";
-  }
-
   void read_element(const PlyElement& element) {
     require_room(element);
-    if (is_vertex(element))
+    if (element.is_of_vertices())
       read_vertices(element);
-    else if (is_face(element))
+    else if (element.is_of_faces())
       read_faces(element);
     else if (element.name == "tristrips")
       read_strips(element);
@@ -167,7 +150,7 @@ private:
   /// Beside texture coordinates at corners those of vertices are numbers like any other.
   bool assign_textures(PlyColumns& columns) {
     const auto has_corner_textures = [](const PlyElement& element) {
-      return is_face(element) && find_textures(element);
+      return element.is_of_faces() && element.find_corner_textures();
     };
     return std::none_of(header_.elements.begin(), header_.elements.end(), has_corner_textures) &&
            columns.assign(
@@ -224,7 +207,7 @@ private:
 
   void read_faces(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
-    const std::optional<std::size_t> textures = find_textures(element);
+    const std::optional<std::size_t> textures = element.find_corner_textures();
     PlyColumns columns(element, 0);
     soup_.face_numbers =
         columns.assign_others([](const std::string& name) { return name == "vertex_indices"; });
@@ -247,11 +230,6 @@ private:
   void fill_face_numbers() {
     for (NamedNumbers& column : soup_.face_numbers)
       column.values.resize(soup_.polygon_ends.size());
-  }
-
-  static std::optional<std::size_t> find_textures(const PlyElement& element) {
-    const std::optional<std::size_t> place = element.find({"texcoord"});
-    return place && element.properties[*place].is_list() ? place : std::nullopt;
   }
 
   std::size_t find_indices(const PlyElement& element) {
@@ -295,17 +273,6 @@ private:
     soup_.end_polygon();
   }
 
-  void read_strips(const PlyElement& element) {
-    const std::size_t indices = find_indices(element);
-    const PlyColumns columns(element, 0);
-    tell_losses(element, "strip", columns, {indices});
-    begin_rows(element, 0);
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_item(element, i, columns);
-      append_strip(lists_[indices]);
-    }
-  }
-
   /// Every three neighbours are a triangle, turned over at every other place; -1 starts a new
   /// strip, and a repeated index only leads on.
   void append_strip(const std::vector<double>& indices) {
@@ -323,6 +290,17 @@ private:
       soup_.corners.insert(soup_.corners.end(),
                            {last[is_turned ? 1U : 0U], last[is_turned ? 0U : 1U], last[2]});
       end_face({});
+    }
+  }
+
+  void read_strips(const PlyElement& element) {
+    const std::size_t indices = find_indices(element);
+    const PlyColumns columns(element, 0);
+    tell_losses(element, "strip", columns, {indices});
+    begin_rows(element, 0);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      read_item(element, i, columns);
+      append_strip(lists_[indices]);
     }
   }
 

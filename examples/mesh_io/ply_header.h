@@ -53,7 +53,26 @@ struct PlyElement {
       return std::nullopt;
     return static_cast<std::size_t>(found - properties.begin());
   }
+
+  bool is_of_vertices() const { return name == "vertex" || name == "vertices"; }
+  bool is_of_faces() const { return name == "face" || name == "faces"; }
+  /// The list of MeshLab's texture coordinates of corners.
+  std::optional<std::size_t> find_corner_textures() const {
+    const std::optional<std::size_t> place = find({"texcoord"});
+    return place && properties[*place].is_list() ? place : std::nullopt;
+  }
 };
+
+/// Does a comment name a texture, in the manner of "comment TextureFile a.png"?
+inline bool names_a_texture(std::string comment) {
+  std::transform(comment.begin(), comment.end(), comment.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  for (const char* sign : {"texturefile", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".bmp", ".dds",
+                           ".webp", ".exr", ".mtl"})
+    if (comment.find(sign) != std::string::npos)
+      return true;
+  return false;
+}
 
 struct PlyHeader {
   bool is_text = false;
