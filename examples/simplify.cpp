@@ -502,15 +502,24 @@ void require_fit(const Options& options, const std::vector<GltfSurface>& surface
     refuse_without_faces(options, vertices);
 }
 
-void print_remarks(const Options& options, const GltfMeshes& meshes) {
+void print_remarks(const Options& options, GltfMeshes& meshes) {
+  const auto remark = [&](const char* what, std::size_t count) {
+    if (count > 0 && !options.is_quiet)
+      std::cerr << options.input << ": " << what << ": " << count << '\n';
+  };
+  std::size_t left_out = 0;
+  for (const GltfSurface& surface : meshes.surfaces())
+    left_out += surface.count_left_out();
+  remark(
+      "triangles left out for having two equal corners, or the corners of another one, whichever "
+      "way round",
+      left_out);
   const auto folder = [](const std::string& file) {
     return std::filesystem::absolute(file).lexically_normal().parent_path();
   };
-  const std::vector<std::string> images = meshes.image_files();
-  if (options.is_quiet || images.empty() || folder(options.input) == folder(options.output))
-    return;
-  std::cerr << options.input << ": its images are files, which OUT names as it does, but from "
-            << "another folder: " << images.size() << '\n';
+  if (folder(options.input) != folder(options.output))
+    remark("its images are files, which OUT names as it does, but from another folder",
+           meshes.image_files().size());
 }
 
 /// One after the other, the small ones first: what these cannot contribute, a large one can.

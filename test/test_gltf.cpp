@@ -377,6 +377,14 @@ TEST_CASE("a primitive without faces has one without area") {
   CHECK(primitives_of(result)[1].triangles.size() == 24);
 }
 
+TEST_CASE("triangles that are left out are counted") {
+  Asset asset = ball(2);
+  asset.primitive(0)["indices"] = asset.add_indices({0, 0, 1, 0, 1, 4, 4, 1, 0, 0, 3, 4});
+  const Folder folder;
+  GltfMeshes meshes = GltfMeshes::read(folder.file("a.glb", asset.glb()));
+  CHECK(meshes.surfaces()[0].count_left_out() == 2);
+}
+
 TEST_CASE("what cannot be carried is refused") {
   const auto with_attribute = [](const char* name) {
     return complaint_about([&](Asset& asset) {

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -52,6 +53,21 @@ public:
 
   const std::vector<GltfPrimitive>& primitives() const { return primitives_; }
   bool has(AttributeKind kind) const { return channels_.has(kind); }
+
+  /// How many triangles of the primitives do not go through `simplify`: those of two equal corners,
+  /// which are not among the triangles, and all but one of those of the same corners. To be asked
+  /// before.
+  std::size_t count_left_out() const {
+    std::size_t count = 0;
+    for (const GltfPrimitive& primitive : primitives_)
+      count += primitive.triangles.size();
+    std::set<Triangle> different;
+    for (Triangle triangle : triangles) {
+      std::sort(triangle.begin(), triangle.end());
+      different.insert(triangle);
+    }
+    return count - different.size();
+  }
 
   /// As GltfChannels has it.
   template <class Simplify>
