@@ -6,10 +6,15 @@
 // file, or nothing to simplify, OUT is as it was.
 
 #include "carrying_cost.h"
+#if __has_include(<nlohmann/json.hpp>)
+#define QUADRILLE_SIMPLIFIES_GLTF
+#include "gltf.h"
+#endif
 #include "local_cost.h"
 #include "mesh_attributes.h"
 #include "mesh_channels.h"
 #include "mesh_io.h"
+#include "report_sum.h"
 
 #include <quadrille/compiled.h>
 #include <quadrille/memoryless_quadric.h>
@@ -69,6 +74,27 @@ struct Target {
       options.vertices = stop->vertices;
     if (std::holds_alternative<quadrille::ErrorLimit>(chosen))
       options.error = distance;
+  }
+  /// The target of a surface of some faces, where `done` tells of surfaces before it and `rest` are
+  /// the faces from it on: its part of what those before it leave.
+  Target share(const quadrille::Report& done, std::size_t faces, std::size_t rest) const {
+    const auto left = [](double wanted, std::size_t used) {
+      return std::max(0., wanted - static_cast<double>(used));
+    };
+    const auto share_of = [&](std::size_t wanted, std::size_t used) {
+      const double part = static_cast<double>(faces) / static_cast<double>(rest);
+      return static_cast<std::size_t>(std::llround(left(static_cast<double>(wanted), used) * part));
+    };
+    Target result = *this;
+    if (auto* stop = std::get_if<quadrille::FaceRatio>(&result.chosen)) {
+      const double wanted = stop->ratio * static_cast<double>(done.faces_before + rest);
+      stop->ratio = std::min(1., left(wanted, done.faces_after) / static_cast<double>(rest));
+    }
+    if (auto* stop = std::get_if<quadrille::FaceCount>(&result.chosen))
+      stop->faces = share_of(stop->faces, done.faces_after);
+    if (auto* stop = std::get_if<quadrille::VertexCount>(&result.chosen))
+      stop->vertices = share_of(stop->vertices, done.vertices_after);
+    return result;
   }
   /// An error limit is kept also if there is nothing more to contract. A target that was passed by
   /// a face or so counts as met: the report tells.
@@ -178,8 +204,8 @@ void add_policies(CLI::App& app, Options& options) {
 }
 
 void add_files(CLI::App& app, Options& options) {
-  const CLI::IsMember is_format({"off", "obj", "ply", "stl", "ts"});
-  const std::string formats = " (.off .obj .ply .stl .ts; - is standard ";
+  const CLI::IsMember is_format({"off", "obj", "ply", "stl", "ts", "gltf", "glb"});
+  const std::string formats = " (.off .obj .ply .stl .ts, or .gltf .glb for both; - is standard ";
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
   app.add_option("OUT", options.output, "the mesh to write" + formats + "output)")->required();
   app.add_option("--format", options.format,
@@ -215,6 +241,17 @@ quadrille::Topology topology(const Options& options) {
   return is_free ? quadrille::Topology::free : quadrille::Topology::kept;
 }
 
+bool is_gltf(const std::string& extension) {
+  return equal_ignoring_case(extension, ".gltf") || equal_ignoring_case(extension, ".glb");
+}
+
+/// The extension that tells the format of a file: that of its name, else that of --format.
+std::string extension_of(const std::string& file, const Options& options) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  const bool tells = options.format.empty() || find_format(extension) || is_gltf(extension);
+  return tells ? extension : "." + options.format;
+}
+
 /// The format that the name of a file ends in, else that of --format.
 const MeshFormat& format_of(const std::string& file, const Options& options) {
   if (const MeshFormat* named = find_format(std::filesystem::path(file).extension().string()))
@@ -229,17 +266,26 @@ const MeshFormat& output_format(const Options& options) {
                                        : *find_format("." + options.output_format);
 }
 
-/// What concerns several options, or options and the mesh.
-void require_fit(const Options& options, const IndexedMesh& mesh) {
+/// What concerns several options, or options and what the file has.
+void require_fit(const Options& options, bool has_colors, bool has_textures) {
   if (options.cost == "length" && options.placement == "optimal")
     throw std::runtime_error("--placement optimal does not go with --cost length");
-  if (options.cost == "color" && mesh.colors.empty())
+  if (options.cost == "color" && !has_colors)
     throw std::runtime_error(options.input + ": no colours for --cost color");
-  if (options.cost == "texture" && mesh.texture_coordinates.empty() && mesh.corner_textures.empty())
+  if (options.cost == "texture" && !has_textures)
     throw std::runtime_error(options.input + ": no texture coordinates for --cost texture");
+}
+
+[[noreturn]] void refuse_without_faces(const Options& options, std::size_t vertices) {
+  throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
+                           "vertices, " + std::to_string(vertices) + " vertices");
+}
+
+void require_fit(const Options& options, const IndexedMesh& mesh) {
+  require_fit(options, !mesh.colors.empty(),
+              !mesh.texture_coordinates.empty() || !mesh.corner_textures.empty());
   if (mesh.triangles.empty() && !mesh.is_blank)
-    throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
-                             "vertices, " + std::to_string(mesh.points.size()) + " vertices");
+    refuse_without_faces(options, mesh.points.size());
 }
 
 // --- The work ------------------------------------------------------------------------------------
@@ -250,7 +296,7 @@ Cost with_boundary_weight(Cost cost, const Options& options) {
   return cost;
 }
 
-quadrille::Report simplify(IndexedMesh& mesh, const Options& options, const auto& cost,
+quadrille::Report simplify(auto& mesh, const Options& options, const auto& cost,
                            const auto&... named) {
   const auto until = [&](const auto& stop) {
     return quadrille::simplify(mesh.points, mesh.triangles, cost, placement(options),
@@ -360,10 +406,10 @@ ChannelImportance channel_importance(const Options& options) {
           .of_numbers = hardly};
 }
 
-/// With values at corners, named numbers and parts of faces.
-quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options) {
+/// With values at corners, named numbers and parts of faces, which `taken` takes through.
+quadrille::Report simplify_by_channels(auto& mesh, auto&& taken, const Options& options) {
   const auto simplify_by = [&](const auto& cost) {
-    return MeshChannels(mesh).take_through(
+    return taken.take_through(
         [&](const auto&... channels) { return simplify(mesh, options, cost, channels...); },
         channel_importance(options));
   };
@@ -382,7 +428,7 @@ quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options
 
 quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
   if (needs_channels(mesh))
-    return simplify_by_channels(mesh, options);
+    return simplify_by_channels(mesh, MeshChannels(mesh), options);
   const MeshAttributes attributes(mesh, importance(options));
   if (attributes.size() == 0)
     return simplify_positions(attributes, mesh, options);
@@ -402,9 +448,9 @@ quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
 
 /// What is wrong with attributes that no weight makes comparable with positions is told of the
 /// file.
-quadrille::Report simplify_or_tell(IndexedMesh& mesh, const Options& options) {
+quadrille::Report with_errors_of_file(const Options& options, const auto& simplify) {
   try {
-    return simplify_by_cost(mesh, options);
+    return simplify();
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }
@@ -430,7 +476,106 @@ void print_report(const Options& options, const quadrille::Report& report) {
 }
 
 /// False if the target was not reached.
-bool run(const Options& options) {
+bool tell(const Options& options, const quadrille::Report& report) {
+  if (!options.is_quiet)
+    print_report(options, report);
+  if (options.target.is_met(report.stop))
+    return true;
+  std::cerr << options.output << ": the target was not reached: " << to_string(report.stop) << '\n';
+  return false;
+}
+
+// --- Documents of several meshes -----------------------------------------------------------------
+
+#ifdef QUADRILLE_SIMPLIFIES_GLTF
+
+void require_fit(const Options& options, const std::vector<GltfSurface>& surfaces) {
+  const auto have = [&](AttributeKind kind) {
+    return std::any_of(surfaces.begin(), surfaces.end(),
+                       [&](const GltfSurface& surface) { return surface.has(kind); });
+  };
+  require_fit(options, have(AttributeKind::color), have(AttributeKind::texture));
+  std::size_t faces = 0, vertices = 0;
+  for (const GltfSurface& surface : surfaces) {
+    faces += surface.triangles.size();
+    vertices += surface.points.size();
+  }
+  if (faces == 0)
+    refuse_without_faces(options, vertices);
+}
+
+void print_remarks(const Options& options, GltfMeshes& meshes) {
+  const auto remark = [&](const char* what, std::size_t count) {
+    if (count > 0 && !options.is_quiet)
+      std::cerr << options.input << ": " << what << ": " << count << '\n';
+  };
+  std::size_t left_out = 0;
+  for (const GltfSurface& surface : meshes.surfaces())
+    left_out += surface.count_left_out();
+  remark(
+      "triangles left out for having two equal corners, or the corners of another one, whichever "
+      "way round",
+      left_out);
+  const auto folder = [](const std::string& file) {
+    return std::filesystem::absolute(file).lexically_normal().parent_path();
+  };
+  if (folder(options.input) != folder(options.output))
+    remark("its images are files, which OUT names as it does, but from another folder",
+           meshes.image_files().size());
+}
+
+/// One after the other, the small ones first: what these cannot contribute, a large one can.
+quadrille::Report simplify_surfaces(std::vector<GltfSurface>& surfaces, const Options& options) {
+  std::vector<GltfSurface*> order;
+  std::size_t rest = 0;
+  for (GltfSurface& surface : surfaces) {
+    order.push_back(&surface);
+    rest += surface.triangles.size();
+  }
+  std::stable_sort(order.begin(), order.end(), [](const GltfSurface* a, const GltfSurface* b) {
+    return a->triangles.size() < b->triangles.size();
+  });
+  quadrille::Report sum = report_of_none();
+  for (GltfSurface* const surface : order) {
+    const std::size_t faces = surface->triangles.size();
+    Options share = options;
+    share.target = options.target.share(sum, faces, std::max<std::size_t>(rest, 1));
+    add_report(sum, simplify_by_channels(*surface, *surface, share));
+    rest -= faces;
+  }
+  const quadrille::Status all{.initial_faces = sum.faces_before,
+                              .initial_vertices = sum.vertices_before,
+                              .faces = sum.faces_after,
+                              .vertices = sum.vertices_after};
+  if (!quadrille::is_target_reached(sum.stop) && options.target(all))
+    sum.stop = quadrille::StopReason::target_met;
+  return sum;
+}
+
+/// False if the target was not reached.
+bool run_gltf(const Options& options, const std::string& output_extension) {
+  GltfMeshes meshes = GltfMeshes::read(options.input);
+  require_fit(options, meshes.surfaces());
+  print_remarks(options, meshes);
+  const quadrille::Report report =
+      with_errors_of_file(options, [&] { return simplify_surfaces(meshes.surfaces(), options); });
+  write_gltf(options.output, meshes.take(), output_extension, options.is_forced);
+  return tell(options, report);
+}
+
+#else
+
+bool run_gltf(const Options& options, const std::string&) {
+  throw std::runtime_error(options.input + ": this program was built without nlohmann/json.hpp, " +
+                           "which it needs for glTF");
+}
+
+#endif
+
+// --- The program ---------------------------------------------------------------------------------
+
+/// False if the target was not reached.
+bool run_mesh(const Options& options) {
   const MeshFormat& format = output_format(options); // complains before the work, not after
   require_replaceable(options.output, options.is_forced);
   IndexedMesh mesh = read_mesh(options.input, format_of(options.input, options),
@@ -439,14 +584,24 @@ bool run(const Options& options) {
   fit_to_format(mesh, format);
   if (!options.is_quiet)
     print_remarks(options, mesh);
-  const quadrille::Report report = simplify_or_tell(mesh, options);
+  const quadrille::Report report =
+      with_errors_of_file(options, [&] { return simplify_by_cost(mesh, options); });
   write_mesh(options.output, mesh, format, options.is_forced);
-  if (!options.is_quiet)
-    print_report(options, report);
-  if (options.target.is_met(report.stop))
-    return true;
-  std::cerr << options.output << ": the target was not reached: " << to_string(report.stop) << '\n';
-  return false;
+  return tell(options, report);
+}
+
+bool run(const Options& options) {
+  const std::string output_extension = options.output_format.empty()
+                                           ? extension_of(options.output, options)
+                                           : "." + options.output_format;
+  const bool reads_gltf = is_gltf(extension_of(options.input, options));
+  if (reads_gltf != is_gltf(output_extension))
+    throw std::runtime_error(options.input + ": glTF goes to glTF only (.gltf, .glb), and no " +
+                             "other format does");
+  if (!reads_gltf)
+    return run_mesh(options);
+  require_replaceable(options.output, options.is_forced);
+  return run_gltf(options, output_extension);
 }
 
 } // namespace

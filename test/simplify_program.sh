@@ -593,6 +593,55 @@ fi
 chmod 755 folder
 if [ -n "$(find . -name '*.part*')" ]; then fail "temporary files are left"; fi
 
+# glTF: a sheet of 8 x 8 quadrilaterals of bytes, in a text
+sheet_of_bytes=$(awk 'BEGIN {
+  n = 8
+  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j)
+    printf "\\%03o\\%03o\\%03o\\000", 9 * i, 9 * j, i * j % 5
+  for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+    v = i * (n + 1) + j
+    printf "\\%03o\\%03o\\%03o\\%03o\\%03o\\%03o", v, v + n + 1, v + n + 2, v, v + n + 2, v + 1
+  }
+}')
+# shellcheck disable=SC2059
+printf "$sheet_of_bytes" | base64 | tr -d '\n' >sheet.base64
+cat >sheet.gltf <<END
+{"asset": {"version": "2.0"}, "extensions": {"VENDOR_any": {"x": [1, null]}},
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+ "materials": [{"name": "plain"}], "nodes": [{"mesh": 0}],
+ "accessors": [{"bufferView": 0, "componentType": 5121, "type": "VEC3", "count": 81},
+               {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 384}],
+ "bufferViews": [{"buffer": 0, "byteLength": 324, "byteStride": 4},
+                 {"buffer": 0, "byteOffset": 324, "byteLength": 384}],
+ "buffers": [{"byteLength": 708, "uri": "data:application/octet-stream;base64,$(cat sheet.base64)"}]}
+END
+if "$program" sheet.gltf out.glb 2>&1 | grep -q 'built without'; then
+  echo "skipped: there is no glTF"
+else
+  run 0 sheet.gltf out.glb
+  expect stdout '^128 -> 6[34] faces'
+  expect_nothing stderr
+  run 0 out.glb out.gltf --ratio 1
+  expect stdout '^6[34] -> 6[34] faces'
+  expect out.gltf '"VENDOR_any":{"x":\[1,null\]}'
+  expect out.gltf '"materials":\[{"name":"plain"}\]'
+  run 0 sheet.gltf out.gltf --faces 40
+  expect stdout '^128 -> 40 faces'
+  run 0 sheet.gltf - --format glb
+  head -c 4 stdout | grep -q '^glTF' || fail "no GLB on standard output"
+  run 2 sheet.gltf out.off
+  expect stderr '^sheet.gltf: glTF goes to glTF only'
+  run 2 plain.off out.glb
+  expect stderr '^plain.off: glTF goes to glTF only'
+  run 2 --cost color sheet.gltf out.glb
+  expect stderr '^sheet.gltf: no colours for --cost color$'
+  head -c 900 out.glb >cut.glb
+  echo old >old.glb
+  run 2 cut.glb old.glb
+  expect stderr '^cut.glb: the file is cut off: it has 900 of the [0-9]+ bytes that it says$'
+  [ "$(cat old.glb)" = old ] || fail "the output has changed"
+fi
+
 # The input may be the output
 run 0 plain.off plain.off
 expect_ratio plain.off 400

@@ -1,0 +1,120 @@
+#ifndef QUADRILLE_EXAMPLES_GLTF_H
+#define QUADRILLE_EXAMPLES_GLTF_H
+
+/// \file
+/// Reads glTF documents, hands out each of their meshes as a surface, and writes documents: .gltf
+/// with its buffers in the text or in files, and .glb.
+///
+/// Each mesh is one surface, which goes through `simplify` with all of its attributes as channels
+/// and its primitives as labels. All else of a document is passed on.
+
+#include "gltf/document.h"
+#include "gltf/json.h"
+#include "gltf/primitive.h"
+#include "gltf/rewrite.h"
+#include "gltf/surface.h"
+#include "mesh_io/replace_file.h"
+#include "mesh_io/text.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// Does something, and tells what is wrong of a file.
+template <class Work>
+auto with_errors_of(const std::filesystem::path& path, Work work) {
+  try {
+    return work();
+  } catch (const Json::exception& error) {
+    fail(path, error.what());
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
+}
+
+/// A document and the surfaces of its meshes, but of those that have no triangles.
+class GltfMeshes {
+public:
+  /// Throws `std::runtime_error` with one line for a file that is missing, broken, or has what
+  /// cannot be taken through a simplification.
+  static GltfMeshes read(const std::filesystem::path& path) {
+    const Source source = read_source(path);
+    return with_errors_of(path, [&] { return GltfMeshes(GltfReader(source).read(), path); });
+  }
+
+  std::vector<GltfSurface>& surfaces() { return surfaces_; }
+
+  /// The images that the document names as files.
+  std::vector<std::string> image_files() const {
+    std::vector<std::string> files;
+    for_each_element(document_.json, "images", [&](const Json& image) {
+      const std::string uri = text_of(image, "uri");
+      if (!uri.empty() && !uri.starts_with("data:"))
+        files.push_back(uri);
+    });
+    return files;
+  }
+
+  /// The document with the surfaces as they are now.
+  GltfDocument take() {
+    with_errors_of(path_, [&] { GltfRewriting::rewrite(document_, surfaces_); });
+    return std::move(document_);
+  }
+
+private:
+  GltfMeshes(GltfDocument document, const std::filesystem::path& path)
+      : document_(std::move(document)), path_(path) {
+    require_sound_views();
+    for (std::size_t i = 0; i < size_of(document_.json, "meshes"); ++i) {
+      std::vector<GltfPrimitive> primitives = read_primitives(i);
+      if (!primitives.empty())
+        surfaces_.emplace_back(std::move(primitives));
+    }
+  }
+
+  /// Those of compressed bytes are not, nor are those that are not within their buffers.
+  void require_sound_views() const {
+    for (std::size_t i = 0; i < size_of(document_.json, "bufferViews"); ++i) {
+      const Json* const extensions =
+          member(element_of(document_.json, "bufferViews", i), "extensions");
+      for (const char* const name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if (extensions && member(*extensions, name))
+          throw std::runtime_error(std::string("a document compressed by ") + name +
+                                   " is not simplified");
+      bytes_of_view(document_, i);
+    }
+  }
+
+  std::vector<GltfPrimitive> read_primitives(std::size_t mesh) const {
+    std::vector<GltfPrimitive> primitives;
+    const Json& json = element_of(document_.json, "meshes", mesh);
+    for (std::size_t i = 0; i < size_of(json, "primitives"); ++i)
+      if (std::optional<GltfPrimitive> primitive = PrimitiveReader::read(document_, mesh, i))
+        primitives.push_back(std::move(*primitive));
+    return primitives;
+  }
+
+  GltfDocument document_;
+  std::filesystem::path path_;
+  std::vector<GltfSurface> surfaces_;
+};
+
+/// Writes a document of such an extension: all of it, or, throwing `std::runtime_error`, nothing.
+inline void write_gltf(const std::filesystem::path& path, GltfDocument document,
+                       const std::string& extension, bool is_forced = false) {
+  const bool is_binary = equal_ignoring_case(extension, ".glb");
+  with_errors_of(path, [&] {
+    FileReplacement(path, is_forced)
+        .write(is_binary ? encode_glb(std::move(document)) : encode_gltf(std::move(document)));
+  });
+}
+
+} // namespace quadrille_examples
+
+#endif

@@ -1,0 +1,192 @@
+#ifndef QUADRILLE_EXAMPLES_GLTF_SURFACE_H
+#define QUADRILLE_EXAMPLES_GLTF_SURFACE_H
+
+#include "channels.h"
+#include "primitive.h"
+
+#include <quadrille/labels.h>
+#include <quadrille/report.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// What a face is in and stays in: a primitive, and the values of its corners that have none in
+/// between.
+struct GltfLabel {
+  std::size_t primitive;
+  std::vector<double> fixed; ///< by attribute, then by corner
+
+  friend bool operator<(const GltfLabel& a, const GltfLabel& b) {
+    return std::tie(a.primitive, a.fixed) < std::tie(b.primitive, b.fixed);
+  }
+};
+
+/// The triangles of all primitives of a mesh as one surface: vertices at one place are one point,
+/// of whatever primitive and with whatever attributes they are.
+class GltfSurface {
+public:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  std::vector<std::array<float, 3>> points; // in single precision, as they are written
+  std::vector<Triangle> triangles;
+
+  /// Throws for more attributes than there are channels for.
+  explicit GltfSurface(std::vector<GltfPrimitive> primitives)
+      : primitives_(std::move(primitives)), channel_of_(primitives_.size()) {
+    std::vector<std::vector<std::size_t>> first_values;
+    for (std::size_t i = 0; i < primitives_.size(); ++i)
+      first_values.push_back(add_values(i));
+    for (std::size_t i = 0; i < primitives_.size(); ++i)
+      add_faces(i, first_values[i]);
+  }
+
+  const std::vector<GltfPrimitive>& primitives() const { return primitives_; }
+  bool has(AttributeKind kind) const { return channels_.has(kind); }
+
+  /// How many triangles of the primitives do not go through `simplify`: those of two equal corners,
+  /// which are not among the triangles, and all but one of those of the same corners. To be asked
+  /// before.
+  std::size_t count_left_out() const {
+    std::size_t count = 0;
+    for (const GltfPrimitive& primitive : primitives_)
+      count += primitive.triangles.size();
+    std::set<Triangle> different;
+    for (Triangle triangle : triangles) {
+      std::sort(triangle.begin(), triangle.end());
+      different.insert(triangle);
+    }
+    return count - different.size();
+  }
+
+  /// As GltfChannels has it.
+  template <class Simplify>
+  quadrille::Report take_through(Simplify simplify, const ChannelImportance& importance) {
+    const auto simplify_labelled = [&](const auto&... channels) {
+      return simplify(channels..., quadrille::Labels{CGAL::make_property_map(label_of_)});
+    };
+    return channels_.take_through(simplify_labelled, importance);
+  }
+
+  /// The primitive that a face is in, by its number among those of the surface.
+  std::size_t primitive_of(std::size_t face) const { return labels_[label_of_[face]].primitive; }
+
+  /// What a corner of a face has of each attribute of its primitive.
+  std::vector<Element> corner(std::size_t face, std::size_t i) const {
+    const GltfLabel& label = labels_[label_of_[face]];
+    const std::vector<GltfAttribute>& attributes = primitives_[label.primitive].attributes;
+    std::vector<Element> elements(attributes.size());
+    std::size_t place = 0; // among the fixed values
+    for (std::size_t a = 0; a < attributes.size(); ++a) {
+      const std::size_t channel = channel_of_[label.primitive][a];
+      if (attributes[a].kind == AttributeKind::position)
+        std::copy_n(points[triangles[face][i]].begin(), 3, elements[a].begin());
+      else if (channel != GltfChannels::none)
+        elements[a] = channels_.value(channel, face, i);
+      const std::size_t first = attributes[a].first_fixed();
+      const std::size_t count = attributes[a].elements.type().components - first;
+      for (std::size_t k = 0; k < count; ++k)
+        elements[a][first + k] = label.fixed[place + i * count + k];
+      place += 3 * count;
+    }
+    return elements;
+  }
+
+private:
+  /// Returns where the values of each channel begin; 0 for those that the primitive has not.
+  std::vector<std::size_t> add_values(std::size_t number) {
+    std::vector<std::size_t> first_values;
+    for (const GltfAttribute& attribute : primitives_[number].attributes) {
+      std::size_t first = 0;
+      const std::size_t channel = channels_.add(attribute, first);
+      channel_of_[number].push_back(channel);
+      if (channel == GltfChannels::none)
+        continue;
+      first_values.resize(std::max(first_values.size(), channel + 1));
+      first_values[channel] = first;
+    }
+    return first_values;
+  }
+
+  /// Those that have three corners at different places.
+  void add_faces(std::size_t number, const std::vector<std::size_t>& first_values) {
+    const GltfPrimitive& primitive = primitives_[number];
+    std::vector<std::uint32_t> points_of; // the vertices
+    const Elements& positions = primitive.attributes.front().elements;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      points_of.push_back(point_at(positions[v]));
+    for (const Triangle& corners : primitive.triangles) {
+      const auto [a, b, c] = corners;
+      const Triangle triangle = {points_of[a], points_of[b], points_of[c]};
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+        continue;
+      triangles.push_back(triangle);
+      channels_.add_face([&](std::size_t channel) {
+        const bool has = channel < first_values.size() && first_values[channel] > 0;
+        return has ? moved_by(first_values[channel], corners) : Triangle{};
+      });
+      label_of_.push_back(number_of(label(number, corners)));
+    }
+  }
+
+  /// Equal positions are one point, with the bits of the first.
+  std::uint32_t point_at(const Element& position) {
+    std::array<float, 3> point;
+    for (std::size_t c = 0; c < 3; ++c)
+      point[c] = static_cast<float>(position[c]);
+    const auto [place, is_new] =
+        point_numbers_.try_emplace(point, static_cast<std::uint32_t>(points.size()));
+    if (is_new)
+      points.push_back(point);
+    return place->second;
+  }
+
+  static Triangle moved_by(std::size_t first, Triangle corners) {
+    for (std::uint32_t& corner : corners)
+      corner += static_cast<std::uint32_t>(first);
+    return corners;
+  }
+
+  GltfLabel label(std::size_t number, const Triangle& corners) const {
+    GltfLabel label{number, {}};
+    for (const GltfAttribute& attribute : primitives_[number].attributes)
+      for (const std::uint32_t corner : corners) {
+        const Element element = attribute.elements[corner];
+        label.fixed.insert(label.fixed.end(),
+                           element.begin() + static_cast<std::ptrdiff_t>(attribute.first_fixed()),
+                           element.begin() +
+                               static_cast<std::ptrdiff_t>(attribute.elements.type().components));
+      }
+    return label;
+  }
+
+  std::uint32_t number_of(const GltfLabel& label) {
+    const auto [place, is_new] =
+        label_numbers_.try_emplace(label, static_cast<std::uint32_t>(labels_.size()));
+    if (is_new)
+      labels_.push_back(label);
+    return place->second;
+  }
+
+  std::vector<GltfPrimitive> primitives_;
+  std::vector<std::vector<std::size_t>> channel_of_; // each attribute of each primitive
+  GltfChannels channels_;
+  std::vector<GltfLabel> labels_;
+  std::vector<std::uint32_t> label_of_; // each face
+  std::map<std::array<float, 3>, std::uint32_t> point_numbers_;
+  std::map<GltfLabel, std::uint32_t> label_numbers_;
+};
+
+} // namespace quadrille_examples
+
+#endif
