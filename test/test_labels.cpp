@@ -4,6 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>
 
@@ -247,6 +248,35 @@ TEST_CASE("Duplicate faces of a soup are no seams") {
   const Labelled result = simplified(doubled, Quadric{}, stop).first;
   CHECK(result.labels == expected.labels);
   CHECK(is_identical(result.soup, expected.soup));
+}
+
+TEST_CASE("Of doubled faces with different labels one is left, and the others are counted") {
+  Labelled doubled = surfaces()[1];
+  const std::size_t faces = doubled.labels.size();
+  for (std::size_t f = 0; f < faces; f += 3)
+    for (const int other : {100, 100, doubled.labels[f]}) {
+      doubled.soup.triangles.push_back(doubled.soup.triangles[f]);
+      doubled.labels.push_back(other);
+    }
+  const auto [result, report] = simplified(doubled, Quadric{}, FaceCount{faces});
+  CHECK(result.labels.size() == faces);
+  const std::size_t left =
+      static_cast<std::size_t>(std::count(result.labels.begin(), result.labels.end(), 100));
+  // Of four with two labels each, two have another label than the one that is left.
+  CHECK(report.doubled_labels == 2 * ((faces + 2) / 3));
+  CHECK(left <= (faces + 2) / 3);
+}
+
+TEST_CASE("Where sheets of different labels become one, the faces that go are counted") {
+  const Soup sheet = with_noise(grid(4, 4), 1, 0.05);
+  Labelled sheets{joined(sheet, sheet, {0, 0, 1e-3}), {}};
+  for (std::size_t f = 0; f < sheets.soup.triangles.size(); ++f)
+    sheets.labels.push_back(f < sheet.triangles.size());
+  const auto [result, report] =
+      simplified(sheets, Quadric{}, FaceCount{sheet.triangles.size()}, ThresholdPairs{2e-3});
+  CAPTURE(report);
+  CHECK(topology_of(result.soup).components == 1);
+  CHECK(report.doubled_labels > sheet.triangles.size() / 2);
 }
 
 TEST_CASE("Where labels are all the same, nothing changes but borders") {

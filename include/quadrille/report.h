@@ -90,6 +90,9 @@ struct Report {
   std::size_t non_manifold_edges = 0;    ///< of the result: edges of three faces or more
   std::size_t non_manifold_vertices = 0; ///< of the result: neither a disc nor half a disc around
   std::size_t duplicated_vertices = 0;   ///< added to write a non-manifold result to a FaceGraph
+  /// Faces that went because another one of the same corners is left, which has another label: of
+  /// the input, or where topology is free.
+  std::size_t doubled_labels = 0;
 
   StopReason stop = StopReason::no_pair_left;
 
@@ -136,6 +139,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";
+  if (report.doubled_labels > 0)
+    out << ", " << report.doubled_labels << " doubled faces of other labels";
   const char* separator = ", rejected: ";
   for (std::size_t cause = 0; cause < rejection_causes; ++cause) {
     if (report.rejections[cause] == 0)

@@ -57,7 +57,9 @@ inline Loss most_loss(const PairStar& star) {
 /// and vertices without a face.
 class Cleanup {
 public:
-  Cleanup(TriangleComplex& complex, Scratch& scratch) : complex_(complex), scratch_(scratch) {}
+  /// `labels`: of each face; or empty.
+  Cleanup(TriangleComplex& complex, Scratch& scratch, const Array<Index>& labels)
+      : complex_(complex), scratch_(scratch), labels_(labels) {}
 
   /// Of the faces at a vertex with the same three vertices, one is left.
   void remove_duplicate_faces(Index v) {
@@ -67,11 +69,11 @@ public:
     remove_duplicates();
   }
 
-  /// The same at all vertices, before the first contraction: what goes is not tallied.
+  /// The same at all vertices, before the first contraction: of what goes only labels are tallied.
   void remove_all_duplicate_faces() {
     for (Index v = 0; v < complex_.vertex_capacity(); ++v)
       remove_duplicate_faces(v);
-    scratch_.tally = {};
+    scratch_.tally.faces = 0;
   }
 
   /// The faces of both ends of the star go.
@@ -102,7 +104,7 @@ public:
     const PairStar& star = scratch_.star;
     Loss loss{star.shared.size(), 1};
     gather_changed();
-    for_each_duplicate([&](Index) { ++loss.faces; });
+    for_each_duplicate([&](Index, Index) { ++loss.faces; });
     for_each_cut_off(star, b, [&](Index v) { loss.vertices += !has_others(v); });
     loss.vertices += star.first.empty() && star.second.empty();
     return loss;
@@ -116,13 +118,15 @@ private:
   }
 
   void remove_duplicates() {
-    for_each_duplicate([this](Index face) {
+    for_each_duplicate([this](Index face, Index left) {
       complex_.remove_face(face);
       ++scratch_.tally.faces;
+      scratch_.tally.doubled_labels += !labels_.empty() && labels_[face] != labels_[left];
     });
   }
 
-  // Of the gathered faces, at one vertex, that have the same two others, all but the first.
+  // Of the gathered faces, at one vertex, that have the same two others, all but the first, which
+  // is left: visit(face, left).
   template <class Visit>
   void for_each_duplicate(Visit visit) {
     std::vector<StarFace>& faces = scratch_.faces;
@@ -132,9 +136,11 @@ private:
     std::sort(faces.begin(), faces.end(), [](const StarFace& a, const StarFace& b) {
       return std::tie(a.second, a.third, a.face) < std::tie(b.second, b.third, b.face);
     });
-    for (std::size_t i = 1; i < faces.size(); ++i)
-      if (faces[i - 1].second == faces[i].second && faces[i - 1].third == faces[i].third)
-        visit(faces[i].face);
+    for (std::size_t i = 1, first = 0; i < faces.size(); ++i)
+      if (faces[first].second == faces[i].second && faces[first].third == faces[i].third)
+        visit(faces[i].face, faces[first].face);
+      else
+        first = i;
   }
 
   // Has a vertex other faces than those that vanish?
@@ -157,6 +163,7 @@ private:
 
   TriangleComplex& complex_;
   Scratch& scratch_;
+  const Array<Index>& labels_;
 };
 
 } // namespace quadrille::internal

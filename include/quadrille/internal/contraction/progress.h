@@ -33,6 +33,7 @@ public:
     status_.vertices -= tally.vertices;
     status_.contractions += tally.contractions;
     total_.non_edge_contractions += tally.non_edge_contractions;
+    total_.doubled_labels += tally.doubled_labels;
     total_.error = (std::max)(total_.error, tally.error);
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
       total_.rejections[cause] += tally.rejections[cause];
@@ -56,6 +57,7 @@ public:
     report.vertices_after = status_.vertices;
     report.contractions = status_.contractions;
     report.non_edge_contractions = total_.non_edge_contractions;
+    report.doubled_labels = total_.doubled_labels;
     report.rejections = total_.rejections;
     report.error = total_.error;
   }

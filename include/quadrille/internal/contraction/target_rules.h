@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
@@ -28,9 +29,9 @@ public:
 
   TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
               TriangleComplex& complex, const Geometry<Cost::dimension>& geometry,
-              const LinkCondition& link_condition, bool is_topology_kept)
+              const LinkCondition& link_condition, const SeamGraph& seams, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        link_condition_(link_condition), is_topology_kept_(is_topology_kept) {}
+        link_condition_(link_condition), seams_(seams), is_topology_kept_(is_topology_kept) {}
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
@@ -40,8 +41,9 @@ public:
     if (is_topology_kept_)
       return is_passed_without({star.shared.size(), 1}, status);
     return is_passed_without(most_loss(star), status) &&
-           is_passed_without(Cleanup(complex_, contraction.scratch()).loss(contraction.second()),
-                             status);
+           is_passed_without(
+               Cleanup(complex_, contraction.scratch(), seams_.labels()).loss(contraction.second()),
+               status);
   }
 
   /// In which way the stop policy stops, if it does: have contractions gone beyond its target?
@@ -96,6 +98,7 @@ private:
   TriangleComplex& complex_;
   const Geometry<Cost::dimension>& geometry_;
   const LinkCondition& link_condition_;
+  const SeamGraph& seams_;
   bool is_topology_kept_;
 };
 

@@ -73,10 +73,12 @@ public:
                 appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
-        target_rules_(policies, scale_, complex_, geometry_, link_condition_, is_topology_kept_),
+        target_rules_(policies, scale_, complex_, geometry_, link_condition_, appearance_.seams(),
+                      is_topology_kept_),
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
-      Cleanup(complex_, scratch()).remove_all_duplicate_faces();
+      Cleanup(complex_, scratch(), labels_by_face(input.labels, numbering_.faces, complex_))
+          .remove_all_duplicate_faces();
     if constexpr (Policies::keeps_seams)
       appearance_.read(input, numbering_, scale_, pairs_.are_edges());
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
@@ -253,7 +255,7 @@ private:
 
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void change_faces(const Event& event) {
-    Cleanup cleanup(complex_, event.contraction.scratch());
+    Cleanup cleanup(complex_, event.contraction.scratch(), appearance_.seams().labels());
     if constexpr (Event::is_in_pass) {
       complex_.relabel(event.kept, event.gone);
       cleanup.remove_shared_faces();
