@@ -3,13 +3,13 @@
 
 #include "mesh_io/indexed_mesh.h"
 #include "mesh_io/named_numbers.h"
+#include "nearest_vertices.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -64,7 +64,7 @@ public:
 
   /// Gives the points of a mesh that are left their numbers.
   void restore(IndexedMesh& mesh) const {
-    const std::vector<std::uint32_t> nearest = nearest_vertices(mesh.points);
+    const std::vector<std::uint32_t> nearest = nearest_vertices(points_, images_, mesh.points);
     for (std::size_t i = 0; i < channel_of_.size(); ++i) {
       NamedNumbers& numbers = mesh.vertex_numbers[i];
       if (channel_of_[i])
@@ -106,23 +106,6 @@ private:
     for (const std::uint32_t v : from)
       result.push_back(values[v]);
     return result;
-  }
-
-  /// Of the vertices that have become each point, the nearest, the first of equal ones.
-  std::vector<std::uint32_t> nearest_vertices(const std::vector<Point>& left) const {
-    std::vector<std::uint32_t> nearest(left.size());
-    std::vector<double> distances(left.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t v = 0; v < images_.size(); ++v) {
-      if (images_[v] >= left.size()) // it has vanished
-        continue;
-      const Point &p = points_[v], &q = left[images_[v]];
-      const double distance = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
-      if (distance < distances[images_[v]]) {
-        distances[images_[v]] = distance;
-        nearest[images_[v]] = static_cast<std::uint32_t>(v);
-      }
-    }
-    return nearest;
   }
 
   std::vector<Point> points_; // as they were

@@ -107,7 +107,8 @@ public:
 private:
   /// The channel that an attribute belongs to, which is made if there is none.
   std::size_t channel_of(const GltfAttribute& attribute) {
-    if (attribute.kind == AttributeKind::position || attribute.kind == AttributeKind::name)
+    if (attribute.kind == AttributeKind::position || attribute.kind == AttributeKind::name ||
+        attribute.kind == AttributeKind::skin)
       return none;
     for (std::size_t i = 0; i < channels_.size(); ++i)
       if (channels_[i].kind == attribute.kind && channels_[i].name == attribute.name &&

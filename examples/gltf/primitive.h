@@ -26,7 +26,8 @@ enum class AttributeKind {
   tangent, ///< a direction, and a sign that has no value in between
   color,
   number, ///< of any meaning; also the displacements of morph targets
-  name    ///< integers, which have no values in between
+  name,   ///< integers, which have no values in between
+  skin    ///< joints and their weights, which go together
 };
 
 /// An attribute of the vertices of a primitive, or of one of its morph targets.
@@ -59,9 +60,10 @@ inline AttributeKind attribute_kind(const std::string& name, const ElementType& 
       throw std::runtime_error(in_quotes(name) + " has elements of " +
                                std::to_string(type.components) + " components");
   };
-  if (is_a("JOINTS_") || is_a("WEIGHTS_"))
-    throw std::runtime_error("a mesh with a skin (" + in_quotes(name) +
-                             ") is not simplified: its joints cannot be taken along");
+  if (is_a("JOINTS_") || is_a("WEIGHTS_")) {
+    require(type.components == 4);
+    return AttributeKind::skin;
+  }
   if (name == "POSITION" || name == "NORMAL") {
     require(type.components == 3);
     return name == "NORMAL" ? AttributeKind::normal : AttributeKind::position;

@@ -3,8 +3,10 @@
 
 #include "channels.h"
 #include "primitive.h"
+#include "skin.h"
 
 #include <quadrille/labels.h>
+#include <quadrille/parameters.h>
 #include <quadrille/report.h>
 
 #include <CGAL/property_map.h>
@@ -37,13 +39,15 @@ struct GltfLabel {
 class GltfSurface {
 public:
   using Triangle = std::array<std::uint32_t, 3>;
+  using Point = std::array<float, 3>;
 
-  std::vector<std::array<float, 3>> points; // in single precision, as they are written
+  std::vector<Point> points; // in single precision, as they are written
   std::vector<Triangle> triangles;
 
   /// Throws for more attributes than there are channels for.
   explicit GltfSurface(std::vector<GltfPrimitive> primitives)
       : primitives_(std::move(primitives)), channel_of_(primitives_.size()) {
+    GltfSkin::require_one_kind(primitives_);
     std::vector<std::vector<std::size_t>> first_values;
     for (std::size_t i = 0; i < primitives_.size(); ++i)
       first_values.push_back(add_values(i));
@@ -72,10 +76,15 @@ public:
   /// As GltfChannels has it.
   template <class Simplify>
   quadrille::Report take_through(Simplify simplify, const ChannelImportance& importance) {
+    std::vector<std::size_t> images(points.size());
+    const std::vector<Point> before = points;
     const auto simplify_labelled = [&](const auto&... channels) {
-      return simplify(channels..., quadrille::Labels{CGAL::make_property_map(label_of_)});
+      return simplify(channels..., quadrille::Labels{CGAL::make_property_map(label_of_)},
+                      quadrille::parameters::vertex_image_map(CGAL::make_property_map(images)));
     };
-    return channels_.take_through(simplify_labelled, importance);
+    const quadrille::Report report = channels_.take_through(simplify_labelled, importance);
+    skin_.follow(before, images, points);
+    return report;
   }
 
   /// The primitive that a face is in, by its number among those of the surface.
@@ -91,6 +100,8 @@ public:
       const std::size_t channel = channel_of_[label.primitive][a];
       if (attributes[a].kind == AttributeKind::position)
         std::copy_n(points[triangles[face][i]].begin(), 3, elements[a].begin());
+      else if (attributes[a].kind == AttributeKind::skin)
+        elements[a] = skin_.value(primitives_, attributes[a].name, triangles[face][i]);
       else if (channel != GltfChannels::none)
         elements[a] = channels_.value(channel, face, i);
       const std::size_t first = attributes[a].first_fixed();
@@ -123,8 +134,10 @@ private:
     const GltfPrimitive& primitive = primitives_[number];
     std::vector<std::uint32_t> points_of; // the vertices
     const Elements& positions = primitive.attributes.front().elements;
-    for (std::size_t v = 0; v < positions.size(); ++v)
+    for (std::size_t v = 0; v < positions.size(); ++v) {
       points_of.push_back(point_at(positions[v]));
+      skin_.add(points_of.back(), primitive, number, v);
+    }
     for (const Triangle& corners : primitive.triangles) {
       const auto [a, b, c] = corners;
       const Triangle triangle = {points_of[a], points_of[b], points_of[c]};
@@ -141,7 +154,7 @@ private:
 
   /// Equal positions are one point, with the bits of the first.
   std::uint32_t point_at(const Element& position) {
-    std::array<float, 3> point;
+    Point point;
     for (std::size_t c = 0; c < 3; ++c)
       point[c] = static_cast<float>(position[c]);
     const auto [place, is_new] =
@@ -181,9 +194,10 @@ private:
   std::vector<GltfPrimitive> primitives_;
   std::vector<std::vector<std::size_t>> channel_of_; // each attribute of each primitive
   GltfChannels channels_;
+  GltfSkin skin_;
   std::vector<GltfLabel> labels_;
   std::vector<std::uint32_t> label_of_; // each face
-  std::map<std::array<float, 3>, std::uint32_t> point_numbers_;
+  std::map<Point, std::uint32_t> point_numbers_;
   std::map<GltfLabel, std::uint32_t> label_numbers_;
 };
 
