@@ -84,7 +84,8 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto [policies, carried] = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_face_graph(mesh, policies, carried, named);
   } else {
@@ -113,7 +114,8 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
     Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto [policies, carried] = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(points, triangles, policies, carried, named);
   } else {

@@ -221,9 +221,7 @@ void make_numbers(Bytes& bytes, Case& result) {
   result.call.cost = CostName::attributes;
 }
 
-} // namespace
-
-Case make_case(Bytes bytes, int size) {
+Case make_case_without_channels(Bytes& bytes, int size) {
   Case result;
   Soup& soup = result.soup;
   soup = make_base(bytes, bytes.one_in(4) ? 4 * size : size); // passes need larger ones
@@ -262,6 +260,18 @@ Case make_case(Bytes bytes, int size) {
   return result;
 }
 
+} // namespace
+
+Case make_case(Bytes bytes, int size) {
+  Case result = make_case_without_channels(bytes, size);
+  if (!result.is_mesh && bytes.one_in(4)) {
+    result.call.cost = CostName::channels;
+    result.numbers.assign(result.soup.points.size(), {});
+    result.seed = bytes.word();
+  }
+  return result;
+}
+
 // --- To text -------------------------------------------------------------------------------------
 
 std::ostream& operator<<(std::ostream& out, const Call& call) {
@@ -296,6 +306,8 @@ std::ostream& operator<<(std::ostream& out, const Case& input) {
       out << ' ' << v;
   if (input.call.cost == CostName::attributes)
     write_numbers(out, input);
+  if (input.call.cost == CostName::channels)
+    out << "\n# channels: seed " << input.seed;
   out << "\n# constrained edges:";
   for (const auto& [v, w] : input.kept)
     out << ' ' << v << '-' << w;
@@ -314,6 +326,8 @@ template <class Cost>
 void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost);
 template <class Cost>
 void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost);
+
+void simplify_soup_with_channels(const Case& input, Outcome& outcome);
 
 template <class Cost>
 void simplify_with(const Case& input, Outcome& outcome, const Cost& cost) {
@@ -358,6 +372,8 @@ void simplify(const Case& input, Outcome& outcome) {
       cost.weights = Vector<2>{*input.weights};
     return simplify_with(input, outcome, cost);
   }
+  case CostName::channels:
+    return simplify_soup_with_channels(input, outcome);
   }
 }
 

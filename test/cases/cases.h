@@ -78,7 +78,15 @@ struct AnyStop {
   }
 };
 
-enum class CostName { quadric, memoryless, color, edge_length, attributes, thin_feature };
+enum class CostName {
+  quadric,
+  memoryless,
+  color,
+  edge_length,
+  attributes,
+  thin_feature,
+  channels ///< a Quadric beside labels, a texture, normals and colours, on a soup
+};
 enum class PlacementName { optimal, endpoint, midpoint };
 
 /// A call of simplify.
@@ -109,8 +117,9 @@ struct Case {
   std::vector<Numbers> numbers;                   ///< one per point, for the cost `attributes`
   std::vector<bool> is_fixed;                     ///< one per point
   std::vector<std::array<std::uint32_t, 2>> kept; ///< constrained edges, for a mesh only
-  std::optional<Numbers> weights;                 ///< of the numbers; the cost's own without them
-  bool may_be_refused = false;                    ///< the numbers may be no lengths
+  std::uint64_t seed = 0;         ///< of labels and of values at corners, for `channels`
+  std::optional<Numbers> weights; ///< of the numbers; the cost's own without them
+  bool may_be_refused = false;    ///< the numbers may be no lengths
   bool is_mesh = false; ///< a Surface_mesh and no soup; the soup is manifold and oriented then
   Call call;
 };

@@ -220,8 +220,8 @@ constexpr void check_counts() {
 
 inline namespace QUADRILLE_THREADING {
 
-/// All policies of a call, checked for fitting together, and what it carries. Cost and placement
-/// may be template arguments, or NotGiven.
+/// All policies of a call, checked for fitting together. Cost and placement may be template
+/// arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
   using CGAL::parameters::get_parameter;
@@ -237,7 +237,6 @@ auto pick_policies(const Arguments&... arguments) {
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
     topology = pick<Kind::topology, Cost, Topology>(arguments...);
   const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
-  const auto carried = pick_carried<Cost>(arguments...);
   Policies policies{
       pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...),
       placement,
@@ -246,7 +245,7 @@ auto pick_policies(const Arguments&... arguments) {
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
-      carries(carried),
+      carries(pick_carried<Cost>(arguments...)),
       topology,
       pick_filters<Cost>(arguments...)};
   validate(policies.cost);
@@ -254,7 +253,7 @@ auto pick_policies(const Arguments&... arguments) {
   validate(policies.stop);
   validate(policies.order);
   policies.threads.validate();
-  return std::pair(policies, carried);
+  return policies;
 }
 
 } // namespace QUADRILLE_THREADING

@@ -67,8 +67,7 @@ public:
     if (is_empty())
       return false;
     if (kind_[a] != SeamKind::free && kind_[b] != SeamKind::free &&
-        (!is_seam_edge(star.shared, a, b) || (is_corner(a) && is_corner(b)) ||
-         has_common_seam(star, a, b)))
+        (!is_seam_edge(star.shared, a, b) || joins_seams(star, a, b)))
       return true;
     return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
       return channel.are_seams_kept() && channel.has_seams() &&
@@ -169,10 +168,14 @@ private:
     return neighbours;
   }
 
-  // Is there a vertex that seams join to both ends?
-  bool has_common_seam(const PairStar& star, Index a, Index b) const {
+  // Would two corners become one, or is there a vertex that seams join to both ends? A vertex may
+  // have got further seams since the beginning: half ones that met, and folds of faces that had no
+  // area in the texture.
+  bool joins_seams(const PairStar& star, Index a, Index b) const {
     const std::vector<Index> at_first = seam_neighbours(a, star.first, star, b);
     const std::vector<Index> at_second = seam_neighbours(b, star.second, star, b);
+    if ((is_corner(a) || at_first.size() != 1) && (is_corner(b) || at_second.size() != 1))
+      return true;
     std::vector<Index> common;
     std::set_intersection(at_first.begin(), at_first.end(), at_second.begin(), at_second.end(),
                           std::back_inserter(common));
