@@ -3,6 +3,7 @@
 #if __has_include(<nlohmann/json.hpp>)
 
 #include "../examples/gltf.h"
+#include "folder.h"
 #include "gltf_assets.h"
 
 #include <quadrille/simplify.h>
@@ -13,11 +14,9 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
-#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -27,27 +26,9 @@
 namespace fs = std::filesystem;
 using namespace quadrille_examples;
 using namespace gltf_assets;
+using test::Folder;
 
 namespace {
-
-/// A folder for the files of one test, removed with it.
-class Folder {
-public:
-  Folder() : path_(fs::temp_directory_path() / ("gltf_" + std::to_string(std::random_device{}()))) {
-    fs::create_directory(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-
-  fs::path path(const std::string& name) const { return path_ / name; }
-  fs::path file(const std::string& name, const std::string& content) const {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
-  }
-
-private:
-  fs::path path_;
-};
 
 GltfDocument read(const std::string& content) {
   const Source source{"document", content};

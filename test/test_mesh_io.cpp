@@ -2,6 +2,7 @@
 // here into a folder of their own.
 
 #include "../examples/mesh_io.h"
+#include "folder.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,41 +13,15 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace fs = std::filesystem;
 using namespace quadrille_examples;
+using test::Folder;
 
 namespace {
-
-/// A folder for the files of one test, removed with it.
-class Folder {
-public:
-  Folder()
-      : path_(fs::temp_directory_path() / ("mesh_io_" + std::to_string(std::random_device{}()))) {
-    fs::create_directory(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-
-  fs::path path(const std::string& name) const { return path_ / name; }
-
-  fs::path file(const std::string& name, const std::string& content) const {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
-  }
-
-  std::size_t size() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), {}));
-  }
-
-private:
-  fs::path path_;
-};
 
 IndexedMesh read(const std::string& name, const std::string& content,
                  Weld weld = Weld::loose_faces) {

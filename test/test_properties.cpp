@@ -51,6 +51,18 @@ TEST_CASE("What must hold of every result does") {
   }
 }
 
+TEST_CASE("Regions of labels stay where edges become seams of a texture later") {
+  for (const std::uint64_t seed : {1561U, 1680U, 2183U, 5664U, 7297U, 8592U}) {
+    test::Case input = test::make_case(test::Bytes(random_bytes(seed)));
+    REQUIRE_FALSE(input.is_mesh);
+    input.call.cost = test::CostName::channels;
+    input.numbers.assign(input.soup.points.size(), {});
+    input.seed = seed;
+    CAPTURE(seed);
+    CHECK(test::violation(input) == "");
+  }
+}
+
 TEST_CASE("The same surface and policies give the same result, bit for bit") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
