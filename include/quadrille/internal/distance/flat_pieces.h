@@ -103,7 +103,7 @@ inline double squared_height(const FlatPoint& y, const FlatTriangle& t) {
     if (sum < 0x1p-10 * squared) {
       const double step = std::clamp(dot(d, edge) / squared, -w[i] / sum, w[0] / sum);
       d -= step * edge;
-      w[0] -= step * sum;
+      w[0] = (std::max)(w[0] - step * sum, 0.0); // rounded, it may be below
     }
   }
   return squared_length(d);
