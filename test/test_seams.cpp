@@ -427,6 +427,21 @@ TEST_CASE("Charts of random patches, some of one place, keep their pattern") {
   check_random(24, random_charts, check_charts);
 }
 
+TEST_CASE("Faces that get an area in the texture late, and are folded then, tear no label") {
+  const auto crumpled = [](const Soup& soup, std::uint64_t seed) {
+    Textured surface = random_corners(soup, seed);
+    Random random(seed);
+    for (auto& corners : surface.texture)
+      for (TexturePlace& place : corners)
+        place = {{std::round(2 * place[0]), random.below(8) == 0 ? 1. : 0.}};
+    return surface;
+  };
+  check_random(48, crumpled, [](const Textured& result, const Textured& surface) {
+    const bool is_same = pattern_of_labels(result) == pattern_of_labels(surface);
+    CHECK(is_same);
+  });
+}
+
 TEST_CASE("Random values at corners leave labels as they are, and finite values") {
   check_random(48, random_corners, [](const Textured& result, const Textured& surface) {
     CHECK(is_finite(result));
