@@ -238,6 +238,23 @@ std::set<std::array<double, 2>> places_at(const TexturedMesh<Mesh>& asset, Mesh:
   return places;
 }
 
+// Refused are four channels that `spoil` has changed, or their options.
+template <class Spoil>
+void require_refused(Spoil spoil, const std::string& message, const Options& options = {}) {
+  CAPTURE(message);
+  Asset asset = cylinder_of_four_channels();
+  spoil(asset);
+  const auto before = asset.all();
+  CHECK_THROWS_AS(asset.run(50, options), std::invalid_argument);
+  CHECK_THROWS_WITH(asset.run(50, options), Contains(message));
+  const auto after = asset.all();
+  CHECK((std::get<1>(after) == std::get<1>(before)));
+  CHECK((std::get<3>(after) == std::get<3>(before)));
+  CHECK((std::get<5>(after) == std::get<5>(before)));
+  CHECK(std::get<2>(after).size() == std::get<2>(before).size());
+  CHECK((std::get<0>(after) == std::get<0>(before)));
+}
+
 } // namespace
 
 // --- Values --------------------------------------------------------------------------------------
@@ -691,23 +708,6 @@ TEST_CASE("By default others count as 0.02 of the diagonal for their range") {
 // --- What is refused -----------------------------------------------------------------------------
 
 TEST_CASE("Input that makes no sense is refused, and left as it was") {
-  const auto require_refused = [](auto spoil, const std::string& message,
-                                  const Options& options = {}) {
-    CAPTURE(message);
-    Asset asset = cylinder_of_four_channels();
-    spoil(asset);
-    const auto before = asset.all();
-    CHECK_THROWS_AS(asset.run(50, options), std::invalid_argument);
-    CHECK_THROWS_WITH(asset.run(50, options), Contains(message));
-    const auto after = asset.all();
-    CHECK((std::get<1>(after) == std::get<1>(before)));
-    CHECK((std::get<3>(after) == std::get<3>(before)));
-    CHECK((std::get<5>(after) == std::get<5>(before)));
-    CHECK(std::get<2>(after).size() == std::get<2>(before).size());
-    CHECK((std::get<0>(after) == std::get<0>(before)));
-  };
-  const auto nothing = [](Asset&) {};
-
   require_refused([](Asset& a) { a.texture.triples[7][1] = 100'000; },
                   "face 7 names value 100000 of ");
   require_refused(
@@ -732,7 +732,10 @@ TEST_CASE("Input that makes no sense is refused, and left as it was") {
                     "value 5 of a channel is not finite");
     require_refused([&](Asset& a) { a.heights[5] = value; }, "value 5 of a channel is not finite");
   }
+}
 
+TEST_CASE("Options that make no sense are refused") {
+  const auto nothing = [](Asset&) {};
   require_refused(nothing, "a channel of 2 components has 1 weights",
                   {.texture = {.weights = {1}}});
   require_refused(nothing, "has 3 weights", {.texture = {.weights = {1, 1, 1}}});

@@ -456,6 +456,9 @@ TEST_CASE("broken documents are refused with a line") {
   CHECK_THAT(broken("/meshes/0/primitives/0/indices", 0), Catch::Contains("indices"));
   CHECK_THAT(broken("/meshes/0/primitives", 3), Catch::Contains("no array"));
   CHECK_THAT(broken("/asset/version", "1.0"), Catch::Contains("version"));
+}
+
+TEST_CASE("indices, positions and texts that are broken are refused with a line") {
   CHECK_THAT(complaint_about([](Asset& asset) {
                asset.primitive(1)["indices"] = asset.add_indices({0, 1, 27});
              }),

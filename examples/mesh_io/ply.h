@@ -13,6 +13,7 @@
 #include "named_numbers.h"
 #include "ply_columns.h"
 #include "ply_header.h"
+#include "ply_items.h"
 #include "ply_values.h"
 #include "polygon_soup.h"
 #include "text.h"
@@ -34,13 +35,12 @@ template <class Values>
 class PlyReader {
 public:
   PlyReader(const Source& source, const LineReader& end_of_header, const PlyHeader& header)
-      : source_(source), header_(header), values_(source, end_of_header, header.byte_order) {}
+      : source_(source), header_(header), values_(source, end_of_header, header.byte_order),
+        items_(values_) {}
 
   PolygonSoup read() {
     require_vertices();
-    for (const std::string& comment : header_.comments)
-      if (names_a_texture(comment))
-        soup_.texture_comments.push_back(comment);
+    soup_.texture_comments = header_.texture_comments();
     for (const PlyElement& element : header_.elements)
       if (element.count > 0)
         read_element(element);
@@ -70,10 +70,6 @@ private:
       fail(source_.path, std::string("the header declares ") + kind + " under two names");
     return static_cast<std::size_t>(
         std::find_if(elements.begin(), elements.end(), std::mem_fn(is_of_kind)) - elements.begin());
-  }
-
-  void lose(const char* kind, const PlyProperty& property) {
-    soup_.losses.add(kind + (" property " + in_quotes(property.name)));
   }
 
   void read_element(const PlyElement& element) {
@@ -106,28 +102,25 @@ private:
     const bool has_colors = assign_colors(element, columns);
     const bool has_textures = assign_textures(columns);
     soup_.vertex_numbers = columns.assign_others([&](const std::string& name) {
-      return (has_colors && is_one_of(name, {"red", "green", "blue", "alpha"})) ||
-             (has_textures && is_one_of(name, {"s", "t"}));
+      return (has_colors && PlyColumns::is_one_of(name, {"red", "green", "blue", "alpha"})) ||
+             (has_textures && PlyColumns::is_one_of(name, {"s", "t"}));
     });
     tell_losses(element, "vertex", columns);
-    begin_rows(element, column_count + soup_.vertex_numbers.size());
-    row_[alpha] = opaque;
+    items_.begin(element, column_count + soup_.vertex_numbers.size());
+    std::vector<double>& row = items_.row();
+    row[alpha] = opaque;
     soup_.points.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_item(element, i, columns);
-      soup_.points.emplace_back(row_[x], row_[y], row_[z]);
+      items_.read(element, i, columns);
+      soup_.points.emplace_back(row[x], row[y], row[z]);
       if (has_normals)
-        soup_.normal_table.push_back({row_[nx], row_[ny], row_[nz]});
+        soup_.normal_table.push_back({row[nx], row[ny], row[nz]});
       if (has_colors)
-        soup_.colors.push_back({row_[red], row_[green], row_[blue], row_[alpha]});
+        soup_.colors.push_back({row[red], row[green], row[blue], row[alpha]});
       if (has_textures)
-        soup_.texture_coordinates.push_back({row_[u], row_[v]});
-      append_row(soup_.vertex_numbers, column_count);
+        soup_.texture_coordinates.push_back({row[u], row[v]});
+      items_.append_to(soup_.vertex_numbers, column_count);
     }
-  }
-
-  static bool is_one_of(const std::string& name, PlyColumns::Names names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
   }
 
   bool assign_normals(const PlyElement& element, PlyColumns& columns) {
@@ -168,41 +161,7 @@ private:
                    std::initializer_list<std::optional<std::size_t>> read_lists = {}) {
     for (std::size_t i = 0; i < element.properties.size(); ++i)
       if (!columns.of(i) && std::find(read_lists.begin(), read_lists.end(), i) == read_lists.end())
-        lose(kind, element.properties[i]);
-  }
-
-  void begin_rows(const PlyElement& element, std::size_t size) {
-    row_.assign(size, 0);
-    lists_.assign(element.properties.size(), {});
-  }
-
-  /// Reads the scalars that have a column to the row, and the lists.
-  void read_item(const PlyElement& element, std::uint64_t item, const PlyColumns& columns) {
-    values_.begin_item(element, item);
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      const PlyProperty& property = element.properties[i];
-      if (property.is_list())
-        read_list(property, lists_[i]);
-      else if (const double value = values_.next(property.type); columns.of(i))
-        row_[*columns.of(i)] = value;
-    }
-    values_.end_item();
-  }
-
-  /// Takes the values of the columns from `first` on.
-  void append_row(std::vector<NamedNumbers>& numbers, std::size_t first) {
-    for (NamedNumbers& column : numbers)
-      column.values.push_back(row_[first++]);
-  }
-
-  /// Grows with the values that are there, not by the count that is claimed.
-  void read_list(const PlyProperty& property, std::vector<double>& list) {
-    const double count = values_.next(*property.count_type);
-    if (count < 0)
-      values_.fail("a list of " + std::to_string(static_cast<std::int64_t>(count)) + " values");
-    list.clear();
-    while (static_cast<double>(list.size()) < count)
-      list.push_back(values_.next(property.type));
+        soup_.losses.add(kind + (" property " + in_quotes(element.properties[i].name)));
   }
 
   void read_faces(const PlyElement& element) {
@@ -212,17 +171,17 @@ private:
     soup_.face_numbers =
         columns.assign_others([](const std::string& name) { return name == "vertex_indices"; });
     tell_losses(element, "face", columns, {indices, textures});
-    begin_rows(element, soup_.face_numbers.size());
+    items_.begin(element, soup_.face_numbers.size());
     if (textures)
       soup_.are_textures_double = element.properties[*textures].type.size == 8;
     fill_face_numbers();
     const std::vector<double> none;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_item(element, i, columns);
-      for (const double index : lists_[indices])
+      items_.read(element, i, columns);
+      for (const double index : items_.list(indices))
         soup_.corners.push_back(checked_index(index));
-      end_face(textures ? lists_[*textures] : none);
-      append_row(soup_.face_numbers, 0);
+      end_face(textures ? items_.list(*textures) : none);
+      items_.append_to(soup_.face_numbers, 0);
     }
   }
 
@@ -243,9 +202,9 @@ private:
 
   void skip_element(const PlyElement& element) {
     const PlyColumns columns(element, 0);
-    begin_rows(element, 0);
+    items_.begin(element, 0);
     for (std::uint64_t i = 0; i < element.count; ++i)
-      read_item(element, i, columns);
+      items_.read(element, i, columns);
     soup_.losses.add("element " + in_quotes(element.name));
   }
 
@@ -297,10 +256,10 @@ private:
     const std::size_t indices = find_indices(element);
     const PlyColumns columns(element, 0);
     tell_losses(element, "strip", columns, {indices});
-    begin_rows(element, 0);
+    items_.begin(element, 0);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      read_item(element, i, columns);
-      append_strip(lists_[indices]);
+      items_.read(element, i, columns);
+      append_strip(items_.list(indices));
     }
   }
 
@@ -320,8 +279,7 @@ private:
   const PlyHeader& header_;
   Values values_;
   std::uint64_t vertex_count_ = 0;
-  std::vector<double> row_;                // scalars of the item read last
-  std::vector<std::vector<double>> lists_; // of the item read last, by its properties
+  PlyItems<Values> items_;
   PartNumbers parts_;
   PolygonSoup soup_;
 };

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,10 @@ public:
 
   PlyColumns(const PlyElement& element, std::size_t known)
       : element_(element), known_(known), columns_(element.properties.size()) {}
+
+  static bool is_one_of(const std::string& name, Names names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
 
   /// Gives the columns from `first` on to properties, each of which has one of some names. False,
   /// and none is given, if one of them is missing or a list.

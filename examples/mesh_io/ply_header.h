@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,6 +80,13 @@ struct PlyHeader {
   std::endian byte_order = std::endian::little;
   std::vector<PlyElement> elements;
   std::vector<std::string> comments;
+
+  /// Those that name a texture.
+  std::vector<std::string> texture_comments() const {
+    std::vector<std::string> found;
+    std::copy_if(comments.begin(), comments.end(), std::back_inserter(found), names_a_texture);
+    return found;
+  }
 };
 
 class PlyHeaderReader {

@@ -10,15 +10,10 @@
 
 namespace quadrille_examples {
 
-/// On standard output, unless that is the mesh.
-inline void print_report(const Options& options, const quadrille::Report& report) {
-  (is_standard_output(options.output) ? std::cerr : std::cout) << report << std::endl;
-}
-
-/// False if the target was not reached.
+/// On standard output, unless that is the mesh. False if the target was not reached.
 inline bool tell(const Options& options, const quadrille::Report& report) {
   if (!options.is_quiet)
-    print_report(options, report);
+    (is_standard_output(options.output) ? std::cerr : std::cout) << report << std::endl;
   if (options.target.is_met(report.stop))
     return true;
   std::cerr << options.output << ": the target was not reached: " << to_string(report.stop) << '\n';

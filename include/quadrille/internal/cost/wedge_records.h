@@ -62,9 +62,9 @@ public:
     for (std::size_t c = 0; c < components_; ++c)
       maps_[wedge * components_ + c].value = values[c];
   }
-  /// All values become those of their origins, if only these may be.
+  /// All values become those of their origins. Where only existing values may be.
   void restore_existing() {
-    for (Index wedge = 0; wedge < origins_.size() && !existing_.empty(); ++wedge)
+    for (Index wedge = 0; wedge < origins_.size(); ++wedge)
       for (std::size_t c = 0; c < components_ && origins_[wedge] != none; ++c)
         maps_[wedge * components_ + c].value = existing_[origins_[wedge] * components_ + c];
   }
@@ -112,11 +112,10 @@ public:
       maps_[kept * components_ + c] = map;
     }
     weights_[kept] = weights_[first] + weights_[second];
-    origins_[kept] = !existing_.empty()
-                         ? closest({origins_[first], origins_[second]}, maps(kept), squared_weights)
-                     : is_first  ? origins_[first]
-                     : is_second ? origins_[second]
-                                 : none;
+    if (existing_.empty())
+      origins_[kept] = is_first ? origins_[first] : is_second ? origins_[second] : none;
+    else
+      origins_[kept] = closest({origins_[first], origins_[second]}, maps(kept), squared_weights);
   }
   void hold_borders() { borders_.resize(weights_.size()); }
 
@@ -152,22 +151,6 @@ public:
     const auto found = std::find_if(wedges.begin(), wedges.end(), is_left);
     return found == wedges.end() ? none : origins_[*found];
   }
-  /// Of some values of the input, the one closest to those of maps. For wedges of which only
-  /// existing values may be.
-  Index closest(const WedgeList& origins, const AffineMap* maps,
-                const std::vector<double>& squared_weights) const {
-    const auto distance = [&](Index origin) {
-      double sum = 0;
-      for (std::size_t c = 0; c < components_; ++c) {
-        const double off = existing_[origin * components_ + c] - maps[c].value;
-        sum += squared_weights[c] * off * off;
-      }
-      return sum;
-    };
-    return *std::min_element(origins.begin(), origins.end(),
-                             [&](Index i, Index j) { return distance(i) < distance(j); });
-  }
-
   /// Leaves out all wedges but those of a list, which get the numbers 0, 1, …
   void pack(const Array<Index>& left) {
     pack(weights_, left, 1);
@@ -182,6 +165,22 @@ public:
   }
 
 private:
+  // Of some values of the input, the one closest to those of maps. Where only existing values may
+  // be.
+  Index closest(const WedgeList& origins, const AffineMap* maps,
+                const std::vector<double>& squared_weights) const {
+    const auto distance = [&](Index origin) {
+      double sum = 0;
+      for (std::size_t c = 0; c < components_; ++c) {
+        const double off = existing_[origin * components_ + c] - maps[c].value;
+        sum += squared_weights[c] * off * off;
+      }
+      return sum;
+    };
+    return *std::min_element(origins.begin(), origins.end(),
+                             [&](Index i, Index j) { return distance(i) < distance(j); });
+  }
+
   bool has_values_of(Index wedge, const WedgeMap& map) const {
     if (origins_[wedge] == none)
       return false;
