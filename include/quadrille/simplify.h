@@ -18,6 +18,7 @@
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
 #include <quadrille/thin_feature_quadric.h>
@@ -46,6 +47,7 @@ inline namespace QUADRILLE_THREADING {
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h
 /// - Topology: kept, or free; kept by default, free with pairs that are not edges
+/// - record_into(recorder): contractions are told to a recorder, as to Levels
 ///
 /// Named parameters:
 ///

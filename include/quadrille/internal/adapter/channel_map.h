@@ -20,6 +20,7 @@
 #include <limits>
 #include <optional>
 #include <ranges>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -129,8 +130,7 @@ public:
     input.values.insert(input.values.end(), value.coordinates.begin(), value.coordinates.end());
   }
   /// What is written stays in the limits of what faces had.
-  void end_of_reading(const ChannelInput& input,
-                      const Array<TriangleComplex::Triangle>& triangles) {
+  void end_of_reading(ChannelInput& input, const Array<TriangleComplex::Triangle>& triangles) {
     input.require_finite();
     Vector<size> low, high;
     low.coordinates.fill((std::numeric_limits<double>::max)());
@@ -142,6 +142,9 @@ public:
           high[c] = (std::max)(high[c], input.value(value, c));
         }
     values_.limit_to(low, high);
+    input.as_written = [map = *this](std::span<double> values, bool has_changed) {
+      return map.bring_to_range(values, has_changed);
+    };
   }
 
   /// What a wedge of a result has instead of an old value, with what else that has; nothing if it
@@ -199,11 +202,26 @@ private:
     return components;
   }
   /// A value with components, in linear light if that is asked for, and what else the old one has.
-  Value with_components(const Value& old, Vector<size> components) const {
+  Value with_components(const Value& old, const Vector<size>& components) const {
+    return Values::value(old, of_user(components));
+  }
+  /// From linear light, if that was asked for.
+  Vector<size> of_user(Vector<size> components) const {
     if (channel_.options.linear_light)
       for (std::size_t c = 0; c < size; ++c)
         components[c] = whole * (c < 3 ? srgb_of_light(components[c]) : components[c]);
-    return Values::value(old, components);
+    return components;
+  }
+  // See ChannelInput::as_written.
+  bool bring_to_range(std::span<double> values, bool has_changed) const {
+    Vector<size> value;
+    std::copy(values.begin(), values.end(), value.coordinates.begin());
+    const std::optional<Vector<size>> inside = has_changed ? in_range(value) : value;
+    if (inside) {
+      const Vector<size> written = of_user(*inside);
+      std::copy(written.coordinates.begin(), written.coordinates.end(), values.begin());
+    }
+    return inside.has_value();
   }
 
   std::optional<Vector<size>> in_range(const Vector<size>& value) const {

@@ -15,6 +15,7 @@
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/stop.h>
 #include <quadrille/topology.h>
 
@@ -42,9 +43,15 @@ enum class Kind {
   labels,
   channel,
   split_vertices,
+  recorder,
   named_parameters,
   unknown
 };
+
+template <class T>
+inline constexpr bool is_recorder = false;
+template <class R>
+inline constexpr bool is_recorder<RecordInto<R>> = true;
 
 /// Is a type meant to be a cost? Nothing else has these members.
 template <class T>
@@ -78,6 +85,8 @@ constexpr Kind kind_of() {
     return Kind::channel;
   else if constexpr (std::same_as<T, SplitVertices>)
     return Kind::split_vertices;
+  else if constexpr (is_recorder<T>)
+    return Kind::recorder;
   else if constexpr (std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)
@@ -187,10 +196,21 @@ concept Fitting =
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
 template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
-          class Threads, class Carries, class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, std::optional<Topology>,
-         std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, Filters...>;
+          class Threads, class Carries, class Recorder, class... Filters>
+Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, Recorder,
+         std::optional<Topology>, std::tuple<Filters...>)
+    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, Recorder,
+                Filters...>;
+
+/// The recorder of a call, as policies hold it.
+template <class Cost, class... Arguments>
+auto pick_recorder([[maybe_unused]] const Arguments&... arguments) {
+  if constexpr (count_of < Kind::recorder, Cost, Arguments... >> 0)
+    return RecorderReference(
+        *pick<Kind::recorder, Cost, NotGiven, Arguments...>(arguments...).recorder);
+  else
+    return NoRecorder{};
+}
 
 /// Refuses to compile a call with two arguments where one is meant.
 template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
@@ -212,6 +232,8 @@ constexpr void check_counts() {
                 "simplify takes one stop policy: combine several with AnyOf or AllOf.");
   static_assert(count_of<Kind::order, Cost, Arguments...> <= 1,
                 "simplify takes one order: pass only one.");
+  static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
+                "simplify takes one recorder: pass record_into only once.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
@@ -246,6 +268,7 @@ auto pick_policies(const Arguments&... arguments) {
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
       carries(pick_carried<Cost>(arguments...)),
+      pick_recorder<Cost>(arguments...),
       topology,
       pick_filters<Cost>(arguments...)};
   validate(policies.cost);

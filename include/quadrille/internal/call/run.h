@@ -84,6 +84,7 @@ simplify_input(Input input, const Box& box, const Policies& policies, bool keeps
   report.stop = contract(surface, report, watch);
   if (surface.progress().is_cancelled() && surface.status().contractions == 0)
     return std::nullopt;
+  surface.recording().end();
   return std::move(surface).finish(keeps_memories, report);
 }
 

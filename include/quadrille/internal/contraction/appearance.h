@@ -37,6 +37,7 @@ public:
         channels_(complex, geometry, memories) {}
 
   const Channels& channels() const { return channels_; }
+  Channels& channels() { return channels_; }
   const SeamGraph& seams() const { return seams_; }
 
   /// Vertices at corners of the graph stay where they are from then on.

@@ -78,6 +78,7 @@ public:
 
   /// The faces of both ends of the star go.
   void remove_shared_faces() {
+    scratch_.duplicates.clear();
     for (const StarFace& f : scratch_.star.shared)
       complex_.remove_face(f.face);
     scratch_.tally.faces += scratch_.star.shared.size();
@@ -120,6 +121,7 @@ private:
   void remove_duplicates() {
     for_each_duplicate([this](Index face, Index left) {
       complex_.remove_face(face);
+      scratch_.duplicates.push_back(face);
       ++scratch_.tally.faces;
       scratch_.tally.doubled_labels += !labels_.empty() && labels_[face] != labels_[left];
     });

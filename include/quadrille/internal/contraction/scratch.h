@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_SCRATCH_H
 
 #include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/contraction/record_buffer.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
 #include <quadrille/internal/pairs/pair_tools.h>
@@ -35,6 +36,8 @@ struct Scratch : PairTools {
   RecentFaces faces_too_far;
   std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
   Tally tally;
+  std::vector<Index> duplicates; // faces that the contraction at hand has removed as such
+  RecordBuffer recorded;
 };
 
 } // namespace quadrille::internal

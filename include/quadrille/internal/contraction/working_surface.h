@@ -15,6 +15,7 @@
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/progress.h>
+#include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
@@ -67,6 +68,8 @@ public:
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
         terms_(policies.cost, geometry_, complex_, link_condition_),
         appearance_(policies, complex_, geometry_, memories_),
+        recording_(policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
+                   scratches_),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_,
                    appearance_.channels()),
         checks_(policies, scale_, complex_, geometry_, link_condition_, appearance_.seams(),
@@ -87,6 +90,7 @@ public:
     if (!progress_.proceed())
       return;
     remember();
+    recording_.begin();
     if constexpr (Progress<Policies>::has_visitor)
       progress_.expect(ContractionCount(is_topology_kept_).contractions(policies.stop, status()));
   }
@@ -97,6 +101,7 @@ public:
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
   bool is_topology_kept() const { return is_topology_kept_; }
+  RecordingOf<Policies>& recording() { return recording_; }
   /// One for each thread.
   std::vector<Scratch>& scratches() { return scratches_; }
   Scratch& scratch() { return scratches_.front(); }
@@ -188,7 +193,8 @@ private:
   // before the geometry, and who looks at the surface as it is comes last.
   auto observers() {
     return std::tuple_cat(
-        tie_if<asks_for_distance>(bounds_), appearance_.observers(),
+        tie_if<Policies::records>(recording_), tie_if<asks_for_distance>(bounds_),
+        appearance_.observers(),
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
         tie_if<has_local_terms<Cost>>(terms_));
   }
@@ -285,6 +291,7 @@ private:
   VertexMemories<Cost> memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
   Appearance<Policies> appearance_;
+  QUADRILLE_NO_UNIQUE_ADDRESS RecordingOf<Policies> recording_;
   PairEvaluator<Policies> evaluator_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;

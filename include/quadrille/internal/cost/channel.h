@@ -22,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,8 +48,9 @@ public:
       : seams_(input.seams), new_values_(input.new_values), is_texture_(input.is_texture),
         border_weight_(input.border_weight),
         are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
-        factors_(std::move(weights.factors)), table_(complex.workspace()),
-        joiner_(std::move(weights.squared)), records_(input.components, complex.workspace()) {
+        factors_(std::move(weights.factors)), as_written_(input.as_written),
+        table_(complex.workspace()), joiner_(std::move(weights.squared)),
+        records_(input.components, complex.workspace()) {
     const ChannelReader reader(input, numbering, complex);
     if (has_one_a_vertex(input))
       reader.read_vertices(records_);
@@ -70,6 +73,17 @@ public:
   /// See WedgeRecords.
   Index origin(Index wedge) const { return records_.origin(wedge); }
   std::size_t wedge_count(std::size_t vertices) const { return table_.size(vertices); }
+  /// Appends the components of a wedge as they would be written. False if they would not be.
+  bool append_final_values(Index wedge, std::vector<double>& values) const {
+    const std::size_t begin = values.size();
+    for (std::size_t c = 0; c < components(); ++c)
+      values.push_back(records_.final_value(wedge, c));
+    const bool is_new = records_.origin(wedge) == none;
+    return as_written_(std::span(values).subspan(begin), is_new);
+  }
+  /// See WedgeRecords.
+  void identify_wedges() { records_.identify(); }
+  Index& identity(Index wedge) { return records_.identity(wedge); }
 
   Vector<2> texture_at(const TriangleComplex& complex, Index face, Index vertex) const {
     return records_.texture_at(wedge(complex, face, vertex));
@@ -286,8 +300,9 @@ private:
   NewValues new_values_;
   bool is_texture_;
   double border_weight_;
-  bool are_pairs_edges_;        // or may be taken as such
-  std::vector<double> factors_; // of each label; or none
+  bool are_pairs_edges_;                                    // or may be taken as such
+  std::vector<double> factors_;                             // of each label; or none
+  std::function<bool(std::span<double>, bool)> as_written_; // see ChannelInput
   WedgeTable table_;
   MapJoiner joiner_;
   WedgeRecords records_;

@@ -47,6 +47,7 @@ public:
 
   void add(Channel channel) { channels_.push_back(std::move(channel)); }
   std::span<const Channel> all() const { return channels_; }
+  std::span<Channel> all() { return channels_; }
   /// With the values of the result.
   std::vector<Channel> take() {
     for (Channel& channel : channels_)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,7 @@ class WedgeRecords {
 public:
   WedgeRecords(std::size_t components, Workspace* workspace)
       : components_(components), weights_(workspace), maps_(workspace), borders_(workspace),
-        origins_(workspace), existing_(workspace) {}
+        origins_(workspace), identities_(workspace), existing_(workspace) {}
 
   std::size_t components() const { return components_; }
   double weight(Index wedge) const { return weights_[wedge]; }
@@ -42,6 +43,13 @@ public:
   /// The index of the value that an adapter has read and that the wedge still has, or is to have at
   /// the end; or none.
   Index origin(Index wedge) const { return origins_[wedge]; }
+  /// Gives each wedge an identity, which stays while wedges are renumbered.
+  void identify() {
+    identities_.resize(weights_.size());
+    std::iota(identities_.begin(), identities_.end(), Index{0});
+  }
+  Index& identity(Index wedge) { return identities_[wedge]; }
+
   /// Does a wedge hold the border of a chart?
   bool holds_border(Index wedge) const { return !borders_.empty() && borders_[wedge] != Matrix2{}; }
 
@@ -62,11 +70,17 @@ public:
     for (std::size_t c = 0; c < components_; ++c)
       maps_[wedge * components_ + c].value = values[c];
   }
+  /// Of a component of a wedge, what it will be at the end.
+  double final_value(Index wedge, std::size_t c) const {
+    return existing_.empty() || origins_[wedge] == none
+               ? value(wedge, c)
+               : existing_[origins_[wedge] * components_ + c];
+  }
   /// All values become those of their origins. Where only existing values may be.
   void restore_existing() {
     for (Index wedge = 0; wedge < origins_.size(); ++wedge)
-      for (std::size_t c = 0; c < components_ && origins_[wedge] != none; ++c)
-        maps_[wedge * components_ + c].value = existing_[origins_[wedge] * components_ + c];
+      for (std::size_t c = 0; c < components_; ++c)
+        maps_[wedge * components_ + c].value = final_value(wedge, c);
   }
 
   /// Leaves nothing but values.
@@ -157,6 +171,7 @@ public:
     pack(maps_, left, components_);
     pack(borders_, left, 1);
     pack(origins_, left, 1);
+    pack(identities_, left, 1);
   }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index wedge) const {
@@ -205,7 +220,8 @@ private:
   Array<AffineMap> maps_;  // one a component
   Array<Matrix2> borders_; // empty if no chart is held
   Array<Index> origins_;
-  Array<double> existing_; // the values of the input, if only these may be
+  Array<Index> identities_; // empty if nobody asks
+  Array<double> existing_;  // the values of the input, if only these may be
 };
 
 } // namespace quadrille::internal

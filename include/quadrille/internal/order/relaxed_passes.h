@@ -103,8 +103,10 @@ private:
   template <class Task>
   void for_each_block(Task task) {
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
+      surface_.recording().begin_block(block, workers_[worker].scratch);
       task(blocks_[block], workers_[worker]);
     });
+    surface_.recording().end_stage();
   }
   Threads threads() const {
     return surface_.pairs().has_others() ? Threads() : surface_.policies().threads;
@@ -197,12 +199,14 @@ private:
     for (Block& block : blocks_)
       proposals.take(block.rest);
     proposals.sort();
+    surface_.recording().begin_block(0, worker.scratch);
     for (std::size_t i = 0; i < proposals.size() && !surface_.progress().is_enough(); ++i) {
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       contract(proposals[i], gather(proposals[i], worker));
       surface_.progress().count(worker.scratch.tally);
     }
+    surface_.recording().end_stage();
   }
 
   // Has it been contracted in this pass, or lost its faces?

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_POLICY_POLICIES_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/record.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
@@ -98,9 +99,27 @@ struct Carries {
   double label_border_weight = 1; ///< see Labels
 };
 
+/// Where contractions are not recorded.
+struct NoRecorder {
+  static constexpr bool is_given = false;
+};
+/// What the user has passed by record_into.
+template <class R>
+class RecorderReference {
+public:
+  static constexpr bool is_given = true;
+  explicit RecorderReference(R& recorder) : recorder_(&recorder) {}
+  void begin(const RecordedSurface& surface) const { recorder_->begin(surface); }
+  void record(const RecordedContraction& contraction) const { recorder_->record(contraction); }
+  void end() const { recorder_->end(); }
+
+private:
+  R* recorder_;
+};
+
 /// Everything that `simplify` was asked for, each with its default where it was not named.
 template <class Cost_, class Placement_, class Pairs_, class Stop_, class Order_, class Visitor_,
-          class Threads_, class Carries_, class... Filters>
+          class Threads_, class Carries_, class Recorder_, class... Filters>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
@@ -110,8 +129,10 @@ struct Policies {
   using Visitor = Visitor_;
   using Threads = Threads_;
   using Carries = Carries_;
+  using Recorder = Recorder_;
   /// Are there seams that may have to be kept?
   static constexpr bool keeps_seams = Carries::has_labels || Carries::has_channels;
+  static constexpr bool records = Recorder::is_given;
 
   Cost cost;
   Placement placement;
@@ -121,6 +142,7 @@ struct Policies {
   Visitor visitor;
   Threads threads; // as many as the order asks for
   Carries carries;
+  Recorder recorder;
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   std::tuple<Filters...> filters;
 };

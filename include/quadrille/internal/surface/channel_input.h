@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +31,9 @@ struct ChannelInput {
   bool is_texture = false;
   double border_weight = 0; ///< see ChannelOptions
   NewValues new_values = NewValues::optimal;
+  /// Turns the components of a value into those that the adapter would write, before they are
+  /// rounded to its type. False if it would leave the old ones. as_written(values, has_changed)
+  std::function<bool(std::span<double>, bool)> as_written;
 
   double value(Index i, std::size_t component) const { return values[i * components + component]; }
   /// Of a corner of an input face, which is at an input vertex.

@@ -1,0 +1,286 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
+#define QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
+
+#include <quadrille/internal/base/digit_sort.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/record_buffer.h>
+#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/cost/channels.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/record.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
+template <class Policies>
+class Recording {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+
+  Recording(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
+            const Numbering& numbering, const Geometry<dimension>& geometry,
+            ChannelsOf<Policies>& channels, std::vector<Scratch>& scratches)
+      : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
+        geometry_(geometry), channels_(channels), scratches_(scratches) {}
+
+  /// Of the surface as it is before the first contraction.
+  void begin() {
+    const std::size_t vertices = numbering_.vertices.input_count();
+    for (Channel& channel : all_channels())
+      width_ += channel.has_seams() ? 0 : channel.components();
+    std::vector<double> values(width_ * vertices);
+    std::vector<double> of_vertex;
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
+      of_vertex.clear();
+      append_values(v, geometry_.position(v), of_vertex);
+      std::copy(of_vertex.begin(), of_vertex.end(),
+                values.begin() + static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
+    }
+    const std::vector<Corners> triangles = by_input_face([this](Index face, std::size_t i) {
+      return numbering_.vertices[complex_.vertices(face)[i]];
+    });
+    std::vector<std::vector<Corners>> corners;
+    std::vector<std::vector<double>> channel_values;
+    for (Channel& channel : all_channels())
+      read(channel, corners.emplace_back(), channel_values.emplace_back());
+    std::vector<RecordedChannel> channels;
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      channels.push_back({all_channels()[c].components(), corners[c], channel_values[c]});
+    policies_.recorder.begin(RecordedSurface{dimension, width_, values, triangles, channels,
+                                             asks_for_distance<typename Policies::Stop>});
+    for (Scratch& scratch : scratches_)
+      scratch.recorded.list = empty_list();
+  }
+
+  /// The wedges of the pair that meets, before they do.
+  template <class Event>
+  void before(const Event& event) {
+    std::vector<RecordBuffer::Corner>& corners = event.contraction.scratch().recorded.corners;
+    corners.clear();
+    const auto channels = all_channels();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      if (!channels[c].has_seams())
+        continue;
+      const auto note = [&](Index face, Index end) {
+        Channel& channel = channels[c];
+        corners.push_back({c, channel.identity(channel.wedge(complex_, face, end)), face});
+      };
+      for (const StarFace& f : event.contraction.star().first)
+        note(f.face, event.contraction.first());
+      for (const StarFace& f : event.contraction.star().second)
+        note(f.face, event.contraction.second());
+    }
+  }
+
+  template <class Event>
+  void after(const Event& event) {
+    Scratch& scratch = event.contraction.scratch();
+    RecordBuffer& buffer = scratch.recorded;
+    buffer.values.clear();
+    append_values(event.kept, event.contraction.target(), buffer.values);
+    buffer.faces.clear();
+    for (const StarFace& f : scratch.star.shared)
+      buffer.faces.push_back(numbering_.faces[f.face]);
+    for (Index face : scratch.duplicates)
+      buffer.faces.push_back(numbering_.faces[face]);
+    gather_wedges(event.kept, buffer);
+    const RecordedContraction contraction{numbering_.vertices[event.kept],
+                                          numbering_.vertices[event.gone],
+                                          buffer.values,
+                                          event.contraction.error(),
+                                          distance_bound(event.contraction),
+                                          buffer.faces,
+                                          buffer.views};
+    if constexpr (Event::is_in_pass)
+      buffer.add(contraction, event.contraction.cost());
+    else
+      policies_.recorder.record(contraction);
+  }
+
+  /// The contractions of a thread belong to a block of a pass from here on.
+  static void begin_block(std::size_t number, Scratch& scratch) {
+    scratch.recorded.begin_block(number);
+  }
+  /// Tells of the contractions that blocks have done, in the order of their costs, as far as the
+  /// order within each block allows it: ties by block.
+  void end_stage() {
+    std::vector<Place> places;
+    for (std::uint32_t thread = 0; thread < scratches_.size(); ++thread)
+      append_places(thread, places);
+    std::vector<RecordedWedge> wedges;
+    for (const Place& place : in_order_of_cost(std::move(places)))
+      policies_.recorder.record(
+          scratches_[place.thread].recorded.list.contraction(place.number, wedges));
+    for (Scratch& scratch : scratches_) {
+      scratch.recorded.list = empty_list();
+      scratch.recorded.costs.clear();
+      scratch.recorded.blocks.clear();
+    }
+  }
+
+  void end() { policies_.recorder.end(); }
+
+private:
+  using Corners = std::array<Index, 3>;
+
+  // Where a contraction is, and what it costs.
+  struct Place {
+    std::size_t block;
+    float cost;
+    std::uint32_t thread;
+    Index number;
+  };
+
+  std::span<Channel> all_channels() {
+    if constexpr (Policies::Carries::has_channels)
+      return channels_.all();
+    else
+      return {};
+  }
+  RecordList empty_list() const { return {width_, asks_for_distance<typename Policies::Stop>}; }
+
+  // The numbers of a vertex that is there.
+  void append_values(Index v, const Vector<dimension>& position, std::vector<double>& values) {
+    const Vector<dimension> of_mesh = scale_.position_of_mesh(position);
+    values.insert(values.end(), of_mesh.coordinates.begin(), of_mesh.coordinates.end());
+    for (Channel& channel : all_channels())
+      if (!channel.has_seams())
+        channel.append_final_values(v, values);
+  }
+
+  template <class At>
+  std::vector<Corners> by_input_face(At at) const {
+    std::vector<Corners> corners(numbering_.faces.input_count(), Corners{none, none, none});
+    for (Index face = 0; face < complex_.face_capacity(); ++face)
+      if (!complex_.is_removed(face))
+        for (std::size_t i = 0; i < 3; ++i)
+          corners[numbering_.faces[face]][i] = at(face, i);
+    return corners;
+  }
+
+  void read(Channel& channel, std::vector<Corners>& corners, std::vector<double>& values) {
+    if (!channel.has_seams())
+      return;
+    channel.identify_wedges();
+    corners = by_input_face([&](Index face, std::size_t i) {
+      return channel.wedge(complex_, face, complex_.vertices(face)[i]);
+    });
+    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
+      channel.append_final_values(wedge, values);
+  }
+
+  double distance_bound(const Contraction<Cost>& contraction) const {
+    if constexpr (asks_for_distance<typename Policies::Stop>) {
+      float greatest = 0;
+      for (float bound : contraction.bounds())
+        greatest = (std::max)(greatest, bound);
+      return scale_.length_of_mesh(static_cast<double>(greatest));
+    } else {
+      return 0;
+    }
+  }
+
+  // Of the wedges that met, those of one wedge now: the lowest identity is left.
+  void gather_wedges(Index kept, RecordBuffer& buffer) {
+    buffer.wedges.clear();
+    buffer.joined.clear();
+    buffer.wedge_values.clear();
+    std::vector<std::pair<Index, Index>> renamed; // the wedge now, and an identity that it had
+    const auto& corners = buffer.corners;
+    for (auto begin = corners.begin(); begin != corners.end();) {
+      const std::size_t c = begin->channel;
+      Channel& channel = all_channels()[c];
+      renamed.clear();
+      for (; begin != corners.end() && begin->channel == c; ++begin)
+        renamed.emplace_back(channel.wedge(complex_, begin->face, kept), begin->identity);
+      std::sort(renamed.begin(), renamed.end());
+      renamed.erase(std::unique(renamed.begin(), renamed.end()), renamed.end());
+      for (std::size_t i = 0; i < renamed.size(); ++i) {
+        const auto [wedge, identity] = renamed[i];
+        if (i > 0 && renamed[i - 1].first == wedge) {
+          buffer.joined.push_back(identity);
+          buffer.wedges.back().joined_end = buffer.joined.size();
+          continue;
+        }
+        channel.identity(wedge) = identity;
+        const std::size_t values_begin = buffer.wedge_values.size();
+        if (!channel.append_final_values(wedge, buffer.wedge_values))
+          buffer.wedge_values.resize(values_begin);
+        buffer.wedges.push_back({c, identity, buffer.joined.size(), buffer.wedge_values.size()});
+      }
+    }
+    buffer.views.clear();
+    std::size_t joined = 0, values = 0;
+    for (const RecordBuffer::Wedge& w : buffer.wedges) {
+      buffer.views.push_back(
+          {w.channel, w.wedge, std::span(buffer.joined).subspan(joined, w.joined_end - joined),
+           std::span(buffer.wedge_values).subspan(values, w.values_end - values)});
+      joined = w.joined_end;
+      values = w.values_end;
+    }
+  }
+
+  void append_places(std::uint32_t thread, std::vector<Place>& places) const {
+    const RecordBuffer& buffer = scratches_[thread].recorded;
+    std::size_t i = 0;
+    for (const RecordBuffer::Block& block : buffer.blocks)
+      for (; i < block.end; ++i)
+        places.push_back({block.number, buffer.costs[i], thread, static_cast<Index>(i)});
+  }
+
+  // By block first, so that ties of costs, which no float of at least 0 orders otherwise than its
+  // bits do, are too.
+  static std::vector<Place> in_order_of_cost(std::vector<Place> places) {
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.block < b.block; });
+    std::vector<Place> next(places.size());
+    for (int shift = 0; shift < 32; shift += 8) {
+      sort_by_digit<8>(places.data(), places.size(), next.data(), [shift](const Place& place) {
+        return std::bit_cast<std::uint32_t>(place.cost) >> shift & 255;
+      });
+      places.swap(next);
+    }
+    return places;
+  }
+
+  const Policies& policies_;
+  const Scale<dimension>& scale_;
+  const TriangleComplex& complex_;
+  const Numbering& numbering_;
+  const Geometry<dimension>& geometry_;
+  ChannelsOf<Policies>& channels_;
+  std::vector<Scratch>& scratches_;
+  std::size_t width_ = dimension; // how many numbers a vertex has
+};
+
+/// Where nobody is to be told.
+struct NoRecording {
+  explicit NoRecording(auto&&...) {}
+  static void begin() {}
+  static void begin_block(std::size_t, Scratch&) {}
+  static void end_stage() {}
+  static void end() {}
+};
+
+template <class Policies>
+using RecordingOf = std::conditional_t<Policies::records, Recording<Policies>, NoRecording>;
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H

@@ -1,0 +1,476 @@
+#ifndef QUADRILLE_LEVELS_H
+#define QUADRILLE_LEVELS_H
+
+#include <quadrille/internal/base/containers.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/contraction/record_list.h>
+#include <quadrille/internal/levels/level_builder.h>
+#include <quadrille/internal/levels/level_track.h>
+#include <quadrille/record.h>
+#include <quadrille/stop.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <ranges>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille {
+
+/// The coarsest level whose error is at most a distance in the mesh's units: see Report::error.
+struct ErrorAtMost {
+  double error;
+};
+/// The coarsest level no point of which is known to be further from the input than a distance in
+/// the mesh's units: see Report::distance_bound. For recordings with a stop policy that asks for
+/// distances, as ErrorLimit.
+struct DistanceAtMost {
+  double distance;
+};
+/// The level after so many contractions.
+struct AfterContractions {
+  std::size_t contractions;
+};
+
+/// What is known of a level.
+struct LevelInfo {
+  std::size_t faces = 0, vertices = 0;
+  std::size_t contractions = 0; ///< that lead to it
+  double error = 0;             ///< as Report::error; rounded up to a float
+  /// As Report::distance_bound, or more: it never falls from a level to a coarser one.
+  double distance_bound = std::numeric_limits<double>::infinity();
+};
+
+/// The values of a channel at a level.
+struct LevelChannel {
+  std::size_t components = 0;
+  std::vector<double> values; ///< one value after the other
+  /// Of each triangle, the values of its corners; empty: a value has the index of its point.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A surface at a level of detail, as a soup. Of two levels of one recording the coarser one has
+/// the first faces and the first vertices of the finer one, by input indices.
+struct Level : LevelInfo {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// The attributes that the cost reads, if it reads any; then the channels, in the order of the
+  /// call. Values are numbers of the user's unit, not yet rounded to the user's type.
+  std::vector<LevelChannel> channels;
+  /// Of each point and triangle, which one of the input it is; of a mesh by the order of
+  /// vertices(mesh) and faces(mesh). So a label or a colour of a face is found.
+  std::vector<std::uint32_t> input_vertices, input_faces;
+};
+
+/// The same level with its points and triangles in the order of the input, as `simplify` leaves
+/// them; channels too where a value has the index of its point. Takes O(n log n) time.
+inline Level in_input_order(const Level& level);
+
+/// Where the vertices of the input are at a level: members[i] are those that have become its vertex
+/// i, in ascending order.
+class LevelMembers {
+public:
+  LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices);
+  std::size_t size() const { return begin_.size() - 1; }
+  std::span<const std::uint32_t> operator[](std::size_t i) const {
+    return std::span(members_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+  }
+
+private:
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> members_;
+};
+
+/// All levels of detail of a simplification, from one run:
+///
+/// ```cpp
+/// Levels levels;
+/// simplify<Quadric, OptimalPlacement>(mesh, FaceCount{64}, record_into(levels));
+/// Level level = levels.at(FaceCount{994});
+/// ```
+///
+/// A level has the faces and positions that `simplify` with that stop would have left, bit for bit
+/// in GreedyOrder with the same policies, for any number of faces that it meets without choosing
+/// another pair for it: any even one of a closed surface. (Attributes of a cost in more dimensions
+/// go through their weights, which rounds them.) Coordinates are doubles, also of meshes with exact
+/// numbers. Channels come along, but for NewValues::recomputed: see RecordedChannel.
+///
+/// Contractions only remove faces. So faces in the order in which they are removed, the last first,
+/// have each level as their first ones, and so have vertices. At each halving of the faces the
+/// surface is kept, with what happens until the next: finding, reading and writing a level takes
+/// time linear in its size. Memory: about 76 bytes for each face of the input, without channels;
+/// while a call records, about 24 for the surface and 24 for the contractions.
+///
+/// Source: Hoppe, Progressive Meshes, 1996, for the idea; the order by removal is that of Popović
+/// and Hoppe, Progressive Simplicial Complexes, 1997, turned round.
+class Levels {
+public:
+  /// Has nothing been recorded?
+  bool empty() const { return segments_.empty(); }
+
+  /// The input, and the coarsest level.
+  LevelInfo finest() const { return info(begin_of(0)); }
+  LevelInfo coarsest() const { return info(end_of(segments_.size() - 1)); }
+
+  /// A level: the finest with at most that many faces or vertices, or the coarsest within that
+  /// error or distance; the coarsest of all if none is as coarse. `stop` is a FaceCount,
+  /// VertexCount, ErrorAtMost, DistanceAtMost or AfterContractions. Takes linear time.
+  ///
+  /// Throws std::logic_error if nothing has been recorded, and for a DistanceAtMost if distances
+  /// have not been.
+  template <class Stop>
+  Level at(const Stop& stop) const;
+  /// The same without the surface, in logarithmic time.
+  template <class Stop>
+  LevelInfo info(const Stop& stop) const {
+    return info(find(stop));
+  }
+  /// The level as a soup of the user's types, as for `simplify`. It takes no memory for the soup if
+  /// the containers have room enough.
+  template <class Stop, class Points, class Triangles>
+  LevelInfo extract(const Stop& stop, Points& points, Triangles& triangles) const;
+
+  /// Of each vertex of the input, its vertex at a level; not_recorded if it has vanished. Linear in
+  /// the size of the input.
+  std::vector<std::uint32_t> images(const LevelInfo& level) const;
+  /// The other way round.
+  LevelMembers members(const LevelInfo& level) const { return {images(level), level.vertices}; }
+
+  /// Of each vertex of a level, its vertex at a coarser one; not_recorded if it has vanished. To
+  /// let a level grow into the other one, move each point to that of its image (a geomorph).
+  /// Linear in the size of the finer level.
+  std::vector<std::uint32_t> images(const LevelInfo& fine, const LevelInfo& coarse) const;
+
+  // What a recorder is told: see record.h.
+  void begin(const RecordedSurface& surface);
+  void record(const RecordedContraction& contraction) { records_.add(contraction); }
+  void end();
+
+private:
+  using Index = internal::Index;
+  using Segment = internal::LevelSegment;
+  using Track = internal::LevelTrack;
+  // So many contractions into a segment.
+  struct Place {
+    std::size_t segment, contractions;
+  };
+  // Where a channel's values are: in a track, behind others.
+  struct ChannelPlace {
+    std::size_t track, offset, components;
+  };
+  friend class LevelSteps;
+
+  Place begin_of(std::size_t segment) const { return {segment, 0}; }
+  Place end_of(std::size_t segment) const {
+    require_any();
+    return {segment, segments_[segment].contractions()};
+  }
+  void require_any() const {
+    if (empty())
+      throw std::logic_error("quadrille::Levels: nothing has been recorded");
+  }
+
+  Place find(const FaceCount& stop) const;
+  Place find(const VertexCount& stop) const;
+  Place find(const ErrorAtMost& stop) const;
+  Place find(const DistanceAtMost& stop) const;
+  Place find(const AfterContractions& stop) const;
+  template <class IsEnough>
+  Place first(IsEnough is_enough) const;
+  template <class IsWithin>
+  Place last(IsWithin is_within) const;
+
+  LevelInfo info(const Place& place) const;
+  std::size_t contractions_before(std::size_t segment) const { return begins_[segment]; }
+  LevelChannel channel_at(const ChannelPlace& channel, const Place& place, std::size_t faces,
+                          const std::vector<double>& vertices) const;
+  void name_channels(const RecordedSurface& surface);
+
+  std::vector<internal::RecordedItems> items_; // while contractions are recorded
+  internal::RecordList records_;
+  std::vector<ChannelPlace> recorded_channels_;
+
+  std::vector<Segment> segments_;
+  std::vector<std::size_t> begins_; // of each segment, how many contractions come before
+  std::vector<Index> input_vertices_, input_faces_; // by number
+  std::size_t input_vertex_count_ = 0;
+  std::vector<ChannelPlace> channels_;
+};
+
+// --- Definitions
+// -----------------------------------------------------------------------------------
+
+inline LevelMembers::LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices)
+    : begin_(vertices + 1, 0) {
+  for (std::uint32_t image : images)
+    if (image != not_recorded)
+      ++begin_[image + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  members_.resize(begin_.back());
+  std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
+  for (std::uint32_t v = 0; v < images.size(); ++v)
+    if (images[v] != not_recorded)
+      members_[end[images[v]]++] = v;
+}
+
+inline Level in_input_order(const Level& level) {
+  const auto ordered = [](const std::vector<std::uint32_t>& inputs) {
+    std::vector<std::uint32_t> order(inputs.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return inputs[i] < inputs[j]; });
+    return order;
+  };
+  Level sorted = level;
+  const std::vector<std::uint32_t> vertices = ordered(level.input_vertices);
+  std::vector<std::uint32_t> place(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    place[vertices[i]] = i;
+    sorted.points[i] = level.points[vertices[i]];
+    sorted.input_vertices[i] = level.input_vertices[vertices[i]];
+  }
+  const std::vector<std::uint32_t> faces = ordered(level.input_faces);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      sorted.triangles[i][k] = place[level.triangles[faces[i]][k]];
+    sorted.input_faces[i] = level.input_faces[faces[i]];
+  }
+  for (std::size_t c = 0; c < sorted.channels.size(); ++c) {
+    LevelChannel& channel = sorted.channels[c];
+    const LevelChannel& old = level.channels[c];
+    for (std::size_t i = 0; i < channel.triangles.size(); ++i)
+      channel.triangles[i] = old.triangles[faces[i]];
+    for (std::size_t i = 0; i < vertices.size() && channel.triangles.empty(); ++i)
+      std::copy_n(&old.values[vertices[i] * channel.components], channel.components,
+                  &channel.values[i * channel.components]);
+  }
+  return sorted;
+}
+
+inline void Levels::name_channels(const RecordedSurface& surface) {
+  recorded_channels_.clear();
+  if (surface.dimension > 3)
+    recorded_channels_.push_back({0, 3, surface.dimension - 3});
+  std::size_t offset = surface.dimension, track = 1;
+  for (const RecordedChannel& channel : surface.channels)
+    if (channel.corners.empty()) {
+      recorded_channels_.push_back({0, offset, channel.components});
+      offset += channel.components;
+    } else {
+      recorded_channels_.push_back({track++, 0, channel.components});
+    }
+}
+
+inline void Levels::begin(const RecordedSurface& surface) {
+  items_.clear();
+  items_.push_back({surface.width,
+                    {surface.triangles.begin(), surface.triangles.end()},
+                    {surface.values.begin(), surface.values.end()}});
+  for (const RecordedChannel& channel : surface.channels)
+    if (!channel.corners.empty())
+      items_.push_back({channel.components,
+                        {channel.corners.begin(), channel.corners.end()},
+                        {channel.values.begin(), channel.values.end()}});
+  name_channels(surface);
+  records_ = internal::RecordList(surface.width, surface.knows_distances);
+  records_.reserve(surface.values.size() / surface.width, surface.triangles.size());
+}
+
+inline void Levels::end() {
+  const std::size_t vertices = items_.front().values.size() / items_.front().width;
+  internal::LevelBuilder builder(std::move(items_), records_);
+  builder.build();
+  items_.clear();
+  segments_ = builder.take_segments();
+  input_faces_ = builder.take_faces();
+  input_vertices_ = builder.take_vertices();
+  input_vertex_count_ = vertices;
+  channels_ = std::move(recorded_channels_);
+  records_ = {};
+  begins_.assign(1, 0);
+  for (const Segment& segment : segments_)
+    begins_.push_back(begins_.back() + segment.contractions());
+}
+
+// The first level of which is_enough(segment, contractions) holds, which it does of all coarser
+// ones; else the coarsest.
+template <class IsEnough>
+Levels::Place Levels::first(IsEnough is_enough) const {
+  require_any();
+  std::size_t s = 0;
+  while (s + 1 < segments_.size() && !is_enough(segments_[s], segments_[s].contractions()))
+    ++s;
+  const Segment& segment = segments_[s];
+  std::size_t low = 0, high = segment.contractions();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (is_enough(segment, middle))
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return {s, low};
+}
+// The last one of which is_within(segment, contractions) holds, which it does of all finer ones;
+// else the finest.
+template <class IsWithin>
+Levels::Place Levels::last(IsWithin is_within) const {
+  Place place = first([&](const Segment& segment, std::size_t contractions) {
+    return !is_within(segment, contractions);
+  });
+  if (!is_within(segments_[place.segment], place.contractions) &&
+      (place.segment > 0 || place.contractions > 0))
+    place = place.contractions > 0 ? Place{place.segment, place.contractions - 1}
+                                   : end_of(place.segment - 1);
+  return place;
+}
+
+inline Levels::Place Levels::find(const FaceCount& stop) const {
+  return first(
+      [&](const Segment& segment, std::size_t i) { return segment.faces_at(i) <= stop.faces; });
+}
+inline Levels::Place Levels::find(const VertexCount& stop) const {
+  return first([&](const Segment& segment, std::size_t i) {
+    return segment.tracks.front().items_at(i) <= stop.vertices;
+  });
+}
+inline Levels::Place Levels::find(const ErrorAtMost& stop) const {
+  return last(
+      [&](const Segment& segment, std::size_t i) { return segment.error_at(i) <= stop.error; });
+}
+inline Levels::Place Levels::find(const DistanceAtMost& stop) const {
+  require_any();
+  if (!segments_.front().faces_after.empty() && segments_.front().bounds.empty())
+    throw std::logic_error("quadrille::Levels: distances have not been recorded: simplify with a "
+                           "stop policy that asks for them, as ErrorLimit");
+  return last(
+      [&](const Segment& segment, std::size_t i) { return segment.bound_at(i) <= stop.distance; });
+}
+inline Levels::Place Levels::find(const AfterContractions& stop) const {
+  require_any();
+  std::size_t s = 0;
+  while (s + 1 < segments_.size() && begins_[s + 1] < stop.contractions)
+    ++s;
+  return {s, (std::min)(stop.contractions - begins_[s], segments_[s].contractions())};
+}
+
+inline LevelInfo Levels::info(const Place& place) const {
+  require_any();
+  const Segment& segment = segments_[place.segment];
+  LevelInfo info;
+  info.faces = segment.faces_at(place.contractions);
+  info.vertices = segment.tracks.front().items_at(place.contractions);
+  info.contractions = begins_[place.segment] + place.contractions;
+  info.error = segment.error_at(place.contractions);
+  if (info.contractions == 0)
+    info.distance_bound = 0;
+  else if (!segments_.front().bounds.empty())
+    info.distance_bound = segment.bound_at(place.contractions);
+  return info;
+}
+
+inline LevelChannel Levels::channel_at(const ChannelPlace& channel, const Place& place,
+                                       std::size_t faces,
+                                       const std::vector<double>& vertices) const {
+  const Track& track = segments_[place.segment].tracks[channel.track];
+  LevelChannel left;
+  left.components = channel.components;
+  if (channel.track > 0) {
+    left.values = track.values_at(place.contractions);
+    left.triangles = track.corners_at(place.contractions, faces);
+    return left;
+  }
+  left.values.reserve(vertices.size() / track.width * channel.components);
+  for (std::size_t v = channel.offset; v < vertices.size(); v += track.width)
+    left.values.insert(left.values.end(), vertices.begin() + static_cast<std::ptrdiff_t>(v),
+                       vertices.begin() + static_cast<std::ptrdiff_t>(v + channel.components));
+  return left;
+}
+
+template <class Stop>
+Level Levels::at(const Stop& stop) const {
+  const Place place = find(stop);
+  Level level{info(place), {}, {}, {}, {}, {}};
+  const Track& track = segments_[place.segment].tracks.front();
+  const std::vector<double> values = track.values_at(place.contractions);
+  level.points.resize(level.vertices);
+  for (std::size_t v = 0; v < level.vertices; ++v)
+    std::copy_n(values.data() + v * track.width, 3, level.points[v].data());
+  level.triangles = track.corners_at(place.contractions, level.faces);
+  for (const ChannelPlace& channel : channels_)
+    level.channels.push_back(channel_at(channel, place, level.faces, values));
+  level.input_vertices.assign(input_vertices_.begin(),
+                              input_vertices_.begin() +
+                                  static_cast<std::ptrdiff_t>(level.vertices));
+  level.input_faces.assign(input_faces_.begin(),
+                           input_faces_.begin() + static_cast<std::ptrdiff_t>(level.faces));
+  return level;
+}
+
+template <class Stop, class Points, class Triangles>
+LevelInfo Levels::extract(const Stop& stop, Points& points, Triangles& triangles) const {
+  using Point = std::ranges::range_value_t<Points>;
+  const Place place = find(stop);
+  const LevelInfo level = info(place);
+  const Track& track = segments_[place.segment].tracks.front();
+  const auto point = [](const double* p) {
+    return internal::point_at<Point>(Vector<3>{{p[0], p[1], p[2]}});
+  };
+  points.resize(level.vertices, point(std::array<double, 3>{}.data()));
+  for (std::size_t v = 0; v < level.vertices; ++v)
+    points[v] = point(track.values.data() + v * track.width);
+  track.for_each_change(place.contractions,
+                        [&](Index item, const double* numbers) { points[item] = point(numbers); });
+  const std::vector<Index> images = track.images(place.contractions);
+  using Triangle = std::ranges::range_value_t<Triangles>;
+  using Number = std::ranges::range_value_t<Triangle>;
+  triangles.resize(level.faces);
+  for (std::size_t face = 0; face < level.faces; ++face) {
+    Triangle& triangle = triangles[face];
+    if constexpr (requires { triangle.resize(3); })
+      triangle.resize(3);
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle[i] = static_cast<Number>(images[track.corners[face][i]]);
+  }
+  return level;
+}
+
+inline std::vector<std::uint32_t> Levels::images(const LevelInfo& fine,
+                                                 const LevelInfo& coarse) const {
+  require_any();
+  std::vector<std::uint32_t> images(fine.vertices);
+  const auto left = (std::min)(coarse.vertices, fine.vertices);
+  std::iota(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(left), std::uint32_t{0});
+  for (auto segment = segments_.rbegin(); segment != segments_.rend(); ++segment) {
+    const Track& track = segment->tracks.front();
+    const std::size_t first = track.items() - track.parents.size();
+    for (std::size_t v = (std::max)(first, left); v < (std::min)(track.items(), fine.vertices);
+         ++v) {
+      const Index parent = track.parents[v - first];
+      images[v] = parent == internal::none ? not_recorded : images[parent];
+    }
+  }
+  return images;
+}
+
+inline std::vector<std::uint32_t> Levels::images(const LevelInfo& level) const {
+  const std::vector<std::uint32_t> by_number = images(finest(), level);
+  std::vector<std::uint32_t> images(input_vertex_count_, not_recorded);
+  for (std::size_t v = 0; v < by_number.size(); ++v)
+    images[input_vertices_[v]] = by_number[v];
+  return images;
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_LEVELS_H

@@ -1,0 +1,95 @@
+#ifndef QUADRILLE_RECORD_H
+#define QUADRILLE_RECORD_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// \file
+/// What a recorder is told of a simplification: `simplify(mesh, FaceCount{100},
+/// record_into(recorder))`. Levels is one; a user's own may write a log, or another format of
+/// progressive meshes.
+
+namespace quadrille {
+
+/// A vertex, a face or a wedge by its number: those of a mesh in the order of `vertices(mesh)` and
+/// `faces(mesh)`, those of a soup by their indices.
+using RecordedIndex = std::uint32_t;
+inline constexpr RecordedIndex not_recorded = ~RecordedIndex{0};
+
+/// A channel of attributes: see channels.h. Values are as a simplification would write them, as
+/// doubles; those of NewValues::recomputed are those of least cost.
+struct RecordedChannel {
+  std::size_t components; ///< how many numbers a value has
+  /// Of each input face, the wedges of its corners; not_recorded for faces that are not there.
+  /// Empty for a channel without seams, whose values are among the numbers of each vertex.
+  std::span<const std::array<RecordedIndex, 3>> corners;
+  std::span<const double> values; ///< of each wedge, `components` numbers
+};
+
+/// The surface before the first contraction.
+struct RecordedSurface {
+  std::size_t dimension; ///< 3, and how many attributes the cost reads
+  /// How many numbers each vertex has: `dimension`, and the components of each channel without
+  /// seams, in the order of the call.
+  std::size_t width;
+  std::span<const double> values; ///< of each input vertex these numbers, in the mesh's units
+  /// The vertices of each input face; not_recorded, three times, for faces that are not there from
+  /// the beginning: degenerate ones, and doubled ones where they are dropped.
+  std::span<const std::array<RecordedIndex, 3>> triangles;
+  std::span<const RecordedChannel> channels; ///< in the order of the call
+  bool knows_distances; ///< does a stop policy ask for distances, so that contractions tell them?
+};
+
+/// What a contraction does to a wedge of a channel that has seams.
+struct RecordedWedge {
+  std::size_t channel; ///< of RecordedSurface::channels
+  RecordedIndex wedge;
+  std::span<const RecordedIndex> joined; ///< wedges that have become it
+  std::span<const double> values;        ///< afterwards
+};
+
+/// A contraction. Vertices, faces and wedges that lose their last face, or corner, are gone with
+/// it.
+struct RecordedContraction {
+  /// The vertex that is left, and the one that has become it. Both are not_recorded where faces
+  /// are only removed.
+  RecordedIndex kept = not_recorded, gone = not_recorded;
+  std::span<const double> values; ///< of the one that is left, afterwards: see RecordedSurface
+  double error = 0;               ///< as a distance: see Report::error
+  double distance_bound = 0;      ///< of the faces that it changes, if a stop policy asks for it
+  std::span<const RecordedIndex> removed_faces;
+  std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
+};
+
+/// **Recorder**: `recorder.begin(surface)` before the first contraction,
+/// `recorder.record(contraction)` for each in order, `recorder.end()` behind the last, before the
+/// mesh is changed. What the arguments refer to is there during the call only. If one of them
+/// throws, the mesh stays as it was.
+template <class R>
+concept Recorder = requires(R& recorder, const RecordedSurface& surface,
+                            const RecordedContraction& contraction) {
+  recorder.begin(surface);
+  recorder.record(contraction);
+  recorder.end();
+};
+
+/// An argument of `simplify` by which a recorder is told of all contractions. It has to be there as
+/// long as the call.
+///
+/// RelaxedOrder contracts in many places at a time. Its contractions are told in an order in which
+/// they could have been done one by one, which is the same for any number of threads: those of a
+/// pass by their costs, as far as the order within each block allows it.
+template <Recorder R>
+struct RecordInto {
+  R* recorder;
+};
+template <Recorder R>
+RecordInto<R> record_into(R& recorder) {
+  return {&recorder};
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_RECORD_H
