@@ -79,7 +79,8 @@ public:
         continue;
       const auto note = [&](Index face, Index end) {
         Channel& channel = channels[c];
-        corners.push_back({c, channel.identity(channel.wedge(complex_, face, end)), face});
+        corners.push_back(
+            {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
       };
       for (const StarFace& f : event.contraction.star().first)
         note(f.face, event.contraction.first());
@@ -177,7 +178,7 @@ private:
   void read(Channel& channel, std::vector<Corners>& corners, std::vector<double>& values) {
     if (!channel.has_seams())
       return;
-    channel.identify_wedges();
+    channel.records().identify();
     corners = by_input_face([&](Index face, std::size_t i) {
       return channel.wedge(complex_, face, complex_.vertices(face)[i]);
     });
@@ -218,7 +219,7 @@ private:
           buffer.wedges.back().joined_end = buffer.joined.size();
           continue;
         }
-        channel.identity(wedge) = identity;
+        channel.records().identity(wedge) = identity;
         const std::size_t values_begin = buffer.wedge_values.size();
         if (!channel.append_final_values(wedge, buffer.wedge_values))
           buffer.wedge_values.resize(values_begin);

@@ -11,6 +11,7 @@
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/pairs.h>
+#include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,11 @@ Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& i
     return std::move(input.triangles);
   else
     return input.triangles;
+}
+
+/// Is topology kept? Unless the user says, it is free if there are pairs that are not edges.
+inline bool keeps_topology(std::optional<Topology> topology, bool has_other_pairs) {
+  return topology.value_or(has_other_pairs ? Topology::free : Topology::kept) == Topology::kept;
 }
 
 /// The label of each face, in the order of the complex.

@@ -60,7 +60,8 @@ public:
         scratches_(scratches_for(policies.threads, complex_)),
         pairs_(complex_, link_condition_, evaluator_,
                select_pairs(policies.pairs, input, complex_, scratch().labels)),
-        is_topology_kept_(keeps_topology()), creases_(std::move(input.creases)),
+        is_topology_kept_(keeps_topology(policies.topology, pairs_.has_others())),
+        creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.input_vertices)},
                    {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
@@ -201,12 +202,6 @@ private:
 
   // Passes merge nothing before few faces are left.
   static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
-
-  // Unless the user says, free if there are pairs that are not edges.
-  bool keeps_topology() const {
-    const Topology by_default = pairs_.has_others() ? Topology::free : Topology::kept;
-    return policies_.topology.value_or(by_default) == Topology::kept;
-  }
 
   void classify(const Box<dimension>& box) {
     if (is_topology_kept_)

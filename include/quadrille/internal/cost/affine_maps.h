@@ -37,6 +37,11 @@ struct AffineMap {
   double at(const Vector<3>& x) const { return value + dot(gradient, x); }
 };
 
+/// Twice the area of a triangle in the texture, negative if it is turned over.
+inline double doubled_area(const Vector<2>& p, const Vector<2>& q, const Vector<2>& r) {
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
 /// A symmetric 2 × 2 matrix, of two attributes: xx, xy, yy.
 using Matrix2 = std::array<double, 3>;
 

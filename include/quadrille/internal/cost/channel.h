@@ -8,6 +8,7 @@
 #include <quadrille/internal/complex/wedge_table.h>
 #include <quadrille/internal/cost/affine_maps.h>
 #include <quadrille/internal/cost/channel_reader.h>
+#include <quadrille/internal/cost/contracted_pair.h>
 #include <quadrille/internal/cost/wedge_normals.h>
 #include <quadrille/internal/cost/wedge_records.h>
 #include <quadrille/internal/memory/array.h>
@@ -28,13 +29,6 @@
 #include <vector>
 
 namespace quadrille::internal {
-
-/// A pair as channels see it.
-struct ContractedPair {
-  Index first, second;
-  Vector<3> to_second; ///< from the first end
-  bool is_first_fixed = false, is_second_fixed = false;
-};
 
 /// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
 /// to it, ChannelContraction tells.
@@ -81,16 +75,9 @@ public:
     const bool is_new = records_.origin(wedge) == none;
     return as_written_(std::span(values).subspan(begin), is_new);
   }
-  /// See WedgeRecords.
-  void identify_wedges() { records_.identify(); }
-  Index& identity(Index wedge) { return records_.identity(wedge); }
 
   Vector<2> texture_at(const TriangleComplex& complex, Index face, Index vertex) const {
     return records_.texture_at(wedge(complex, face, vertex));
-  }
-  /// Twice the area of a triangle in the texture, negative if it is turned over.
-  static double doubled_area(const Vector<2>& p, const Vector<2>& q, const Vector<2>& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
   /// Is the channel discontinuous between two faces at both ends of an edge?
@@ -239,6 +226,7 @@ public:
   const WedgeTable& table() const { return table_; }
   const MapJoiner& joiner() const { return joiner_; }
   const WedgeRecords& records() const { return records_; }
+  WedgeRecords& records() { return records_; }
   bool are_pairs_edges() const { return are_pairs_edges_; }
 
 private:

@@ -102,8 +102,8 @@ private:
       const Index old = channel_.wedge(complex_, f.face, vertex);
       const Vector<2> second = channel_.texture_at(complex_, f.face, f.second);
       const Vector<2> third = channel_.texture_at(complex_, f.face, f.third);
-      const double before = Channel::doubled_area(records().texture_at(old), second, third);
-      const double after = Channel::doubled_area(new_texture(old), second, third);
+      const double before = doubled_area(records().texture_at(old), second, third);
+      const double after = doubled_area(new_texture(old), second, third);
       return before > 0 ? !(after > 0) : before < 0 && !(after < 0);
     };
     return std::any_of(star.first.begin(), star.first.end(),

@@ -1,0 +1,171 @@
+// Levels of surfaces with attributes: each has the values that simplify leaves.
+#include "meshes.h"
+#include "soups.h"
+#include "textured.h"
+
+#include <quadrille/channels.h>
+#include <quadrille/levels.h>
+#include <quadrille/simplify.h>
+
+#include <CGAL/property_map.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using namespace test;
+
+auto until(std::size_t contractions) {
+  return [contractions](const Status& status) { return status.contractions >= contractions; };
+}
+
+// The values of a channel of a level at the corners of its triangles.
+template <std::size_t N>
+CornerValues<N> at_corners(const Level& level, const LevelChannel& channel) {
+  REQUIRE(channel.components == N);
+  CornerValues<N> result;
+  const auto& triangles = channel.triangles.empty() ? level.triangles : channel.triangles;
+  REQUIRE(triangles.size() == level.faces);
+  for (const auto& triangle : triangles) {
+    auto& corners = result.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      REQUIRE((triangle[i] + 1) * N <= channel.values.size());
+      std::copy_n(&channel.values[triangle[i] * N], N, corners[i].coordinates.data());
+    }
+  }
+  return result;
+}
+
+template <std::size_t N>
+void require_equal(const CornerValues<N>& a, const CornerValues<N>& b) {
+  REQUIRE(a.size() == b.size());
+  bool is_equal = true;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      is_equal = is_equal && a[f][i] == b[f][i];
+  REQUIRE(is_equal);
+}
+
+std::vector<Vector<3>> colors_of(const Soup& soup) {
+  std::vector<Vector<3>> colors;
+  for (const Position& p : soup.points)
+    colors.push_back({{0.5 + 0.3 * std::sin(3 * p[0]), 0.5 + 0.2 * p[1], 0.9}});
+  return colors;
+}
+
+// A texture with its seams, normals with creases and a colour of each point: all levels.
+void require_same_levels(const Textured& surface, Seams seams_of_texture, std::size_t step) {
+  const CornerValues<3> facets = facet_normals(surface.soup);
+  const auto run = [&](auto stop, auto&&... recorder) {
+    PointSoup soup(surface.soup);
+    auto [values, triples] = indexed(surface.texture);
+    auto [normals, normal_triples] = indexed(facets);
+    std::vector<Vector<3>> colors = colors_of(surface.soup);
+    std::vector<double> heat;
+    for (const Position& p : surface.soup.points)
+      heat.push_back(p[2] * p[2]);
+    const Report report = simplify(
+        soup.points, soup.triangles, stop, Texture{values, triples, {.seams = seams_of_texture}},
+        Colors{CGAL::make_property_map(colors)}, Normals{normals, normal_triples},
+        Attributes{CGAL::make_property_map(heat), {.new_values = NewValues::existing}},
+        recorder...);
+    return std::tuple(soup, test::at_corners(values, triples),
+                      test::at_corners(normals, normal_triples), colors, heat, report);
+  };
+  Levels levels;
+  const auto coarsest = run(FaceRatio{0.05}, record_into(levels));
+  const std::size_t contractions = std::get<5>(coarsest).contractions;
+  CHECK(contractions > surface.soup.triangles.size() / 4);
+  for (std::size_t i = 0; i <= contractions; i += step) {
+    CAPTURE(i);
+    const auto [soup, texture, normals, colors, heat, report] = run(until(i));
+    const Level level = in_input_order(levels.at(AfterContractions{i}));
+    REQUIRE(level.triangles == soup.triangles);
+    for (std::size_t v = 0; v < level.vertices; ++v)
+      REQUIRE(Position{level.points[v]} == to_position(soup.points[v]));
+    REQUIRE(level.channels.size() == 4);
+    require_equal(at_corners<2>(level, level.channels[0]), texture);
+    require_equal(at_corners<3>(level, level.channels[2]), normals);
+    for (std::size_t v = 0; v < level.vertices; ++v)
+      for (std::size_t c = 0; c < 3; ++c)
+        REQUIRE(level.channels[1].values[3 * v + c] == colors[v][c]);
+    for (std::size_t v = 0; v < level.vertices; ++v)
+      REQUIRE(level.channels[3].values[v] == heat[v]);
+  }
+}
+
+TEST_CASE("channels of a level are what simplify leaves") {
+  require_same_levels(textured_torus(14, 9), Seams::kept, 3);
+  require_same_levels(sphere_of_20_charts(2), Seams::kept, 3);
+  require_same_levels(textured_cylinder(12, 7), Seams::priced, 3);
+  require_same_levels(mirrored_sphere(4), Seams::free, 3);
+}
+
+TEST_CASE("channels of a level are what simplify leaves, of a large surface in any order") {
+  Textured earth = test::earth(120, 50);
+  require_same_levels(earth, Seams::kept, 1300);
+}
+
+TEST_CASE("attributes of a cost are channels of a level") {
+  const Soup soup = with_noise(sphere(2), 3, 0.02);
+  Levels levels;
+  const auto run = [&](auto stop, auto&&... recorder) {
+    PointSoup points(soup);
+    std::vector<std::array<float, 3>> colors;
+    for (const Vector<3>& c : colors_of(soup))
+      colors.push_back(
+          {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])});
+    simplify<ColorQuadric, OptimalPlacement>(
+        points.points, points.triangles, stop,
+        CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors)), recorder...);
+    return std::pair(points, colors);
+  };
+  run(FaceCount{20}, record_into(levels));
+  for (std::size_t faces = 320; faces > 20; faces -= 20) {
+    const auto [points, colors] = run(FaceCount{faces});
+    const Level level = in_input_order(levels.at(FaceCount{faces}));
+    REQUIRE(level.triangles == points.triangles);
+    REQUIRE(level.channels.size() == 1);
+    for (std::size_t v = 0; v < level.vertices; ++v) {
+      CHECK(Position{level.points[v]} == to_position(points.points[v]));
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(static_cast<float>(level.channels[0].values[3 * v + c]) == colors[v][c]);
+    }
+  }
+}
+
+TEST_CASE("colours in linear light and small integers are told in the user's numbers") {
+  const Soup soup = sphere(2);
+  Levels levels;
+  const auto run = [&](auto stop, auto&&... recorder) {
+    PointSoup points(soup);
+    std::vector<std::array<std::uint8_t, 4>> colors;
+    for (const Vector<3>& c : colors_of(soup))
+      colors.push_back({static_cast<std::uint8_t>(255 * c[0]),
+                        static_cast<std::uint8_t>(255 * c[1]),
+                        static_cast<std::uint8_t>(255 * c[2]), 128});
+    simplify(points.points, points.triangles, stop,
+             Colors{CGAL::make_property_map(colors), {.linear_light = true}}, recorder...);
+    return std::pair(points, colors);
+  };
+  run(FaceCount{20}, record_into(levels));
+  for (std::size_t faces = 320; faces > 20; faces -= 20) {
+    const auto [points, colors] = run(FaceCount{faces});
+    const Level level = in_input_order(levels.at(FaceCount{faces}));
+    REQUIRE(level.triangles == points.triangles);
+    for (std::size_t v = 0; v < level.vertices; ++v)
+      for (std::size_t c = 0; c < 4; ++c)
+        CHECK(std::round(level.channels[0].values[4 * v + c]) == colors[v][c]);
+  }
+}
+
+} // namespace
