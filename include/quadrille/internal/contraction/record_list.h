@@ -4,7 +4,6 @@
 #include <quadrille/internal/base/index.h>
 #include <quadrille/record.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -34,10 +33,6 @@ public:
     values_.insert(values_.end(), row.begin(), row.end());
     ends_.push_back(static_cast<Index>(values_.size()));
   }
-  void reserve(std::size_t rows, std::size_t values) {
-    ends_.reserve(rows);
-    values_.reserve(values);
-  }
 
 private:
   std::vector<T> values_;
@@ -53,42 +48,42 @@ public:
   RecordList(std::size_t width, bool knows_distances)
       : width_(width), knows_distances_(knows_distances) {}
 
-  std::size_t size() const { return kept_.size(); }
+  std::size_t size() const { return headers_.size(); }
   bool knows_distances() const { return knows_distances_; }
 
   /// Makes room, so that nothing is copied. What is not used takes no memory.
   void reserve(std::size_t contractions, std::size_t faces) {
-    kept_.reserve(contractions);
-    gone_.reserve(contractions);
+    headers_.reserve(contractions);
     values_.reserve(contractions * width_);
-    errors_.reserve(contractions);
     if (knows_distances_)
       bounds_.reserve(contractions);
-    removed_faces_.reserve(contractions, faces);
+    removed_faces_.reserve(faces);
   }
 
   void add(const RecordedContraction& contraction) {
-    kept_.push_back(contraction.kept);
-    gone_.push_back(contraction.gone);
-    values_.resize(values_.size() + width_);
-    std::copy(contraction.values.begin(), contraction.values.end(),
-              values_.end() - static_cast<std::ptrdiff_t>(width_));
-    errors_.push_back(float_above(contraction.error));
+    removed_faces_.insert(removed_faces_.end(), contraction.removed_faces.begin(),
+                          contraction.removed_faces.end());
+    headers_.push_back({contraction.kept, contraction.gone, float_above(contraction.error),
+                        static_cast<Index>(removed_faces_.size())});
+    values_.insert(values_.end(), contraction.values.begin(), contraction.values.end());
+    values_.resize(size() * width_); // if there are none
     if (knows_distances_)
       bounds_.push_back(float_above(contraction.distance_bound));
-    removed_faces_.add(contraction.removed_faces);
     if (!contraction.wedges.empty())
       add_wedges(contraction.wedges);
   }
 
-  Index kept(std::size_t i) const { return kept_[i]; }
-  Index gone(std::size_t i) const { return gone_[i]; }
+  Index kept(std::size_t i) const { return headers_[i].kept; }
+  Index gone(std::size_t i) const { return headers_[i].gone; }
   std::span<const double> values(std::size_t i) const {
     return std::span(values_).subspan(i * width_, width_);
   }
-  float error(std::size_t i) const { return errors_[i]; }
+  float error(std::size_t i) const { return headers_[i].error; }
   float distance_bound(std::size_t i) const { return knows_distances_ ? bounds_[i] : 0; }
-  std::span<const Index> removed_faces(std::size_t i) const { return removed_faces_[i]; }
+  std::span<const Index> removed_faces(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : headers_[i - 1].removed_end;
+    return std::span(removed_faces_).subspan(begin, headers_[i].removed_end - begin);
+  }
 
   /// Calls visit(wedge) for each of a contraction.
   template <class Visit>
@@ -113,6 +108,12 @@ public:
   }
 
 private:
+  struct Header {
+    Index kept, gone;
+    float error;
+    Index removed_end; // in removed_faces_
+  };
+
   void add_wedges(std::span<const RecordedWedge> wedges) {
     wedge_ends_.resize(size() - 1, static_cast<Index>(wedges_.size())); // none until now
     for (const RecordedWedge& wedge : wedges) {
@@ -126,10 +127,10 @@ private:
 
   std::size_t width_ = 3;
   bool knows_distances_ = false;
-  std::vector<Index> kept_, gone_;
+  std::vector<Header> headers_;
   std::vector<double> values_;
-  std::vector<float> errors_, bounds_;
-  Rows<Index> removed_faces_;
+  std::vector<float> bounds_;
+  std::vector<Index> removed_faces_;
   std::vector<Index> wedge_ends_, channels_,
       wedges_; // ends: of contractions up to the last with any
   Rows<Index> joined_;

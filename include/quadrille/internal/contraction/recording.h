@@ -45,10 +45,10 @@ public:
     for (Channel& channel : all_channels())
       width_ += channel.has_seams() ? 0 : channel.components();
     std::vector<double> values(width_ * vertices);
-    std::vector<double> of_vertex;
+    std::vector<double> memory;
     for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
-      of_vertex.clear();
-      append_values(v, geometry_.position(v), of_vertex);
+      const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
+      const std::span<const double> of_vertex = values_of(v, position, memory);
       std::copy(of_vertex.begin(), of_vertex.end(),
                 values.begin() + static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
     }
@@ -93,17 +93,17 @@ public:
   void after(const Event& event) {
     Scratch& scratch = event.contraction.scratch();
     RecordBuffer& buffer = scratch.recorded;
-    buffer.values.clear();
-    append_values(event.kept, event.contraction.target(), buffer.values);
+    const Vector<dimension> position = scale_.position_of_mesh(event.contraction.target());
     buffer.faces.clear();
     for (const StarFace& f : scratch.star.shared)
       buffer.faces.push_back(numbering_.faces[f.face]);
     for (Index face : scratch.duplicates)
       buffer.faces.push_back(numbering_.faces[face]);
-    gather_wedges(event.kept, buffer);
+    if constexpr (Policies::Carries::has_channels)
+      gather_wedges(event.kept, buffer);
     const RecordedContraction contraction{numbering_.vertices[event.kept],
                                           numbering_.vertices[event.gone],
-                                          buffer.values,
+                                          values_of(event.kept, position, buffer.values),
                                           event.contraction.error(),
                                           distance_bound(event.contraction),
                                           buffer.faces,
@@ -156,13 +156,16 @@ private:
   }
   RecordList empty_list() const { return {width_, asks_for_distance<typename Policies::Stop>}; }
 
-  // The numbers of a vertex that is there.
-  void append_values(Index v, const Vector<dimension>& position, std::vector<double>& values) {
-    const Vector<dimension> of_mesh = scale_.position_of_mesh(position);
-    values.insert(values.end(), of_mesh.coordinates.begin(), of_mesh.coordinates.end());
+  // The numbers of a vertex at a position; in a memory, if there are more than the position's.
+  std::span<const double> values_of(Index v, const Vector<dimension>& position,
+                                    std::vector<double>& memory) {
+    if (width_ == dimension)
+      return position.coordinates;
+    memory.assign(position.coordinates.begin(), position.coordinates.end());
     for (Channel& channel : all_channels())
       if (!channel.has_seams())
-        channel.append_final_values(v, values);
+        channel.append_final_values(v, memory);
+    return memory;
   }
 
   template <class At>
@@ -170,8 +173,7 @@ private:
     std::vector<Corners> corners(numbering_.faces.input_count(), Corners{none, none, none});
     for (Index face = 0; face < complex_.face_capacity(); ++face)
       if (!complex_.is_removed(face))
-        for (std::size_t i = 0; i < 3; ++i)
-          corners[numbering_.faces[face]][i] = at(face, i);
+        corners[numbering_.faces[face]] = {at(face, 0), at(face, 1), at(face, 2)};
     return corners;
   }
 

@@ -61,9 +61,7 @@ public:
     return table_.at(complex, face, vertex);
   }
   bool has_one_wedge(Index vertex) const { return table_.has_one(vertex); }
-  double value(Index wedge, std::size_t component) const {
-    return records_.value(wedge, component);
-  }
+  double value(Index wedge, std::size_t c) const { return records_.value(wedge, c); }
   /// See WedgeRecords.
   Index origin(Index wedge) const { return records_.origin(wedge); }
   std::size_t wedge_count(std::size_t vertices) const { return table_.size(vertices); }

@@ -47,6 +47,8 @@ public:
     auto count = static_cast<Index>(std::count_if(corners_.begin(), corners_.end(), left));
     const std::size_t all = count;
     std::vector<Index> deaths;
+    deaths.reserve(all);
+    lives.items_after.reserve(records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const std::size_t before = deaths.size();
       merges_(i, [&](Index kept, Index gone) {
@@ -150,6 +152,8 @@ private:
   void number_faces() {
     const std::vector<LevelCorners>& triangles = items_.front().corners;
     std::vector<Index> deaths;
+    deaths.reserve(triangles.size());
+    faces_.reserve(triangles.size());
     std::vector<bool> dies(triangles.size(), false);
     for (std::size_t i = 0; i < records_.size(); ++i)
       for (Index face : records_.removed_faces(i)) {
@@ -244,6 +248,9 @@ private:
       const std::size_t left = track.items_at(track.items_after.size());
       track.parents.assign(lives[t].parents.begin() + static_cast<std::ptrdiff_t>(left),
                            lives[t].parents.begin() + static_cast<std::ptrdiff_t>(track.items()));
+      track.change_ends.reserve(end - begin);
+      track.changed.reserve(end - begin);
+      track.changed_values.reserve((end - begin) * track.width);
       for (std::size_t i = begin; i < end; ++i)
         add_changes(t, i, lives[t].numbers, track);
     }
