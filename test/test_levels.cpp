@@ -3,9 +3,14 @@
 #include "replay.h"
 #include "soups.h"
 
+#include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -302,6 +308,45 @@ TEST_CASE("levels are extracted into the user's containers") {
   levels.extract(FaceCount{100}, floats, triangles);
   CHECK(static_cast<double>(floats[7][1]) ==
         Approx(levels.at(FaceCount{100}).points[7][1]).epsilon(1e-6));
+}
+
+template <class M>
+void require_meshes() {
+  const Soup soup =
+      surface_of_cubes(4, 4, 4, [](int i, int j, int k) { return (i + j + k) % 3 != 0; });
+  for (const Soup& input :
+       {sphere(2), with_holes(sphere(2), 3, 5), soup, with_flipped_edges(grid(6, 5), 3, 4)}) {
+    Levels levels;
+    Points points = points_of_soup(input);
+    Triangles triangles = input.triangles;
+    simplify(points, triangles, FaceRatio{0.1}, record_into(levels));
+    M mesh;
+    for (std::size_t faces = input.triangles.size(); faces > 12; faces -= 10) {
+      const Level level = levels.at(FaceCount{faces});
+      const std::vector<std::uint32_t> origins = to_mesh(level, mesh);
+      REQUIRE(CGAL::is_valid_polygon_mesh(mesh));
+      REQUIRE(num_faces(mesh) == level.faces);
+      REQUIRE(num_vertices(mesh) == origins.size());
+      std::map<typename boost::graph_traits<M>::vertex_descriptor, std::uint32_t> number;
+      std::size_t i = 0;
+      for (auto v : vertices(mesh)) {
+        CHECK(to_position(get(CGAL::vertex_point, mesh, v)) == Position{level.points[origins[i]]});
+        number[v] = origins[i++];
+      }
+      std::size_t face = 0;
+      for (auto f : CGAL::faces(mesh)) {
+        auto h = halfedge(f, mesh);
+        for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
+          CHECK(number[target(h, mesh)] == level.triangles[face][k]);
+        ++face;
+      }
+    }
+  }
+}
+
+TEST_CASE("levels become meshes") {
+  require_meshes<Mesh>();
+  require_meshes<CGAL::Polyhedron_3<Kernel>>();
 }
 
 TEST_CASE("what has not been recorded is refused") {

@@ -169,6 +169,8 @@ private:
     std::size_t track, offset, components;
   };
   friend class LevelSteps;
+  friend class LevelsFile;
+  friend class LevelsFileWriter;
 
   Place begin_of(std::size_t segment) const { return {segment, 0}; }
   Place end_of(std::size_t segment) const {

@@ -1,0 +1,168 @@
+#ifndef QUADRILLE_INTERNAL_LEVELS_BYTES_H
+#define QUADRILLE_INTERNAL_LEVELS_BYTES_H
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#ifdef QUADRILLE_WITH_ZSTD
+#include <zstd.h>
+#endif
+
+/// \file
+/// Numbers as bytes of a file, little-endian on every machine, with checksums and, where the macro
+/// QUADRILLE_WITH_ZSTD is defined, compressed by zstd.
+
+namespace quadrille::internal {
+
+using Bytes = std::vector<unsigned char>;
+
+inline constexpr bool has_zstd =
+#ifdef QUADRILLE_WITH_ZSTD
+    true;
+#else
+    false;
+#endif
+
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+
+template <Number T>
+std::array<unsigned char, sizeof(T)> little_endian(T value) {
+  auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
+  if constexpr (std::endian::native == std::endian::big)
+    std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+/// Appends numbers to bytes.
+class ByteWriter {
+public:
+  template <Number T>
+  void put(T value) {
+    const auto bytes = little_endian(value);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+  /// A column of numbers: all first bytes, then all second ones, … which are alike, so that they
+  /// are compressed well.
+  template <Number T>
+  void put_column(const std::vector<T>& column) {
+    const std::size_t begin = bytes_.size();
+    bytes_.resize(begin + column.size() * sizeof(T));
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      const auto bytes = little_endian(column[i]);
+      for (std::size_t b = 0; b < sizeof(T); ++b)
+        bytes_[begin + b * column.size() + i] = bytes[b];
+    }
+  }
+  void put_text(const std::string& text) {
+    put(static_cast<std::uint32_t>(text.size()));
+    bytes_.insert(bytes_.end(), text.begin(), text.end());
+  }
+  const Bytes& bytes() const { return bytes_; }
+  Bytes take() { return std::move(bytes_); }
+
+private:
+  Bytes bytes_;
+};
+
+/// Reads them again. Throws std::runtime_error where there are none left.
+class ByteReader {
+public:
+  explicit ByteReader(std::span<const unsigned char> bytes) : bytes_(bytes) {}
+
+  std::size_t left() const { return bytes_.size(); }
+  template <Number T>
+  T get() {
+    std::array<unsigned char, sizeof(T)> raw;
+    std::copy_n(take(sizeof(T)).begin(), sizeof(T), raw.begin());
+    return number<T>(raw);
+  }
+  template <Number T>
+  std::vector<T> get_column(std::size_t count) {
+    if (count > left() / sizeof(T))
+      throw std::runtime_error("it ends too early");
+    const std::span<const unsigned char> from = take(count * sizeof(T));
+    std::vector<T> column(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<unsigned char, sizeof(T)> raw;
+      for (std::size_t b = 0; b < sizeof(T); ++b)
+        raw[b] = from[b * count + i];
+      column[i] = number<T>(raw);
+    }
+    return column;
+  }
+  std::string get_text() {
+    const std::span<const unsigned char> text = take(get<std::uint32_t>());
+    return {text.begin(), text.end()};
+  }
+
+private:
+  std::span<const unsigned char> take(std::size_t count) {
+    if (count > bytes_.size())
+      throw std::runtime_error("it ends too early");
+    const auto taken = bytes_.first(count);
+    bytes_ = bytes_.subspan(count);
+    return taken;
+  }
+  template <class T>
+  static T number(std::array<unsigned char, sizeof(T)> raw) {
+    if constexpr (std::endian::native == std::endian::big)
+      std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<T>(raw);
+  }
+
+  std::span<const unsigned char> bytes_;
+};
+
+inline std::uint32_t checksum(const Bytes& bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+/// Compressed, where zstd is there; else throws std::runtime_error.
+inline Bytes compressed([[maybe_unused]] const Bytes& bytes) {
+#ifdef QUADRILLE_WITH_ZSTD
+  Bytes packed(ZSTD_compressBound(bytes.size()));
+  const std::size_t size =
+      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 3);
+  if (ZSTD_isError(size))
+    throw std::runtime_error(ZSTD_getErrorName(size));
+  packed.resize(size);
+  return packed;
+#else
+  throw std::runtime_error("to compress takes zstd: define QUADRILLE_WITH_ZSTD, link zstd");
+#endif
+}
+/// Those that have become `packed`.
+inline Bytes decompressed([[maybe_unused]] const Bytes& packed, [[maybe_unused]] std::size_t size) {
+#ifdef QUADRILLE_WITH_ZSTD
+  if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != size)
+    throw std::runtime_error("a block has another size than the directory says");
+  Bytes bytes(size);
+  const std::size_t got = ZSTD_decompress(bytes.data(), size, packed.data(), packed.size());
+  if (ZSTD_isError(got) || got != size)
+    throw std::runtime_error("a block cannot be decompressed");
+  return bytes;
+#else
+  throw std::runtime_error(
+      "it is compressed, which takes zstd: define QUADRILLE_WITH_ZSTD, link zstd");
+#endif
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_LEVELS_BYTES_H

@@ -1,0 +1,243 @@
+#ifndef QUADRILLE_INTERNAL_LEVELS_SEGMENT_BYTES_H
+#define QUADRILLE_INTERNAL_LEVELS_SEGMENT_BYTES_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/levels/bytes.h>
+#include <quadrille/internal/levels/level_track.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A segment of levels as bytes: counts, then columns.
+///
+///     u32 contractions, faces; f32 error before, bound before; u8 bounds are known
+///     u32 [contractions] faces that go; f32 errors; f32 bounds, if they are known
+///     each track: u32 items, parents, changes; u8 bytes of a number, 4 or 8
+///       u32 [faces] the corners, three columns
+///       f32 or f64 [items] the numbers, a column each
+///       u32 [parents] what items become; [contractions] items that go; changes
+///       u32 [changes] the items that change; f32 or f64 [changes] their numbers, a column each
+class SegmentBytes {
+public:
+  /// Numbers are doubles, or floats where that is asked for or changes none.
+  static Bytes write(const LevelSegment& segment, bool rounds_to_floats) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(segment.contractions()));
+    writer.put(static_cast<std::uint32_t>(segment.faces()));
+    writer.put(segment.error_before);
+    writer.put(segment.bound_before);
+    writer.put(static_cast<std::uint8_t>(!segment.bounds.empty()));
+    writer.put_column(steps_down(segment.faces_after, segment.faces()));
+    writer.put_column(segment.errors);
+    writer.put_column(segment.bounds);
+    for (const LevelTrack& track : segment.tracks)
+      write(track, rounds_to_floats, writer);
+    return writer.take();
+  }
+
+  /// Throws std::runtime_error for bytes that are no segment.
+  static LevelSegment read(const Bytes& bytes, const std::vector<std::size_t>& widths) {
+    ByteReader reader(bytes);
+    LevelSegment segment;
+    const auto contractions = reader.get<std::uint32_t>();
+    const auto faces = reader.get<std::uint32_t>();
+    segment.error_before = reader.get<float>();
+    segment.bound_before = reader.get<float>();
+    const bool knows_bounds = reader.get<std::uint8_t>() != 0;
+    segment.faces_after = sums_down(reader.get_column<Index>(contractions), faces);
+    segment.errors = reader.get_column<float>(contractions);
+    segment.bounds = reader.get_column<float>(knows_bounds ? contractions : 0);
+    for (std::size_t width : widths)
+      segment.tracks.push_back(read_track(width, contractions, faces, reader));
+    require(reader.left() == 0, "a segment is longer than it says");
+    require_ascending(segment.errors, segment.error_before);
+    require_ascending(segment.bounds, segment.bound_before);
+    for (const LevelTrack& track : segment.tracks)
+      require_images(segment, track);
+    return segment;
+  }
+
+private:
+  static void require(bool is_right, const char* what) {
+    if (!is_right)
+      throw std::runtime_error(what);
+  }
+
+  // By how much a column falls from each number to the next, which is small.
+  static std::vector<Index> steps_down(const std::vector<Index>& column, std::size_t before) {
+    std::vector<Index> steps;
+    steps.reserve(column.size());
+    auto last = static_cast<Index>(before);
+    for (Index value : column) {
+      steps.push_back(last - value);
+      last = value;
+    }
+    return steps;
+  }
+  static std::vector<Index> sums_down(std::vector<Index> steps, std::size_t before) {
+    auto last = static_cast<Index>(before);
+    for (Index& step : steps) {
+      require(step <= last, "a count falls below 0");
+      step = last -= step;
+    }
+    return steps;
+  }
+  static std::vector<Index> steps_up(const std::vector<Index>& column) {
+    std::vector<Index> steps;
+    steps.reserve(column.size());
+    Index last = 0;
+    for (Index value : column) {
+      steps.push_back(value - last);
+      last = value;
+    }
+    return steps;
+  }
+  static std::vector<Index> sums_up(std::vector<Index> steps, std::size_t most) {
+    std::size_t sum = 0;
+    for (Index& step : steps) {
+      sum += step;
+      require(sum <= most, "there are fewer changes than it says");
+      step = static_cast<Index>(sum);
+    }
+    return steps;
+  }
+
+  static bool are_floats(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+  }
+
+  template <class T>
+  static void write_numbers(const std::vector<double>& values, std::size_t width,
+                            ByteWriter& writer) {
+    for (std::size_t k = 0; k < width; ++k) {
+      std::vector<T> column;
+      column.reserve(values.size() / width);
+      for (std::size_t i = k; i < values.size(); i += width)
+        column.push_back(static_cast<T>(values[i]));
+      writer.put_column(column);
+    }
+  }
+  template <class T>
+  static std::vector<double> read_numbers(std::size_t count, std::size_t width,
+                                          ByteReader& reader) {
+    require(count <= reader.left() / width, "it ends too early");
+    std::vector<double> values(count * width);
+    for (std::size_t k = 0; k < width; ++k) {
+      const std::vector<T> column = reader.get_column<T>(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        values[i * width + k] = static_cast<double>(column[i]);
+        require(std::isfinite(column[i]), "a number is not finite");
+      }
+    }
+    return values;
+  }
+
+  static void write(const LevelTrack& track, bool rounds_to_floats, ByteWriter& writer) {
+    const bool as_floats =
+        rounds_to_floats || (are_floats(track.values) && are_floats(track.changed_values));
+    const auto write_all = [&](const std::vector<double>& values) {
+      if (as_floats)
+        write_numbers<float>(values, track.width, writer);
+      else
+        write_numbers<double>(values, track.width, writer);
+    };
+    writer.put(static_cast<std::uint32_t>(track.items()));
+    writer.put(static_cast<std::uint32_t>(track.parents.size()));
+    writer.put(static_cast<std::uint32_t>(track.changed.size()));
+    writer.put(static_cast<std::uint8_t>(as_floats ? 4 : 8));
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::vector<Index> column;
+      column.reserve(track.corners.size());
+      for (const auto& corners : track.corners)
+        column.push_back(corners[k]);
+      writer.put_column(column);
+    }
+    write_all(track.values);
+    writer.put_column(track.parents);
+    writer.put_column(steps_down(track.items_after, track.items()));
+    writer.put_column(steps_up(track.change_ends));
+    writer.put_column(track.changed);
+    write_all(track.changed_values);
+  }
+
+  static LevelTrack read_track(std::size_t width, std::size_t contractions, std::size_t faces,
+                               ByteReader& reader) {
+    LevelTrack track;
+    track.width = width;
+    const auto items = reader.get<std::uint32_t>();
+    const auto parents = reader.get<std::uint32_t>();
+    const auto changes = reader.get<std::uint32_t>();
+    const auto bytes = reader.get<std::uint8_t>();
+    require(bytes == 4 || bytes == 8, "its numbers have a size that is unknown");
+    const auto read_all = [&](std::size_t count) {
+      return bytes == 4 ? read_numbers<float>(count, width, reader)
+                        : read_numbers<double>(count, width, reader);
+    };
+    std::array<std::vector<Index>, 3> columns;
+    for (auto& column : columns)
+      column = reader.get_column<Index>(faces);
+    track.corners.resize(faces);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t f = 0; f < faces; ++f) {
+        require((track.corners[f][k] = columns[k][f]) < items, "a corner is out of range");
+      }
+    track.values = read_all(items);
+    track.parents = reader.get_column<Index>(parents);
+    track.items_after = sums_down(reader.get_column<Index>(contractions), items);
+    track.change_ends = sums_up(reader.get_column<Index>(contractions), changes);
+    track.changed = reader.get_column<Index>(changes);
+    track.changed_values = read_all(changes);
+    require_consistent(track);
+    return track;
+  }
+
+  static void require_consistent(const LevelTrack& track) {
+    const std::size_t first = track.items_at(track.items_after.size());
+    require(track.items() - first == track.parents.size(), "its items do not add up");
+    require((track.change_ends.empty() ? 0 : track.change_ends.back()) == track.changed.size(),
+            "its changes do not add up");
+    for (std::size_t i = 0; i < track.parents.size(); ++i)
+      require(track.parents[i] == none || track.parents[i] < first + i,
+              "an item becomes one that is gone");
+    for (Index item : track.changed)
+      require(item < track.items(), "a change is out of range");
+  }
+
+  static void require_ascending(const std::vector<float>& column, float before) {
+    for (float value : column) {
+      require(value >= before, "an error falls"); // false of what is no number
+      before = value;
+    }
+  }
+
+  // As long as a face is there, so are its corners.
+  static void require_images(const LevelSegment& segment, const LevelTrack& track) {
+    const std::size_t first = track.items() - track.parents.size();
+    std::vector<Index> last(track.items()); // the item that each becomes in the end
+    for (Index i = 0; i < last.size(); ++i)
+      last[i] = i < first || track.parents[i - first] == none ? i : last[track.parents[i - first]];
+    std::vector<Index> end(track.items(), static_cast<Index>(segment.contractions()));
+    std::vector<Index> face_end(segment.faces(), static_cast<Index>(segment.contractions()));
+    for (std::size_t i = segment.contractions(); i-- > 0;) {
+      for (std::size_t v = track.items_after[i]; v < track.items_at(i); ++v)
+        end[v] = static_cast<Index>(i);
+      for (std::size_t f = segment.faces_after[i]; f < segment.faces_at(i); ++f)
+        face_end[f] = static_cast<Index>(i);
+    }
+    for (std::size_t f = 0; f < segment.faces(); ++f)
+      for (Index item : track.corners[f])
+        require(end[last[item]] >= face_end[f], "a face loses a corner");
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_LEVELS_SEGMENT_BYTES_H

@@ -1,0 +1,354 @@
+#ifndef QUADRILLE_LEVELS_FILE_H
+#define QUADRILLE_LEVELS_FILE_H
+
+#include <quadrille/internal/levels/bytes.h>
+#include <quadrille/internal/levels/level_directory.h>
+#include <quadrille/internal/levels/segment_bytes.h>
+#include <quadrille/levels.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+/// \file
+/// Levels of detail in a file, from which each level is read by itself.
+///
+/// The file has a directory, then the segments of Levels, the coarsest first, then the input
+/// indices in the same order. So any level takes two reads, of the directory and one segment,
+/// at most about twice as long as the level, and one more for its input indices; and the front of
+/// a file is enough for its coarse levels. Each part has a checksum. Numbers are little-endian.
+/// Where the macro QUADRILLE_WITH_ZSTD is defined (link zstd), parts are compressed; a program
+/// without it reads files that are not.
+
+namespace quadrille {
+
+struct LevelsFileOptions {
+  /// About half as many bytes.
+  bool is_compressed = internal::has_zstd;
+  /// Rounds coordinates and attributes to floats, as for a mesh of floats they are anyway.
+  bool rounds_to_floats = false;
+  std::string comment = {}; ///< anything: how the levels were made
+};
+
+/// Writes all levels to a file. A file that is there is replaced once all of it is written.
+///
+/// Throws std::logic_error if nothing has been recorded, and std::runtime_error if the file cannot
+/// be written, or is to be compressed without zstd.
+inline void write_levels(const std::filesystem::path& path, const Levels& levels,
+                         const LevelsFileOptions& options = {});
+
+/// A file of levels. What is read is checked, so that a broken or foreign file is refused with a
+/// std::runtime_error that names it and says what is wrong, here or when a level is asked for.
+class LevelsFile {
+  // Says which file it is that cannot be read.
+  template <class Task>
+  decltype(auto) checked(Task task) {
+    try {
+      return task();
+    } catch (const std::runtime_error& e) {
+      throw std::runtime_error(path_.string() +
+                               ": no file of levels, or a broken one: " + e.what());
+    }
+  }
+
+public:
+  explicit LevelsFile(const std::filesystem::path& path) : path_(path) {
+    checked([&] { open(); });
+  }
+
+  const std::string& comment() const { return directory_.comment; }
+  LevelInfo finest() const { return info_of(directory_.stages.front()); }
+  LevelInfo coarsest() const { return info_of(directory_.stages.back()); }
+
+  /// As those of Levels.
+  template <class Stop>
+  Level at(const Stop& stop) {
+    return part(stop, true).at(stop);
+  }
+  template <class Stop>
+  LevelInfo info(const Stop& stop) {
+    return part(stop, false).info(stop);
+  }
+  template <class Stop, class Points, class Triangles>
+  LevelInfo extract(const Stop& stop, Points& points, Triangles& triangles) {
+    return part(stop, false).extract(stop, points, triangles);
+  }
+
+  /// All of it.
+  Levels read() {
+    return checked([&] {
+      Levels levels = empty_levels();
+      for (std::size_t s = 0; s < directory_.segments.size(); ++s) {
+        levels.segments_.push_back(read_segment(s));
+        levels.begins_.push_back(static_cast<std::size_t>(directory_.stages[s + 1].contractions));
+      }
+      read_inputs(0, levels);
+      return levels;
+    });
+  }
+
+private:
+  using Stage = internal::LevelDirectory::Stage;
+
+  void open() {
+    std::error_code error;
+    size_ = std::filesystem::file_size(path_, error);
+    file_.open(path_, std::ios::binary);
+    if (error || !file_)
+      throw std::runtime_error("it cannot be opened");
+    internal::Bytes front(internal::LevelDirectory::bytes_before);
+    file_.read(reinterpret_cast<char*>(front.data()), static_cast<std::streamsize>(front.size()));
+    if (!file_ || !std::equal(internal::LevelDirectory::magic.begin(),
+                              internal::LevelDirectory::magic.end(), front.begin()))
+      throw std::runtime_error("it does not begin as one");
+    internal::ByteReader reader(
+        std::span<const unsigned char>(front).subspan(internal::LevelDirectory::magic.size()));
+    if (const auto version = reader.get<std::uint32_t>();
+        version != internal::LevelDirectory::version)
+      throw std::runtime_error("its version is " + std::to_string(version) + ", this reads " +
+                               std::to_string(internal::LevelDirectory::version));
+    internal::FileBlock block{front.size(), reader.get<std::uint64_t>(), 0, 0, 0};
+    block.raw = block.stored;
+    block.crc = reader.get<std::uint32_t>();
+    directory_ = internal::LevelDirectory::read(block.read(file_, size_));
+  }
+
+  static LevelInfo info_of(const internal::LevelDirectory& directory, const Stage& stage) {
+    LevelInfo info;
+    info.faces = stage.faces;
+    info.vertices = stage.vertices;
+    info.contractions = static_cast<std::size_t>(stage.contractions);
+    info.error = static_cast<double>(stage.error);
+    if (info.contractions == 0)
+      info.distance_bound = 0;
+    else if (directory.knows_bounds)
+      info.distance_bound = static_cast<double>(stage.bound);
+    return info;
+  }
+  LevelInfo info_of(const Stage& stage) const { return info_of(directory_, stage); }
+
+  // The segment in which a level lies: the first that ends with one that is coarse enough.
+  std::size_t segment_of(const FaceCount& stop) const {
+    return first_ending([&](const Stage& end) { return end.faces <= stop.faces; });
+  }
+  std::size_t segment_of(const VertexCount& stop) const {
+    return first_ending([&](const Stage& end) { return end.vertices <= stop.vertices; });
+  }
+  std::size_t segment_of(const ErrorAtMost& stop) const {
+    return first_ending(
+        [&](const Stage& end) { return static_cast<double>(end.error) > stop.error; });
+  }
+  std::size_t segment_of(const DistanceAtMost& stop) const {
+    return first_ending(
+        [&](const Stage& end) { return static_cast<double>(end.bound) > stop.distance; });
+  }
+  std::size_t segment_of(const AfterContractions& stop) const {
+    return first_ending([&](const Stage& end) { return end.contractions >= stop.contractions; });
+  }
+  template <class IsEnd>
+  std::size_t first_ending(IsEnd is_end) const {
+    std::size_t s = 0;
+    while (s + 1 < directory_.segments.size() && !is_end(directory_.stages[s + 1]))
+      ++s;
+    return s;
+  }
+
+  // Levels of nothing but the segment in which a level lies. The last one that was read is kept.
+  template <class Stop>
+  const Levels& part(const Stop& stop, bool with_inputs) {
+    const std::size_t segment = segment_of(stop);
+    return checked([&]() -> const Levels& {
+      if (part_.empty() || segment != part_segment_) {
+        Levels part = empty_levels();
+        part.segments_.push_back(read_segment(segment));
+        part.begins_ = {static_cast<std::size_t>(directory_.stages[segment].contractions),
+                        static_cast<std::size_t>(directory_.stages[segment + 1].contractions)};
+        part_ = std::move(part);
+        part_segment_ = segment;
+      }
+      if (with_inputs && part_.input_faces_.empty())
+        read_inputs(segment, part_);
+      return part_;
+    });
+  }
+
+  Levels empty_levels() const {
+    Levels levels;
+    levels.begins_ = {0};
+    levels.input_vertex_count_ = static_cast<std::size_t>(directory_.input_vertices);
+    for (const auto& channel : directory_.channels)
+      levels.channels_.push_back({channel.track, channel.offset, channel.components});
+    return levels;
+  }
+
+  internal::LevelSegment read_segment(std::size_t s) {
+    internal::LevelSegment segment =
+        internal::SegmentBytes::read(directory_.segments[s].read(file_, size_), directory_.widths);
+    const Stage &begin = directory_.stages[s], &end = directory_.stages[s + 1];
+    const std::size_t contractions = segment.contractions();
+    const auto& vertices = segment.tracks.front();
+    if (begin.contractions + contractions != end.contractions || segment.faces() != begin.faces ||
+        segment.faces_at(contractions) != end.faces || vertices.items() != begin.vertices ||
+        vertices.items_at(contractions) != end.vertices ||
+        (contractions > 0 && segment.bounds.empty() == directory_.knows_bounds))
+      throw std::runtime_error("a segment is not what the directory says");
+    return segment;
+  }
+
+  // Of the faces and vertices that are there at the beginning of a segment.
+  void read_inputs(std::size_t segment, Levels& levels) {
+    levels.input_faces_.clear();
+    levels.input_vertices_.clear();
+    for (std::size_t s = directory_.inputs.size(); s-- > segment;) {
+      const internal::Bytes bytes = directory_.inputs[s].read(file_, size_);
+      internal::ByteReader reader(bytes);
+      for (auto* inputs : {&levels.input_faces_, &levels.input_vertices_}) {
+        const auto column = reader.get_column<internal::Index>(reader.get<std::uint32_t>());
+        inputs->insert(inputs->end(), column.begin(), column.end());
+      }
+      if (levels.input_faces_.size() != directory_.stages[s].faces ||
+          levels.input_vertices_.size() != directory_.stages[s].vertices)
+        throw std::runtime_error("input indices are not what the directory says");
+    }
+    for (internal::Index v : levels.input_vertices_)
+      if (v >= directory_.input_vertices)
+        throw std::runtime_error("an input index is out of range");
+  }
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::uint64_t size_ = 0;
+  internal::LevelDirectory directory_;
+  Levels part_;
+  std::size_t part_segment_ = 0;
+
+  friend class LevelsFileWriter;
+};
+
+/// All levels of a file: see LevelsFile.
+inline Levels read_levels(const std::filesystem::path& path) {
+  return LevelsFile(path).read();
+}
+
+/// See write_levels.
+class LevelsFileWriter {
+public:
+  LevelsFileWriter(const Levels& levels, const LevelsFileOptions& options)
+      : levels_(levels), options_(options) {
+    levels.require_any();
+    directory_.comment = options.comment;
+    directory_.input_vertices = levels.input_vertex_count_;
+    directory_.knows_bounds = !levels.segments_.front().bounds.empty();
+    for (const auto& track : levels.segments_.front().tracks)
+      directory_.widths.push_back(track.width);
+    for (const auto& channel : levels.channels_)
+      directory_.channels.push_back({static_cast<std::uint32_t>(channel.track),
+                                     static_cast<std::uint32_t>(channel.offset),
+                                     static_cast<std::uint32_t>(channel.components)});
+    for (std::size_t s = 0; s < levels.segments_.size(); ++s)
+      add_stage(levels.begin_of(s));
+    add_stage(levels.end_of(levels.segments_.size() - 1));
+    directory_.segments.resize(levels.segments_.size());
+    directory_.inputs.resize(levels.segments_.size());
+  }
+
+  void write(std::ostream& file) {
+    std::uint64_t offset = 0;
+    const auto put = [&](const internal::Bytes& bytes) {
+      const auto block = internal::FileBlock::write(bytes, options_.is_compressed, file, offset);
+      offset += block.stored;
+      return block;
+    };
+    write_front(file); // of the same length as it will have
+    offset = static_cast<std::uint64_t>(file.tellp());
+    for (std::size_t s = levels_.segments_.size(); s-- > 0;)
+      directory_.segments[s] =
+          put(internal::SegmentBytes::write(levels_.segments_[s], options_.rounds_to_floats));
+    for (std::size_t s = levels_.segments_.size(); s-- > 0;)
+      directory_.inputs[s] = put(inputs(s));
+    file.seekp(0);
+    write_front(file);
+  }
+
+private:
+  void add_stage(const Levels::Place& place) {
+    const auto& segment = levels_.segments_[place.segment];
+    const LevelInfo info = levels_.info(place);
+    const bool knows = directory_.knows_bounds;
+    directory_.stages.push_back(
+        {info.contractions, static_cast<std::uint32_t>(info.faces),
+         static_cast<std::uint32_t>(info.vertices),
+         static_cast<float>(segment.error_at(place.contractions)),
+         knows ? static_cast<float>(segment.bound_at(place.contractions)) : 0});
+  }
+
+  void write_front(std::ostream& file) const {
+    const internal::Bytes directory = directory_.write();
+    internal::ByteWriter front;
+    for (unsigned char c : internal::LevelDirectory::magic)
+      front.put(c);
+    front.put(internal::LevelDirectory::version);
+    front.put(std::uint64_t{directory.size()});
+    front.put(internal::checksum(directory));
+    for (const internal::Bytes& bytes : {front.bytes(), directory})
+      file.write(reinterpret_cast<const char*>(bytes.data()),
+                 static_cast<std::streamsize>(bytes.size()));
+  }
+
+  // Of what goes in a segment, or is there at its end if it is the last.
+  internal::Bytes inputs(std::size_t s) const {
+    const bool is_last = s + 1 == levels_.segments_.size();
+    const Stage &begin = directory_.stages[s], &end = directory_.stages[s + 1];
+    internal::ByteWriter writer;
+    const auto put = [&](const std::vector<internal::Index>& inputs, std::size_t from,
+                         std::size_t to) {
+      const std::vector<internal::Index> part(inputs.begin() + static_cast<std::ptrdiff_t>(from),
+                                              inputs.begin() + static_cast<std::ptrdiff_t>(to));
+      writer.put(static_cast<std::uint32_t>(part.size()));
+      writer.put_column(part);
+    };
+    put(levels_.input_faces_, is_last ? 0 : end.faces, begin.faces);
+    put(levels_.input_vertices_, is_last ? 0 : end.vertices, begin.vertices);
+    return writer.take();
+  }
+
+  using Stage = internal::LevelDirectory::Stage;
+
+  const Levels& levels_;
+  const LevelsFileOptions& options_;
+  internal::LevelDirectory directory_;
+};
+
+inline void write_levels(const std::filesystem::path& path, const Levels& levels,
+                         const LevelsFileOptions& options) {
+  LevelsFileWriter writer(levels, options);
+  std::filesystem::path part = path;
+  part += ".part";
+  try {
+    std::ofstream file(part, std::ios::binary);
+    writer.write(file);
+    file.close();
+    if (!file)
+      throw std::runtime_error("it cannot be written");
+    std::filesystem::rename(part, path);
+  } catch (const std::exception& e) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw std::runtime_error(path.string() + ": " + e.what());
+  }
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_LEVELS_FILE_H
