@@ -4,6 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/level_mesh.h>
+#include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
@@ -308,6 +309,72 @@ TEST_CASE("levels are extracted into the user's containers") {
   levels.extract(FaceCount{100}, floats, triangles);
   CHECK(static_cast<double>(floats[7][1]) ==
         Approx(levels.at(FaceCount{100}).points[7][1]).epsilon(1e-6));
+}
+
+void require_at(const LevelSteps& steps, const Levels& levels, std::size_t contractions) {
+  CAPTURE(contractions);
+  const Level level = levels.at(AfterContractions{contractions});
+  REQUIRE(steps.info().contractions == contractions);
+  REQUIRE(steps.info().error == level.error);
+  REQUIRE(std::equal(steps.points().begin(), steps.points().end(), level.points.begin(),
+                     level.points.end()));
+  REQUIRE(std::equal(steps.triangles().begin(), steps.triangles().end(), level.triangles.begin(),
+                     level.triangles.end()));
+}
+
+// The finer level becomes the coarser one by what a step says.
+void require_step(const LevelStep& step, const Level& fine, const Level& coarse) {
+  REQUIRE(step.finer_faces == fine.faces);
+  REQUIRE(step.coarser_faces == coarse.faces);
+  REQUIRE(step.finer_vertices == fine.vertices);
+  REQUIRE(step.coarser_vertices == coarse.vertices);
+  REQUIRE(step.kept_before == fine.points[step.kept]);
+  REQUIRE(step.gone_before == fine.points[step.gone]);
+  if (step.kept < coarse.vertices) // it has faces still
+    REQUIRE(step.after == coarse.points[step.kept]);
+  Triangles triangles = fine.triangles;
+  for (std::uint32_t face : step.changed)
+    for (std::uint32_t& v : triangles[face])
+      v = v == step.gone ? step.kept : v;
+  triangles.resize(coarse.faces);
+  REQUIRE(triangles == coarse.triangles);
+}
+
+TEST_CASE("levels step by step, forwards and backwards") {
+  for (const bool is_free : {false, true}) {
+    const Soup soup = is_free ? joined(sphere(2), torus(10, 6), {{1.1, 0, 0}}) : sphere(2);
+    Levels levels;
+    Points points = points_of_soup(soup);
+    Triangles triangles = soup.triangles;
+    simplify(points, triangles, FaceCount{8}, is_free ? Topology::free : Topology::kept,
+             record_into(levels));
+    const std::size_t count = levels.coarsest().contractions;
+    LevelSteps steps(levels);
+    CHECK_FALSE(steps.refine());
+    for (std::size_t i = 0; i < count; ++i) {
+      require_at(steps, levels, i);
+      REQUIRE(steps.coarsen());
+      require_step(steps.last_step(), levels.at(AfterContractions{i}),
+                   levels.at(AfterContractions{i + 1}));
+    }
+    CHECK_FALSE(steps.coarsen());
+    for (std::size_t i = count; i > 0; --i) {
+      require_at(steps, levels, i);
+      REQUIRE(steps.refine());
+      require_step(steps.last_step(), levels.at(AfterContractions{i - 1}),
+                   levels.at(AfterContractions{i}));
+    }
+    require_at(steps, levels, 0);
+    std::size_t at = 0;
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) { // to and fro
+      const bool is_down = random.below(2) == 0;
+      if (is_down ? steps.coarsen() : steps.refine())
+        at += is_down ? std::size_t{1} : ~std::size_t{0};
+      if (i % 50 == 0)
+        require_at(steps, levels, at);
+    }
+  }
 }
 
 template <class M>

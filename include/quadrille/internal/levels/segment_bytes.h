@@ -18,11 +18,13 @@ namespace quadrille::internal {
 /// A segment of levels as bytes: counts, then columns.
 ///
 ///     u32 contractions, faces; f32 error before, bound before; u8 bounds are known
-///     u32 [contractions] faces that go; f32 errors; f32 bounds, if they are known
+///     [contractions] faces that go, as u8 behind a 1 or u32 behind a 4
+///     f32 [contractions] errors; bounds, if they are known
 ///     each track: u32 items, parents, changes; u8 bytes of a number, 4 or 8
 ///       u32 [faces] the corners, three columns
 ///       f32 or f64 [items] the numbers, a column each
-///       u32 [parents] what items become; [contractions] items that go; changes
+///       u32 [parents] what items become
+///       [contractions] items that go; changes, both as the faces that go
 ///       u32 [changes] the items that change; f32 or f64 [changes] their numbers, a column each
 class SegmentBytes {
 public:
@@ -34,7 +36,7 @@ public:
     writer.put(segment.error_before);
     writer.put(segment.bound_before);
     writer.put(static_cast<std::uint8_t>(!segment.bounds.empty()));
-    writer.put_column(steps_down(segment.faces_after, segment.faces()));
+    put_small(steps_down(segment.faces_after, segment.faces()), writer);
     writer.put_column(segment.errors);
     writer.put_column(segment.bounds);
     for (const LevelTrack& track : segment.tracks)
@@ -51,7 +53,7 @@ public:
     segment.error_before = reader.get<float>();
     segment.bound_before = reader.get<float>();
     const bool knows_bounds = reader.get<std::uint8_t>() != 0;
-    segment.faces_after = sums_down(reader.get_column<Index>(contractions), faces);
+    segment.faces_after = sums_down(get_small(contractions, reader), faces);
     segment.errors = reader.get_column<float>(contractions);
     segment.bounds = reader.get_column<float>(knows_bounds ? contractions : 0);
     for (std::size_t width : widths)
@@ -109,6 +111,23 @@ private:
     return steps;
   }
 
+  // Small numbers, in a byte each if that is enough.
+  static void put_small(const std::vector<Index>& column, ByteWriter& writer) {
+    const bool are_bytes =
+        std::all_of(column.begin(), column.end(), [](Index value) { return value < 256; });
+    writer.put(static_cast<std::uint8_t>(are_bytes ? 1 : 4));
+    if (are_bytes)
+      writer.put_column(std::vector<std::uint8_t>(column.begin(), column.end()));
+    else
+      writer.put_column(column);
+  }
+  static std::vector<Index> get_small(std::size_t count, ByteReader& reader) {
+    if (reader.get<std::uint8_t>() != 1)
+      return reader.get_column<Index>(count);
+    const std::vector<std::uint8_t> bytes = reader.get_column<std::uint8_t>(count);
+    return {bytes.begin(), bytes.end()};
+  }
+
   static bool are_floats(const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(),
                        [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
@@ -162,8 +181,8 @@ private:
     }
     write_all(track.values);
     writer.put_column(track.parents);
-    writer.put_column(steps_down(track.items_after, track.items()));
-    writer.put_column(steps_up(track.change_ends));
+    put_small(steps_down(track.items_after, track.items()), writer);
+    put_small(steps_up(track.change_ends), writer);
     writer.put_column(track.changed);
     write_all(track.changed_values);
   }
@@ -191,8 +210,8 @@ private:
       }
     track.values = read_all(items);
     track.parents = reader.get_column<Index>(parents);
-    track.items_after = sums_down(reader.get_column<Index>(contractions), items);
-    track.change_ends = sums_up(reader.get_column<Index>(contractions), changes);
+    track.items_after = sums_down(get_small(contractions, reader), items);
+    track.change_ends = sums_up(get_small(contractions, reader), changes);
     track.changed = reader.get_column<Index>(changes);
     track.changed_values = read_all(changes);
     require_consistent(track);
