@@ -5,6 +5,10 @@
 #include <CGAL/property_map.h>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <quadrille/level_mesh.h>
+#include <quadrille/levels.h>
+#include <quadrille/levels_file.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <vector>
@@ -18,7 +22,8 @@ using MaterialMap = Mesh::Property_map<Mesh::Face_index, int>;
 
 void documented_calls(Mesh& mesh, std::vector<Point>& points,
                       std::vector<std::array<std::size_t, 3>>& triangles, const ColorMap& colors,
-                      const TextureMap& uv, const MaterialMap& materials) {
+                      const TextureMap& uv, const MaterialMap& materials,
+                      quadrille::Levels& levels) {
   using namespace quadrille;
 #include "documented_calls.inc"
 }
