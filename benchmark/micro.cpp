@@ -4,12 +4,20 @@
 
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/order/pair_queue.h>
+#include <quadrille/levels.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
+#include <quadrille/simplify.h>
 
 #include <benchmark/benchmark.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
 #include <random>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -185,6 +193,71 @@ void corner_lists_merge(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * n * n / 2);
 }
 BENCHMARK(corner_lists_merge)->Arg(100)->Arg(700)->Unit(benchmark::kMillisecond);
+
+// --- Levels
+// ----------------------------------------------------------------------------------------
+
+struct Soup {
+  std::vector<std::array<double, 3>> points;
+  std::vector<TriangleComplex::Triangle> triangles;
+};
+
+/// A bumpy torus of about that many faces.
+Soup bumpy_torus(std::size_t faces) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const auto n = static_cast<Index>(std::sqrt(static_cast<double>(faces) / 2));
+  Soup soup;
+  const auto triangles = torus(n);
+  soup.triangles.assign(triangles.begin(), triangles.end());
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const double u = turn * i / n, v = turn * j / n;
+      const double r =
+          0.4 + 0.02 * std::sin(13 * u) * std::cos(9 * v) + 0.005 * std::sin(71 * u + 33 * v);
+      soup.points.push_back({(1 + r * std::cos(v)) * std::cos(u),
+                             (1 + r * std::cos(v)) * std::sin(u), r * std::sin(v)});
+    }
+  return soup;
+}
+
+/// A recorder that does nothing.
+struct NoLevels {
+  void begin(const RecordedSurface&) {}
+  void record(const RecordedContraction&) {}
+  void end() {}
+};
+
+template <class... Recorder>
+void simplify_recorded(benchmark::State& state) {
+  const Soup soup = bumpy_torus(200'000);
+  for (auto _ : state) {
+    Soup copy = soup;
+    std::tuple<Recorder...> recorders;
+    std::apply(
+        [&](auto&... recorder) {
+          simplify<MemorylessQuadric, OptimalPlacement>(copy.points, copy.triangles,
+                                                        FaceRatio{0.01}, record_into(recorder)...);
+        },
+        recorders);
+    benchmark::DoNotOptimize(copy);
+  }
+}
+BENCHMARK(simplify_recorded<>)->Unit(benchmark::kMillisecond);
+BENCHMARK(simplify_recorded<NoLevels>)->Unit(benchmark::kMillisecond);
+BENCHMARK(simplify_recorded<Levels>)->Unit(benchmark::kMillisecond);
+
+/// A level of so many faces, of a surface of half as many again. An item is a face of the level.
+void extract_level(benchmark::State& state) {
+  const auto faces = static_cast<std::size_t>(state.range(0));
+  Soup soup = bumpy_torus(3 * faces / 2);
+  Levels levels;
+  simplify(soup.points, soup.triangles, FaceCount{faces * 9 / 10}, RelaxedOrder{},
+           record_into(levels));
+  for (auto _ : state)
+    levels.extract(FaceCount{faces}, soup.points, soup.triangles);
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(extract_level)->RangeMultiplier(10)->Range(1'000, 10'000'000);
 
 } // namespace
 

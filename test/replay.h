@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -34,10 +35,10 @@ struct Log {
   std::vector<KeptContraction> contractions;
   int ends = 0;
 
-  void begin(const quadrille::RecordedSurface& surface) {
+  void begin(quadrille::RecordedSurface surface) {
     width = surface.width;
-    values.assign(surface.values.begin(), surface.values.end());
-    triangles.assign(surface.triangles.begin(), surface.triangles.end());
+    values = std::move(surface.values);
+    triangles = std::move(surface.triangles);
     contractions.clear();
   }
   void record(const quadrille::RecordedContraction& c) {

@@ -152,7 +152,7 @@ public:
   std::vector<std::uint32_t> images(const LevelInfo& fine, const LevelInfo& coarse) const;
 
   // What a recorder is told: see record.h.
-  void begin(const RecordedSurface& surface);
+  void begin(RecordedSurface surface);
   void record(const RecordedContraction& contraction) { records_.add(contraction); }
   void end();
 
@@ -273,19 +273,15 @@ inline void Levels::name_channels(const RecordedSurface& surface) {
     }
 }
 
-inline void Levels::begin(const RecordedSurface& surface) {
-  items_.clear();
-  items_.push_back({surface.width,
-                    {surface.triangles.begin(), surface.triangles.end()},
-                    {surface.values.begin(), surface.values.end()}});
-  for (const RecordedChannel& channel : surface.channels)
-    if (!channel.corners.empty())
-      items_.push_back({channel.components,
-                        {channel.corners.begin(), channel.corners.end()},
-                        {channel.values.begin(), channel.values.end()}});
+inline void Levels::begin(RecordedSurface surface) {
   name_channels(surface);
   records_ = internal::RecordList(surface.width, surface.knows_distances);
   records_.reserve(surface.values.size() / surface.width, surface.triangles.size());
+  items_.clear();
+  items_.push_back({surface.width, std::move(surface.triangles), std::move(surface.values)});
+  for (RecordedChannel& channel : surface.channels)
+    if (!channel.corners.empty())
+      items_.push_back({channel.components, std::move(channel.corners), std::move(channel.values)});
 }
 
 inline void Levels::end() {

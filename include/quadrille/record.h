@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
+#include <vector>
 
 /// \file
 /// What a recorder is told of a simplification: `simplify(mesh, FaceCount{100},
@@ -24,8 +26,8 @@ struct RecordedChannel {
   std::size_t components; ///< how many numbers a value has
   /// Of each input face, the wedges of its corners; not_recorded for faces that are not there.
   /// Empty for a channel without seams, whose values are among the numbers of each vertex.
-  std::span<const std::array<RecordedIndex, 3>> corners;
-  std::span<const double> values; ///< of each wedge, `components` numbers
+  std::vector<std::array<RecordedIndex, 3>> corners;
+  std::vector<double> values; ///< of each wedge, `components` numbers
 };
 
 /// The surface before the first contraction.
@@ -34,11 +36,11 @@ struct RecordedSurface {
   /// How many numbers each vertex has: `dimension`, and the components of each channel without
   /// seams, in the order of the call.
   std::size_t width;
-  std::span<const double> values; ///< of each input vertex these numbers, in the mesh's units
+  std::vector<double> values; ///< of each input vertex these numbers, in the mesh's units
   /// The vertices of each input face; not_recorded, three times, for faces that are not there from
   /// the beginning: degenerate ones, and doubled ones where they are dropped.
-  std::span<const std::array<RecordedIndex, 3>> triangles;
-  std::span<const RecordedChannel> channels; ///< in the order of the call
+  std::vector<std::array<RecordedIndex, 3>> triangles;
+  std::vector<RecordedChannel> channels; ///< in the order of the call
   bool knows_distances; ///< does a stop policy ask for distances, so that contractions tell them?
 };
 
@@ -63,14 +65,14 @@ struct RecordedContraction {
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };
 
-/// **Recorder**: `recorder.begin(surface)` before the first contraction,
-/// `recorder.record(contraction)` for each in order, `recorder.end()` behind the last, before the
-/// mesh is changed. What the arguments refer to is there during the call only. If one of them
+/// **Recorder**: `recorder.begin(surface)` before the first contraction, with a surface of its own;
+/// `recorder.record(contraction)` for each in order; `recorder.end()` behind the last, before the
+/// mesh is changed. What a contraction refers to is there during the call only. If one of them
 /// throws, the mesh stays as it was.
 template <class R>
-concept Recorder = requires(R& recorder, const RecordedSurface& surface,
+concept Recorder = requires(R& recorder, RecordedSurface surface,
                             const RecordedContraction& contraction) {
-  recorder.begin(surface);
+  recorder.begin(std::move(surface));
   recorder.record(contraction);
   recorder.end();
 };

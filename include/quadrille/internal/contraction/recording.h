@@ -44,26 +44,22 @@ public:
     const std::size_t vertices = numbering_.vertices.input_count();
     for (Channel& channel : all_channels())
       width_ += channel.has_seams() ? 0 : channel.components();
-    std::vector<double> values(width_ * vertices);
+    RecordedSurface surface{dimension, width_, std::vector<double>(width_ * vertices),
+                            {},        {},     asks_for_distance<typename Policies::Stop>};
     std::vector<double> memory;
     for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
       const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
       const std::span<const double> of_vertex = values_of(v, position, memory);
       std::copy(of_vertex.begin(), of_vertex.end(),
-                values.begin() + static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
+                surface.values.begin() +
+                    static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
     }
-    const std::vector<Corners> triangles = by_input_face([this](Index face, std::size_t i) {
+    surface.triangles = by_input_face([this](Index face, std::size_t i) {
       return numbering_.vertices[complex_.vertices(face)[i]];
     });
-    std::vector<std::vector<Corners>> corners;
-    std::vector<std::vector<double>> channel_values;
     for (Channel& channel : all_channels())
-      read(channel, corners.emplace_back(), channel_values.emplace_back());
-    std::vector<RecordedChannel> channels;
-    for (std::size_t c = 0; c < corners.size(); ++c)
-      channels.push_back({all_channels()[c].components(), corners[c], channel_values[c]});
-    policies_.recorder.begin(RecordedSurface{dimension, width_, values, triangles, channels,
-                                             asks_for_distance<typename Policies::Stop>});
+      surface.channels.push_back(read(channel));
+    policies_.recorder.begin(std::move(surface));
     for (Scratch& scratch : scratches_)
       scratch.recorded.list = empty_list();
   }
@@ -177,15 +173,17 @@ private:
     return corners;
   }
 
-  void read(Channel& channel, std::vector<Corners>& corners, std::vector<double>& values) {
+  RecordedChannel read(Channel& channel) const {
+    RecordedChannel recorded{channel.components(), {}, {}};
     if (!channel.has_seams())
-      return;
+      return recorded;
     channel.records().identify();
-    corners = by_input_face([&](Index face, std::size_t i) {
+    recorded.corners = by_input_face([&](Index face, std::size_t i) {
       return channel.wedge(complex_, face, complex_.vertices(face)[i]);
     });
     for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
-      channel.append_final_values(wedge, values);
+      channel.append_final_values(wedge, recorded.values);
+    return recorded;
   }
 
   double distance_bound(const Contraction<Cost>& contraction) const {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace quadrille::internal {
 
@@ -109,7 +110,7 @@ class RecorderReference {
 public:
   static constexpr bool is_given = true;
   explicit RecorderReference(R& recorder) : recorder_(&recorder) {}
-  void begin(const RecordedSurface& surface) const { recorder_->begin(surface); }
+  void begin(RecordedSurface surface) const { recorder_->begin(std::move(surface)); }
   void record(const RecordedContraction& contraction) const { recorder_->record(contraction); }
   void end() const { recorder_->end(); }
 
