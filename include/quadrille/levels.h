@@ -1,13 +1,13 @@
 #ifndef QUADRILLE_LEVELS_H
 #define QUADRILLE_LEVELS_H
 
-#include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/text.h>
 #include <quadrille/internal/contraction/record_list.h>
 #include <quadrille/internal/levels/level_builder.h>
+#include <quadrille/internal/levels/level_search.h>
 #include <quadrille/internal/levels/level_track.h>
+#include <quadrille/level.h>
 #include <quadrille/record.h>
 #include <quadrille/stop.h>
 #include <quadrille/vector.h>
@@ -16,80 +16,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <ranges>
-#include <span>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace quadrille {
 
-/// The coarsest level whose error is at most a distance in the mesh's units: see Report::error.
-struct ErrorAtMost {
-  double error;
-};
-/// The coarsest level no point of which is known to be further from the input than a distance in
-/// the mesh's units: see Report::distance_bound. For recordings with a stop policy that asks for
-/// distances, as ErrorLimit.
-struct DistanceAtMost {
-  double distance;
-};
-/// The level after so many contractions.
-struct AfterContractions {
-  std::size_t contractions;
-};
-
-/// What is known of a level.
-struct LevelInfo {
-  std::size_t faces = 0, vertices = 0;
-  std::size_t contractions = 0; ///< that lead to it
-  double error = 0;             ///< as Report::error; rounded up to a float
-  /// As Report::distance_bound, or more: it never falls from a level to a coarser one.
-  double distance_bound = std::numeric_limits<double>::infinity();
-};
-
-/// The values of a channel at a level.
-struct LevelChannel {
-  std::size_t components = 0;
-  std::vector<double> values; ///< one value after the other
-  /// Of each triangle, the values of its corners; empty: a value has the index of its point.
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-/// A surface at a level of detail, as a soup. Of two levels of one recording the coarser one has
-/// the first faces and the first vertices of the finer one, by input indices.
-struct Level : LevelInfo {
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// The attributes that the cost reads, if it reads any; then the channels, in the order of the
-  /// call. Values are numbers of the user's unit, not yet rounded to the user's type.
-  std::vector<LevelChannel> channels;
-  /// Of each point and triangle, which one of the input it is; of a mesh by the order of
-  /// vertices(mesh) and faces(mesh). So a label or a colour of a face is found.
-  std::vector<std::uint32_t> input_vertices, input_faces;
-};
-
-/// The same level with its points and triangles in the order of the input, as `simplify` leaves
-/// them; channels too where a value has the index of its point. Takes O(n log n) time.
-inline Level in_input_order(const Level& level);
-
-/// Where the vertices of the input are at a level: members[i] are those that have become its vertex
-/// i, in ascending order.
-class LevelMembers {
-public:
-  LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices);
-  std::size_t size() const { return begin_.size() - 1; }
-  std::span<const std::uint32_t> operator[](std::size_t i) const {
-    return std::span(members_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
-  }
-
-private:
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> members_;
-};
+namespace internal {
+class LevelsFileWriter;
+}
 
 /// All levels of detail of a simplification, from one run:
 ///
@@ -160,17 +97,14 @@ private:
   using Index = internal::Index;
   using Segment = internal::LevelSegment;
   using Track = internal::LevelTrack;
-  // So many contractions into a segment.
-  struct Place {
-    std::size_t segment, contractions;
-  };
+  using Place = internal::LevelPlace;
   // Where a channel's values are: in a track, behind others.
   struct ChannelPlace {
     std::size_t track, offset, components;
   };
   friend class LevelSteps;
   friend class LevelsFile;
-  friend class LevelsFileWriter;
+  friend class internal::LevelsFileWriter;
 
   Place begin_of(std::size_t segment) const { return {segment, 0}; }
   Place end_of(std::size_t segment) const {
@@ -182,18 +116,13 @@ private:
       throw std::logic_error("quadrille::Levels: nothing has been recorded");
   }
 
-  Place find(const FaceCount& stop) const;
-  Place find(const VertexCount& stop) const;
-  Place find(const ErrorAtMost& stop) const;
-  Place find(const DistanceAtMost& stop) const;
-  Place find(const AfterContractions& stop) const;
-  template <class IsEnough>
-  Place first(IsEnough is_enough) const;
-  template <class IsWithin>
-  Place last(IsWithin is_within) const;
+  template <class Stop>
+  Place find(const Stop& stop) const {
+    require_any();
+    return internal::LevelSearch(segments_, begins_.front()).find(stop);
+  }
 
   LevelInfo info(const Place& place) const;
-  std::size_t contractions_before(std::size_t segment) const { return begins_[segment]; }
   LevelChannel channel_at(const ChannelPlace& channel, const Place& place, std::size_t faces,
                           const std::vector<double>& vertices) const;
   void name_channels(const RecordedSurface& surface);
@@ -211,53 +140,6 @@ private:
 
 // --- Definitions
 // -----------------------------------------------------------------------------------
-
-inline LevelMembers::LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices)
-    : begin_(vertices + 1, 0) {
-  for (std::uint32_t image : images)
-    if (image != not_recorded)
-      ++begin_[image + 1];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  members_.resize(begin_.back());
-  std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
-  for (std::uint32_t v = 0; v < images.size(); ++v)
-    if (images[v] != not_recorded)
-      members_[end[images[v]]++] = v;
-}
-
-inline Level in_input_order(const Level& level) {
-  const auto ordered = [](const std::vector<std::uint32_t>& inputs) {
-    std::vector<std::uint32_t> order(inputs.size());
-    std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return inputs[i] < inputs[j]; });
-    return order;
-  };
-  Level sorted = level;
-  const std::vector<std::uint32_t> vertices = ordered(level.input_vertices);
-  std::vector<std::uint32_t> place(vertices.size());
-  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    place[vertices[i]] = i;
-    sorted.points[i] = level.points[vertices[i]];
-    sorted.input_vertices[i] = level.input_vertices[vertices[i]];
-  }
-  const std::vector<std::uint32_t> faces = ordered(level.input_faces);
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k)
-      sorted.triangles[i][k] = place[level.triangles[faces[i]][k]];
-    sorted.input_faces[i] = level.input_faces[faces[i]];
-  }
-  for (std::size_t c = 0; c < sorted.channels.size(); ++c) {
-    LevelChannel& channel = sorted.channels[c];
-    const LevelChannel& old = level.channels[c];
-    for (std::size_t i = 0; i < channel.triangles.size(); ++i)
-      channel.triangles[i] = old.triangles[faces[i]];
-    for (std::size_t i = 0; i < vertices.size() && channel.triangles.empty(); ++i)
-      std::copy_n(&old.values[vertices[i] * channel.components], channel.components,
-                  &channel.values[i * channel.components]);
-  }
-  return sorted;
-}
 
 inline void Levels::name_channels(const RecordedSurface& surface) {
   recorded_channels_.clear();
@@ -298,68 +180,6 @@ inline void Levels::end() {
   begins_.assign(1, 0);
   for (const Segment& segment : segments_)
     begins_.push_back(begins_.back() + segment.contractions());
-}
-
-// The first level of which is_enough(segment, contractions) holds, which it does of all coarser
-// ones; else the coarsest.
-template <class IsEnough>
-Levels::Place Levels::first(IsEnough is_enough) const {
-  require_any();
-  std::size_t s = 0;
-  while (s + 1 < segments_.size() && !is_enough(segments_[s], segments_[s].contractions()))
-    ++s;
-  const Segment& segment = segments_[s];
-  std::size_t low = 0, high = segment.contractions();
-  while (low < high) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (is_enough(segment, middle))
-      high = middle;
-    else
-      low = middle + 1;
-  }
-  return {s, low};
-}
-// The last one of which is_within(segment, contractions) holds, which it does of all finer ones;
-// else the finest.
-template <class IsWithin>
-Levels::Place Levels::last(IsWithin is_within) const {
-  Place place = first([&](const Segment& segment, std::size_t contractions) {
-    return !is_within(segment, contractions);
-  });
-  if (!is_within(segments_[place.segment], place.contractions) &&
-      (place.segment > 0 || place.contractions > 0))
-    place = place.contractions > 0 ? Place{place.segment, place.contractions - 1}
-                                   : end_of(place.segment - 1);
-  return place;
-}
-
-inline Levels::Place Levels::find(const FaceCount& stop) const {
-  return first(
-      [&](const Segment& segment, std::size_t i) { return segment.faces_at(i) <= stop.faces; });
-}
-inline Levels::Place Levels::find(const VertexCount& stop) const {
-  return first([&](const Segment& segment, std::size_t i) {
-    return segment.tracks.front().items_at(i) <= stop.vertices;
-  });
-}
-inline Levels::Place Levels::find(const ErrorAtMost& stop) const {
-  return last(
-      [&](const Segment& segment, std::size_t i) { return segment.error_at(i) <= stop.error; });
-}
-inline Levels::Place Levels::find(const DistanceAtMost& stop) const {
-  require_any();
-  if (!segments_.front().faces_after.empty() && segments_.front().bounds.empty())
-    throw std::logic_error("quadrille::Levels: distances have not been recorded: simplify with a "
-                           "stop policy that asks for them, as ErrorLimit");
-  return last(
-      [&](const Segment& segment, std::size_t i) { return segment.bound_at(i) <= stop.distance; });
-}
-inline Levels::Place Levels::find(const AfterContractions& stop) const {
-  require_any();
-  std::size_t s = 0;
-  while (s + 1 < segments_.size() && begins_[s + 1] < stop.contractions)
-    ++s;
-  return {s, (std::min)(stop.contractions - begins_[s], segments_[s].contractions())};
 }
 
 inline LevelInfo Levels::info(const Place& place) const {

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/levels/bytes.h>
 #include <quadrille/internal/levels/level_directory.h>
+#include <quadrille/internal/levels/levels_file_writer.h>
 #include <quadrille/internal/levels/segment_bytes.h>
 #include <quadrille/levels.h>
 
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <ostream>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -32,14 +32,6 @@
 /// without it reads files that are not.
 
 namespace quadrille {
-
-struct LevelsFileOptions {
-  /// About half as many bytes.
-  bool is_compressed = internal::has_zstd;
-  /// Rounds coordinates and attributes to floats, as for a mesh of floats they are anyway.
-  bool rounds_to_floats = false;
-  std::string comment = {}; ///< anything: how the levels were made
-};
 
 /// Writes all levels to a file. A file that is there is replaced once all of it is written.
 ///
@@ -232,8 +224,6 @@ private:
   internal::LevelDirectory directory_;
   Levels part_;
   std::size_t part_segment_ = 0;
-
-  friend class LevelsFileWriter;
 };
 
 /// All levels of a file: see LevelsFile.
@@ -241,98 +231,9 @@ inline Levels read_levels(const std::filesystem::path& path) {
   return LevelsFile(path).read();
 }
 
-/// See write_levels.
-class LevelsFileWriter {
-public:
-  LevelsFileWriter(const Levels& levels, const LevelsFileOptions& options)
-      : levels_(levels), options_(options) {
-    levels.require_any();
-    directory_.comment = options.comment;
-    directory_.input_vertices = levels.input_vertex_count_;
-    directory_.knows_bounds = !levels.segments_.front().bounds.empty();
-    for (const auto& track : levels.segments_.front().tracks)
-      directory_.widths.push_back(track.width);
-    for (const auto& channel : levels.channels_)
-      directory_.channels.push_back({static_cast<std::uint32_t>(channel.track),
-                                     static_cast<std::uint32_t>(channel.offset),
-                                     static_cast<std::uint32_t>(channel.components)});
-    for (std::size_t s = 0; s < levels.segments_.size(); ++s)
-      add_stage(levels.begin_of(s));
-    add_stage(levels.end_of(levels.segments_.size() - 1));
-    directory_.segments.resize(levels.segments_.size());
-    directory_.inputs.resize(levels.segments_.size());
-  }
-
-  void write(std::ostream& file) {
-    std::uint64_t offset = 0;
-    const auto put = [&](const internal::Bytes& bytes) {
-      const auto block = internal::FileBlock::write(bytes, options_.is_compressed, file, offset);
-      offset += block.stored;
-      return block;
-    };
-    write_front(file); // of the same length as it will have
-    offset = static_cast<std::uint64_t>(file.tellp());
-    for (std::size_t s = levels_.segments_.size(); s-- > 0;)
-      directory_.segments[s] =
-          put(internal::SegmentBytes::write(levels_.segments_[s], options_.rounds_to_floats));
-    for (std::size_t s = levels_.segments_.size(); s-- > 0;)
-      directory_.inputs[s] = put(inputs(s));
-    file.seekp(0);
-    write_front(file);
-  }
-
-private:
-  void add_stage(const Levels::Place& place) {
-    const auto& segment = levels_.segments_[place.segment];
-    const LevelInfo info = levels_.info(place);
-    const bool knows = directory_.knows_bounds;
-    directory_.stages.push_back(
-        {info.contractions, static_cast<std::uint32_t>(info.faces),
-         static_cast<std::uint32_t>(info.vertices),
-         static_cast<float>(segment.error_at(place.contractions)),
-         knows ? static_cast<float>(segment.bound_at(place.contractions)) : 0});
-  }
-
-  void write_front(std::ostream& file) const {
-    const internal::Bytes directory = directory_.write();
-    internal::ByteWriter front;
-    for (unsigned char c : internal::LevelDirectory::magic)
-      front.put(c);
-    front.put(internal::LevelDirectory::version);
-    front.put(std::uint64_t{directory.size()});
-    front.put(internal::checksum(directory));
-    for (const internal::Bytes& bytes : {front.bytes(), directory})
-      file.write(reinterpret_cast<const char*>(bytes.data()),
-                 static_cast<std::streamsize>(bytes.size()));
-  }
-
-  // Of what goes in a segment, or is there at its end if it is the last.
-  internal::Bytes inputs(std::size_t s) const {
-    const bool is_last = s + 1 == levels_.segments_.size();
-    const Stage &begin = directory_.stages[s], &end = directory_.stages[s + 1];
-    internal::ByteWriter writer;
-    const auto put = [&](const std::vector<internal::Index>& inputs, std::size_t from,
-                         std::size_t to) {
-      const std::vector<internal::Index> part(inputs.begin() + static_cast<std::ptrdiff_t>(from),
-                                              inputs.begin() + static_cast<std::ptrdiff_t>(to));
-      writer.put(static_cast<std::uint32_t>(part.size()));
-      writer.put_column(part);
-    };
-    put(levels_.input_faces_, is_last ? 0 : end.faces, begin.faces);
-    put(levels_.input_vertices_, is_last ? 0 : end.vertices, begin.vertices);
-    return writer.take();
-  }
-
-  using Stage = internal::LevelDirectory::Stage;
-
-  const Levels& levels_;
-  const LevelsFileOptions& options_;
-  internal::LevelDirectory directory_;
-};
-
 inline void write_levels(const std::filesystem::path& path, const Levels& levels,
                          const LevelsFileOptions& options) {
-  LevelsFileWriter writer(levels, options);
+  internal::LevelsFileWriter writer(levels, options);
   std::filesystem::path part = path;
   part += ".part";
   try {
