@@ -4,6 +4,7 @@
 
 #include "contender.h"
 
+#include <quadrille/cluster.h>
 #include <quadrille/simplify.h>
 
 namespace bench {
@@ -18,6 +19,17 @@ auto simplify_in(const Order& order) {
     const auto& seconds = report.seconds; // of wall clock time
     const double own_part = (seconds.prepare + seconds.contract) / seconds.total();
     return Answer{.own_seconds = own_part * stopwatch.seconds(), .soup = {}};
+  };
+}
+
+auto cluster_with(quadrille::ClusterPlacement placement) {
+  return [placement](Mesh& mesh, std::size_t faces) {
+    Soup soup = to_soup(mesh);
+    const Stopwatch stopwatch;
+    cluster_vertices(soup.points, soup.triangles, quadrille::FaceCount{faces}, placement);
+    const double seconds = stopwatch.seconds();
+    to_mesh(soup, mesh);
+    return Answer{.own_seconds = seconds, .soup = std::move(soup)};
   };
 }
 
@@ -39,7 +51,11 @@ std::vector<Contender> our_contenders() {
            simplify_in<Quadric>(RelaxedOrder{})},
           {"Quadrille relaxed refreshed",
            "Quadric, OptimalPlacement, RelaxedOrder{.share = 0.2, .refresh = true}, Surface_mesh",
-           simplify_in<Quadric>(RelaxedOrder{.share = 0.2, .refresh = true})}};
+           simplify_in<Quadric>(RelaxedOrder{.share = 0.2, .refresh = true})},
+          {"Quadrille clustering", "cluster_vertices, mean; double points",
+           cluster_with(ClusterPlacement::mean)},
+          {"Quadrille clustering quadrics", "cluster_vertices, quadric; double points",
+           cluster_with(ClusterPlacement::quadric)}};
 }
 
 } // namespace bench

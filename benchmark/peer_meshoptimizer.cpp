@@ -54,15 +54,16 @@ Soup used_part(const Soup& input, const std::vector<unsigned int>& indices) {
   return part;
 }
 
-Answer simplify(Mesh& mesh, std::size_t faces) {
+/// `simplify` is called as meshopt_simplify() is but for its last arguments.
+template <class Simplify>
+Answer simplify_by(Mesh& mesh, const Simplify& simplify) {
   const Soup input = to_soup(mesh);
   const Arrays arrays = to_arrays(input);
-  const float any_error = 1e6f;
   std::vector<unsigned int> result(arrays.indices.size());
   const Stopwatch stopwatch;
-  const std::size_t size = meshopt_simplify(
-      result.data(), arrays.indices.data(), arrays.indices.size(), arrays.positions.data(),
-      arrays.positions.size() / 3, 3 * sizeof(float), faces * 3, any_error, 0, nullptr);
+  const std::size_t size =
+      simplify(result.data(), arrays.indices.data(), arrays.indices.size(), arrays.positions.data(),
+               arrays.positions.size() / 3, 3 * sizeof(float));
   const double seconds = stopwatch.seconds();
   result.resize(size);
   Soup output = used_part(input, result);
@@ -70,11 +71,27 @@ Answer simplify(Mesh& mesh, std::size_t faces) {
   return {.own_seconds = seconds, .soup = std::move(output)};
 }
 
+constexpr float any_error = 1e6f;
+
+Answer simplify(Mesh& mesh, std::size_t faces) {
+  return simplify_by(mesh, [=](auto... arguments) {
+    return meshopt_simplify(arguments..., faces * 3, any_error, 0, nullptr);
+  });
+}
+
+Answer simplify_sloppily(Mesh& mesh, std::size_t faces) {
+  return simplify_by(mesh, [=](auto... arguments) {
+    return meshopt_simplifySloppy(arguments..., faces * 3, any_error, nullptr);
+  });
+}
+
 } // namespace
 
 std::vector<Contender> meshoptimizer_contenders() {
   return {{"meshoptimizer", "meshopt_simplify, options 0, no error limit; float, input positions",
-           simplify}};
+           simplify},
+          {"meshoptimizer sloppy", "meshopt_simplifySloppy, no error limit; float, input positions",
+           simplify_sloppily}};
 }
 
 } // namespace bench

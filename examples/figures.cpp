@@ -37,7 +37,7 @@ struct Entry {
 
 const std::array<Entry, 8> entries = {
     {{"1", "The shortest edge first, and quadrics", show<figures::Figure1>},
-     {"2", "The bones of a foot, by edges and by pairs", show<figures::Figure2>},
+     {"2", "The bones of a foot, by edges, by pairs and by clustering", show<figures::Figure2>},
      {"3", "A hundred cubes, by edges and by pairs", show<figures::Figure3>},
      {"4", "The borders of a cylinder's wall", show<figures::Figure4>},
      {"5", "Colours", show<figures::Figure5>},

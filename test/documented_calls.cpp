@@ -9,6 +9,7 @@
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/cluster.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <vector>

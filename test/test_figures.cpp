@@ -78,6 +78,18 @@ TEST_CASE("Figure 2: by pairs the bones of a foot grow together") {
   CHECK(figure.by_edges.error.rms > 1.2 * figure.by_pairs.error.rms);
 }
 
+TEST_CASE("Figure 2: clustering joins the bones of a foot and loses their shape") {
+  const Figure2 figure(QUADRILLE_MODELS_DIR);
+  CHECK(figure.clustering.faces_after + figure.clustering.doubled_faces == 262); // as in the paper
+  CHECK(figure.by_clustering.soup.triangles.size() == 217);
+  CHECK(figure.by_clustering.report.components_after == 1);
+  CHECK(figure.by_clustering.report.non_manifold_edges == 62);
+  CHECK(figure.by_clustering_with_quadrics.soup.triangles == figure.by_clustering.soup.triangles);
+  CHECK(figure.by_clustering_with_quadrics.error.rms < figure.by_clustering.error.rms);
+  CHECK(figure.by_clustering_with_quadrics.error.rms > 1.5 * figure.by_pairs.error.rms);
+  CHECK(figure.by_clustering.error.hausdorff > 2.3 * figure.by_pairs.error.hausdorff);
+}
+
 TEST_CASE("Figure 2: the foot has the size of the paper's") {
   const CGAL::Bbox_3 foot = box(Figure2(QUADRILLE_MODELS_DIR).original);
   CHECK(foot.x_span() == Approx(11.27).margin(0.01));

@@ -7,6 +7,7 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polyhedron_3.h>
 #include <boost/property_map/property_map.hpp>
+#include <quadrille/cluster.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
@@ -179,4 +180,11 @@ TEST_CASE("Colours are as they were if memory runs out") {
   };
   survive(mesh, get(boost::vertex_index, mesh));
   survive(soup, boost::typed_identity_property_map<std::size_t>());
+}
+
+TEST_CASE("A soup is as it was if memory runs out while it is clustered") {
+  for (const ClusterCells& cells : {ClusterCells(Grid{4, 4, 4}), ClusterCells(FaceCount{60})})
+    CHECK(survive_shortages(PointSoup(plate()), [&](PointSoup& soup) {
+            cluster_vertices(soup.points, soup.triangles, cells, ClusterPlacement::quadric);
+          }) > 20);
 }

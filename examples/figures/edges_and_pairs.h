@@ -33,7 +33,8 @@ struct EdgesAndPairs {
         by_pairs(simplified(cost, faces, quadrille::ThresholdPairs{threshold})) {}
 
   void print() const {
-    std::printf("         faces   components  non-manifold edges  Hausdorff, %% of diagonal\n");
+    std::printf(
+        "                  faces   components  non-manifold edges  Hausdorff, %% of diagonal\n");
     print_row("edges", by_edges);
     print_row("pairs", by_pairs);
   }
@@ -42,6 +43,27 @@ struct EdgesAndPairs {
     figures::write(original, folder, name);
     figures::write(by_edges.soup, folder, name + "_edges");
     figures::write(by_pairs.soup, folder, name + "_pairs");
+  }
+
+protected:
+  /// Of another simplifier: what there is to count in it, and how far it is from the original.
+  Result measured(Soup soup) const {
+    using namespace quadrille;
+    Result result{std::move(soup), {}, {}};
+    Soup counted = result.soup;
+    result.report = simplify(counted.points, counted.triangles, FaceCount{counted.triangles.size()},
+                             Topology::free);
+    result.report.components_before = by_edges.report.components_before;
+    result.error = surface_distance(original.points, original.triangles, result.soup.points,
+                                    result.soup.triangles);
+    return result;
+  }
+
+  void print_row(const char* pairs, const Result& result) const {
+    const quadrille::Report& report = result.report;
+    std::printf("%-15s %7zu %6zu -> %-3zu %19zu %25.2f\n", pairs, report.faces_after,
+                report.components_before, report.components_after, report.non_manifold_edges,
+                100 * result.error.hausdorff / quadrille::bounding_box_diagonal(original.points));
   }
 
 private:
@@ -54,13 +76,6 @@ private:
         simplify(points, triangles, cost, FaceCount{faces}, pairs, Topology::free, as_in_the_paper);
     result.error = surface_distance(original.points, original.triangles, points, triangles);
     return result;
-  }
-
-  void print_row(const char* pairs, const Result& result) const {
-    const quadrille::Report& report = result.report;
-    std::printf("%-6s %7zu %6zu -> %-3zu %19zu %25.2f\n", pairs, report.faces_after,
-                report.components_before, report.components_after, report.non_manifold_edges,
-                100 * result.error.hausdorff / quadrille::bounding_box_diagonal(original.points));
   }
 };
 

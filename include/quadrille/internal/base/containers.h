@@ -1,12 +1,21 @@
 #ifndef QUADRILLE_INTERNAL_BASE_CONTAINERS_H
 #define QUADRILLE_INTERNAL_BASE_CONTAINERS_H
 
+#include <concepts>
 #include <cstddef>
 #include <ranges>
 
 /// Containers of the user's.
 
 namespace quadrille::internal {
+
+/// Of three indices each.
+template <class T>
+concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& triangles) {
+  triangles.push_back(triangles[0]);
+  requires std::ranges::random_access_range<std::ranges::range_value_t<T>>;
+  requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
+};
 
 /// With the same allocator, else the two can't be swapped.
 template <class Container>

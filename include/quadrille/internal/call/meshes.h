@@ -20,7 +20,6 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/irange.hpp>
 
-#include <concepts>
 #include <ranges>
 #include <type_traits>
 #include <utility>
@@ -58,13 +57,6 @@ template <class P>
 concept PointContainer =
     std::ranges::random_access_range<P> && !FaceGraph<P> && requires(P & points) {
   points.push_back(points[0]);
-};
-
-template <class T>
-concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& triangles) {
-  triangles.push_back(triangles[0]);
-  requires std::ranges::random_access_range<std::ranges::range_value_t<T>>;
-  requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
 };
 
 /// Fixes the vertices that are constrained, if any are.

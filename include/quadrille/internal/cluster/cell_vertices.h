@@ -1,0 +1,104 @@
+#ifndef QUADRILLE_INTERNAL_CLUSTER_CELL_VERTICES_H
+#define QUADRILLE_INTERNAL_CLUSTER_CELL_VERTICES_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/cluster/cell_grid.h>
+#include <quadrille/internal/cluster/clusters.h>
+#include <quadrille/internal/cluster/eigenvectors.h>
+#include <quadrille/quadric.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Where the vertices of cells are.
+class CellVertices {
+public:
+  /// At the means of the points of each cell.
+  template <class Soup>
+  CellVertices(const Soup& soup, const Clusters& clusters) : cells_(clusters.cell_count()) {
+    for (Index v = 0; v < soup.point_count(); ++v)
+      if (soup.is_used(v))
+        cells_[clusters.cell(v)].add(v, soup.position(v));
+    for (Cell& cell : cells_)
+      cell.displacement *= 1 / static_cast<double>(cell.points);
+  }
+
+  /// Moves them to where the planes of the triangles at a cell's points are nearest, or as far
+  /// towards that as the cell goes: so those of a flat part stay in its plane.
+  template <class Soup>
+  void minimize_quadrics(const Soup& soup, const Clusters& clusters, const CellGrid& grid) {
+    const std::vector<QuadricForm<3>> quadrics = quadrics_of(soup, clusters);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      Cell& cell = cells_[i];
+      if (cell.points == 1)
+        continue; // all planes meet in it
+      const Vector<3> mean = cell.displacement, best = robust_minimizer(quadrics[i], mean);
+      const double part = grid.part_in_cell_of(cell.anchor, cell.anchor + mean, cell.anchor + best);
+      cell.displacement += part * (best - mean);
+    }
+  }
+
+  /// A point of the cell, the first one.
+  Index first(Index cell) const { return cells_[cell].first; }
+  Vector<3> position(Index cell) const { return cells_[cell].anchor + cells_[cell].displacement; }
+
+private:
+  // Sums are about a point of the cell, so they are as exact far from the origin as near to it.
+  struct Cell {
+    Vector<3> anchor, displacement; // the first point, and the vertex from there
+    Index first = none, points = 0;
+
+    void add(Index v, const Vector<3>& p) {
+      if (points++ == 0) {
+        anchor = p;
+        first = v;
+      }
+      displacement += p - anchor;
+    }
+  };
+
+  // Of each cell, about its anchor.
+  template <class Soup>
+  std::vector<QuadricForm<3>> quadrics_of(const Soup& soup, const Clusters& clusters) const {
+    std::vector<QuadricForm<3>> quadrics(cells_.size());
+    for (std::size_t f = 0; f < soup.triangle_count(); ++f) {
+      const auto corners = soup.corners(f);
+      const std::array positions{soup.position(corners[0]), soup.position(corners[1]),
+                                 soup.position(corners[2])};
+      const QuadricForm<3> plane = Quadric{}.face(positions[0], positions[1], positions[2]);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const Index cell = clusters.cell(corners[i]); cell != none) {
+          QuadricForm<3> about_anchor = plane; // which goes through each corner
+          about_anchor.move_origin(cells_[cell].anchor - positions[i]);
+          quadrics[cell] += about_anchor;
+        }
+    }
+    return quadrics;
+  }
+
+  /// The minimizer that is nearest to `mean` where eigenvalues of the form are below 10⁻³ of the
+  /// greatest and so leave directions free. Source: Lindstrom, Out-of-core simplification of large
+  /// polygonal models, 2000, section 3.3, who begins in the middle of the cell instead: from the
+  /// mean flat parts with borders do not grow.
+  static Vector<3> robust_minimizer(const QuadricForm<3>& form, const Vector<3>& mean) {
+    const Eigenvectors eigen(form.matrix());
+    const double greatest = (std::max)({eigen.value(0), eigen.value(1), eigen.value(2)});
+    const Vector<3> half_gradient = form.matrix() * mean + form.gradient();
+    Vector<3> x = mean;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (eigen.value(i) > 1e-3 * greatest)
+        x -= (dot(eigen.vector(i), half_gradient) / eigen.value(i)) * eigen.vector(i);
+    return x;
+  }
+
+  std::vector<Cell> cells_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CLUSTER_CELL_VERTICES_H

@@ -1,0 +1,130 @@
+#ifndef QUADRILLE_INTERNAL_CLUSTER_CLUSTERED_SOUP_H
+#define QUADRILLE_INTERNAL_CLUSTER_CLUSTERED_SOUP_H
+
+#include <quadrille/internal/base/containers.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <array>
+#include <cstddef>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+[[noreturn]] inline void refuse_clustering(const std::string& what) {
+  throw std::invalid_argument("quadrille::cluster_vertices: " + what);
+}
+
+/// A soup of the user's, read where it is: nothing is copied. Positions are in the engine's unit.
+template <class Points, class Triangles>
+class ClusteredSoup {
+public:
+  using Point = std::ranges::range_value_t<Points>;
+  using Corners = std::array<Index, 3>;
+
+  /// Throws std::invalid_argument for a triangle that is none or names a point that is not there,
+  /// and for a point that is not finite; std::length_error where 32 bits do not number them.
+  ClusteredSoup(Points& points, Triangles& triangles) : points_(points), triangles_(triangles) {
+    require_sizes();
+    for (std::size_t v = 0; v < point_count(); ++v)
+      if (!is_finite(position_of(points_[v])))
+        refuse_clustering("point " + std::to_string(v) + " is not finite");
+    is_used_.resize(point_count());
+    for (std::size_t f = 0; f < triangle_count(); ++f) {
+      require_triangle(f);
+      const auto [a, b, c] = corners(f);
+      if (a != b && b != c && c != a)
+        is_used_[a] = is_used_[b] = is_used_[c] = 1;
+    }
+    scale_ = Scale<3>(box_of([this](std::size_t v) { return position_of(points_[v]); }), true);
+  }
+
+  std::size_t point_count() const { return std::ranges::size(points_); }
+  std::size_t triangle_count() const { return std::ranges::size(triangles_); }
+
+  /// Has it a triangle of three different points?
+  bool is_used(std::size_t v) const { return is_used_[v] != 0; }
+
+  Vector<3> position(std::size_t v) const {
+    return scale_.position_from_mesh(position_of(points_[v]));
+  }
+  Corners corners(std::size_t f) const {
+    const auto& t = triangles_[f];
+    return {static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])};
+  }
+
+  /// Of the points that are used.
+  Box<3> box() const {
+    return box_of([this](std::size_t v) { return position(v); });
+  }
+  const Scale<3>& scale() const { return scale_; }
+
+  /// A point like v at a position.
+  Point moved(std::size_t v, const Vector<3>& x) const {
+    return x == position(v) ? points_[v] : point_at<Point>(scale_.position_of_mesh(x));
+  }
+
+  /// The points point(i) and, of the triangles in `left`, the corners corner(point of the input).
+  void rewrite(std::size_t size, const auto& point, const std::vector<Index>& left,
+               const auto& corner) {
+    Points points = empty_like(points_);
+    for (std::size_t i = 0; i < size; ++i)
+      points.push_back(point(i));
+    Triangles triangles = empty_like(triangles_);
+    for (Index f : left) {
+      const Corners old = corners(f);
+      triangles.push_back(renumbered(triangles_[f], [&](std::size_t i) { return corner(old[i]); }));
+    }
+    std::swap(points_, points);
+    std::swap(triangles_, triangles);
+  }
+
+private:
+  // As Box asks for them.
+  template <class PositionAt>
+  struct Positions {
+    std::size_t count;
+    PositionAt at;
+    std::size_t size() const { return count; }
+    Vector<3> operator[](std::size_t v) const { return at(v); }
+  };
+
+  template <class PositionAt>
+  Box<3> box_of(PositionAt at) const {
+    return Box<3>(Positions<PositionAt>{point_count(), at},
+                  [this](std::size_t v) { return is_used(v); });
+  }
+
+  void require_sizes() const {
+    if (point_count() >= none || triangle_count() >= none)
+      throw std::length_error("quadrille::cluster_vertices: " + std::to_string(point_count()) +
+                              " points and " + std::to_string(triangle_count()) +
+                              " triangles do not fit into 32-bit indices");
+  }
+
+  void require_triangle(std::size_t f) const {
+    const auto& triangle = triangles_[f];
+    if (std::ranges::size(triangle) != 3)
+      refuse_clustering("face " + std::to_string(f) + " is not a triangle");
+    for (const auto v : triangle)
+      if (std::cmp_less(v, 0) || std::cmp_greater_equal(v, point_count()))
+        refuse_clustering("face " + std::to_string(f) + " names point " + std::to_string(v) +
+                          " of " + std::to_string(point_count()));
+  }
+
+  Points& points_;
+  Triangles& triangles_;
+  std::vector<unsigned char> is_used_;
+  Scale<3> scale_{Box<3>(std::array<Vector<3>, 0>{}), true};
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CLUSTER_CLUSTERED_SOUP_H

@@ -1,0 +1,71 @@
+#ifndef QUADRILLE_INTERNAL_CLUSTER_FACE_COUNT_SEARCH_H
+#define QUADRILLE_INTERNAL_CLUSTER_FACE_COUNT_SEARCH_H
+
+#include <quadrille/internal/cluster/cell_grid.h>
+#include <quadrille/internal/cluster/clusters.h>
+#include <quadrille/internal/surface/box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace quadrille::internal {
+
+/// Looks for a fine grid of cubes that leaves at most so many faces.
+///
+/// Faces of a surface are about as many as the square of the cells along a side. So the next grid
+/// is guessed from the one before, which takes two to four steps; after ten the rest is halved.
+class FaceCountSearch {
+public:
+  /// What it leaves in `clusters` is no result, but memory that need not be asked for again.
+  /// With a cell more along the longest side of the box there are more than `most` faces, or it
+  /// has the 2²⁰ cells that are the most.
+  template <class Soup>
+  static CellGrid grid(const Soup& soup, std::size_t most, Clusters& clusters) {
+    const Box<3> box = soup.box();
+    const std::size_t all = soup.triangle_count();
+    FaceCountSearch search(all <= most ? finest : std::sqrt(static_cast<double>(most) / 6));
+    for (int step = 0; !search.is_done(); ++step) {
+      const std::uint64_t cells = step < 10 ? search.guessed() : search.halved();
+      clusters.assign(soup, cubes_along(box, cells), most);
+      const std::size_t faces = clusters.faces().size();
+      const double part = static_cast<double>(clusters.faces_seen()) / static_cast<double>(all);
+      search.tell(cells, faces <= most,
+                  static_cast<double>(most) * part / static_cast<double>(faces));
+    }
+    return cubes_along(box, search.fitting_);
+  }
+
+private:
+  static constexpr std::uint64_t finest = 1 << 20;
+
+  explicit FaceCountSearch(double guess) : guess_(guess) {}
+
+  static CellGrid cubes_along(const Box<3>& box, std::uint64_t cells) {
+    const double half = (std::max)({box.half_extent(0), box.half_extent(1), box.half_extent(2)});
+    return CellGrid::of_cubes(box, 2 * half / static_cast<double>(cells));
+  }
+
+  bool is_done() const { return too_fine_ - fitting_ <= 1; }
+  std::uint64_t halved() const { return fitting_ + (too_fine_ - fitting_) / 2; }
+
+  // Between what is known; the coarsest where there is no guess, which is no number then.
+  std::uint64_t guessed() const {
+    const auto low = static_cast<double>(fitting_ + 1), high = static_cast<double>(too_fine_ - 1);
+    return static_cast<std::uint64_t>(guess_ >= low ? (std::min)(guess_, high) : low);
+  }
+
+  // `growth` is how many times as many faces there may be.
+  void tell(std::uint64_t cells, bool fits, double growth) {
+    (fits ? fitting_ : too_fine_) = cells;
+    guess_ = static_cast<double>(cells) * std::sqrt(growth);
+  }
+
+  double guess_;
+  std::uint64_t fitting_ = 1, too_fine_ = finest + 1; // cells along the longest side
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CLUSTER_FACE_COUNT_SEARCH_H
