@@ -6,10 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <quadrille/cluster.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
-#include <quadrille/cluster.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <vector>

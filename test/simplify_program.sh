@@ -95,6 +95,39 @@ run 1 --quiet tetrahedron.off out.off
 expect_nothing stdout
 expect stderr 'the target was not reached'
 
+# Parts that are in the way of a target
+awk 'BEGIN {
+  print "OFF\n40 40 0"
+  for (i = 0; i < 10; ++i) {
+    s = i == 0 ? 1 : 0.1
+    print 9 * i, 0, 0; print 9 * i + s, 0, 0; print 9 * i, s, 0; print 9 * i, 0, s
+  }
+  for (v = 0; v < 40; v += 4) {
+    print 3, v, v + 2, v + 1; print 3, v, v + 1, v + 3
+    print 3, v + 1, v + 2, v + 3; print 3, v + 2, v, v + 3
+  }
+}' >parts.off
+run 1 parts.off out.off --faces 8
+expect stderr '^out.off: 10 parts are left.*--drop-parts.*--topology free.*--pairs-closer-than'
+expect_faces out.off 40
+run 0 parts.off out.off --faces 8 --drop-parts
+expect stdout '8 parts vanished'
+expect_nothing stderr
+expect_faces out.off 8
+expect out.off '^1 0 0'
+run 0 parts.off out.off --faces 8 --drop-parts --topology kept --cost memoryless
+run 0 parts.off out.off --error 0.2 --drop-parts
+expect stdout '9 parts vanished'
+run 0 parts.off out.off --error 0.1 --drop-parts
+expect_faces out.off 40
+run 1 parts.off out.off --faces 0 --drop-parts
+expect_faces out.off 4
+expect stderr '^out.off: topology is kept: --topology free'
+run 1 tetrahedron.off out.off
+expect stderr '^out.off: topology is kept: --topology free'
+run 2 parts.off out.off --drop-parts --topology free
+expect stderr '^--drop-parts does not go with'
+
 # A mesh of nothing at all
 printf 'OFF\n0 0 0\n' >none.off
 for format in off obj ply stl ts; do

@@ -205,6 +205,10 @@ TEST_CASE("Local terms follow in passes, but for vertices that these have contra
 
 TEST_CASE("Local terms follow where topology is free") {
   check(test::random_with_borders(4), 4, Topology::free);
+  // Parts without a border become sheets, which have one.
+  const Soup part = test::with_noise(test::torus(4, 3), 1, 0.1);
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+    check(test::joined(part, part, {{4, 0, 0}}), seed, Topology::free);
 }
 
 TEST_CASE("A memoryless position of least cost keeps the volume") {

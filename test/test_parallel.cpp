@@ -56,6 +56,28 @@ TEMPLATE_TEST_CASE("Any number of threads gives the same mesh, bit for bit", "",
     }
 }
 
+TEMPLATE_TEST_CASE("The same parts vanish with any number of threads", "", Quadric,
+                   MemorylessQuadric) {
+  Soup input = test::with_noise(test::torus(300, 120), 1, 1e-3);
+  test::Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    Soup part = i % 3 == 0 ? test::grid(3, 2) : test::sphere(1);
+    const double size = random(0.001, 0.05);
+    for (test::Position& p : part.points)
+      p = size * p;
+    input = test::joined(input, part, {{random(-2, 2), random(-2, 2), random(1, 2)}});
+  }
+  for (bool refresh : {false, true})
+    require_same(test::make_mesh(input), {1, 2, 5}, [&](Mesh& mesh, unsigned threads) {
+      const Report report = simplify<TestType, OptimalPlacement>(
+          mesh, FaceRatio{0.01}, RelaxedOrder{.refresh = refresh, .threads = threads},
+          Topology::parts_may_vanish);
+      REQUIRE(report.vanished_parts > 50);
+      REQUIRE(test::is_valid_triangle_mesh(mesh));
+      return report;
+    });
+}
+
 TEST_CASE("So does it where blocks are so many that they are joined") {
   const Mesh input = test::make_mesh(test::with_noise(test::torus(400, 200), 1, 1e-3));
   REQUIRE(input.number_of_vertices() == 80000);

@@ -33,6 +33,7 @@ struct Options {
   double boundary_weight = quadrille::Quadric{}.boundary_weight;
   double pairs_closer_than = 0;
   std::string topology; // empty: free if there are pairs that are no edges
+  bool drops_parts = false;
   bool welds = false;
   bool is_forced = false;
   bool is_quiet = false;
@@ -102,6 +103,9 @@ inline void add_policies(CLI::App& app, Options& options) {
                  "may holes close and parts join? (default: kept, or free with "
                  "--pairs-closer-than)")
       ->check(CLI::IsMember({"kept", "free"}));
+  app.add_flag("--drop-parts", options.drops_parts,
+               "small parts may vanish whole where that is the cheapest thing to do; else topology "
+               "is kept");
 }
 
 inline void add_files(CLI::App& app, Options& options) {
@@ -137,6 +141,8 @@ inline Placement placement(const Options& options) {
 }
 
 inline quadrille::Topology topology(const Options& options) {
+  if (options.drops_parts)
+    return quadrille::Topology::parts_may_vanish;
   const bool is_free =
       options.topology.empty() ? options.pairs_closer_than > 0 : options.topology == "free";
   return is_free ? quadrille::Topology::free : quadrille::Topology::kept;
@@ -171,6 +177,9 @@ inline const MeshFormat& output_format(const Options& options) {
 inline void require_fit(const Options& options, bool has_colors, bool has_textures) {
   if (options.cost == "length" && options.placement == "optimal")
     throw std::runtime_error("--placement optimal does not go with --cost length");
+  if (options.drops_parts && (options.topology == "free" || options.pairs_closer_than > 0))
+    throw std::runtime_error("--drop-parts does not go with --topology free or "
+                             "--pairs-closer-than: all else of the topology is kept");
   if (options.cost == "color" && !has_colors)
     throw std::runtime_error(options.input + ": no colours for --cost color");
   if (options.cost == "texture" && !has_textures)

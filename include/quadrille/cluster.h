@@ -25,8 +25,8 @@
 #include <vector>
 
 /// \file
-/// Uniform vertex clustering: what simplification by pairs is compared with, and the fastest way
-/// for surfaces that are too large for anything else.
+/// Uniform vertex clustering: what simplification by pairs is compared with, and a
+/// fast way for surfaces that are too large for anything else.
 
 namespace quadrille {
 

@@ -87,6 +87,7 @@ struct Report {
   std::size_t non_edge_contractions = 0; ///< those of them that had no face in common
 
   std::size_t components_before = 0, components_after = 0; ///< parts that no vertex connects
+  std::size_t vanished_parts = 0;        ///< those that went whole: see Topology::parts_may_vanish
   std::size_t non_manifold_edges = 0;    ///< of the result: edges of three faces or more
   std::size_t non_manifold_vertices = 0; ///< of the result: neither a disc nor half a disc around
   std::size_t duplicated_vertices = 0;   ///< added to write a non-manifold result to a FaceGraph
@@ -96,7 +97,8 @@ struct Report {
 
   StopReason stop = StopReason::no_pair_left;
 
-  /// The largest error of any contraction, as a distance in the mesh's units.
+  /// The largest error of any contraction, as a distance in the mesh's units; or the radius of a
+  /// part that vanished, if that is larger.
   ///
   /// For a quadric it is √(Q(x)/w): the root mean square distance from the new vertex x to the
   /// planes that it remembers, weighted as the quadric weights them (w is their sum). It is an
@@ -110,7 +112,8 @@ struct Report {
   /// that can be measured. Known where a stop policy asks for it, as ErrorLimit does, else
   /// infinite. Roundings are included, so it may be beyond a limit that is less than 2⁻⁴⁰ of the
   /// greatest coordinate. It says nothing of the other direction, of the input's points that the
-  /// result has lost, but that where topology is kept no border has receded further.
+  /// result has lost, but that where topology is kept no border has receded further, and no part
+  /// has vanished whose diameter is greater than the limit.
   double distance_bound = std::numeric_limits<double>::infinity();
 
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
@@ -136,6 +139,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
     out << ", " << report.non_edge_contractions << " contractions of no edge";
   if (report.components_before != report.components_after)
     out << ", " << report.components_before << " -> " << report.components_after << " components";
+  if (report.vanished_parts > 0)
+    out << ", " << report.vanished_parts << " parts vanished";
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";

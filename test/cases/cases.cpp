@@ -64,7 +64,10 @@ Call make_call(Bytes& bytes, std::size_t faces) {
   Call call;
   call.cost = static_cast<CostName>(bytes.below(4));
   call.placement = static_cast<PlacementName>(bytes.below(3));
-  call.topology = static_cast<Topology>(bytes.below(2));
+  const std::uint8_t topology = bytes.byte();
+  call.topology = topology % 2 == 1 ? Topology::free
+                  : topology < 128  ? Topology::kept
+                                    : Topology::parts_may_vanish;
   call.stop = make_stop(bytes, faces);
   if (bytes.one_in(2))
     call.relaxed = RelaxedOrder{.share = (1.0 + bytes.byte()) / 256, .refresh = bytes.one_in(2)};
@@ -285,7 +288,10 @@ std::ostream& operator<<(std::ostream& out, const Call& call) {
         << call.relaxed->refresh;
   if (call.eager)
     out << ", eager order";
-  return out << ", topology " << (call.topology == Topology::kept ? "kept" : "free")
+  return out << ", topology "
+             << (call.topology == Topology::kept   ? "kept"
+                 : call.topology == Topology::free ? "free"
+                                                   : "kept, parts may vanish")
              << ", normals turn by " << call.flip_degrees << " degrees, shape " << call.shape
              << ", degree " << call.degree << ", cancelled at call " << call.cancel_at;
 }
@@ -423,6 +429,26 @@ double squared_distance_to_triangle(const Position& x, const Position& p, const 
 }
 
 /// What is promised of a result, looked at one by one; the first that does not hold is told.
+// The Euler characteristic of each part and how many borders it has, in order.
+std::multiset<std::array<std::ptrdiff_t, 2>> topologies_of_parts(const Soup& soup) {
+  detail::Partition parts(soup.points.size());
+  for (const auto& [a, b, c] : soup.triangles)
+    parts.merge(a, b), parts.merge(b, c);
+  std::map<std::uint32_t, Soup> by_root;
+  for (const Triangle& t : soup.triangles) {
+    Soup& part = by_root[parts.root(t[0])];
+    part.points = soup.points;
+    part.triangles.push_back(t);
+  }
+  std::multiset<std::array<std::ptrdiff_t, 2>> result;
+  for (const auto& [root, part] : by_root) {
+    const SoupTopology topology = topology_of(part);
+    result.insert({static_cast<std::ptrdiff_t>(topology.euler()),
+                   static_cast<std::ptrdiff_t>(topology.border_loops)});
+  }
+  return result;
+}
+
 class Judge {
 public:
   Judge(const Case& input, const Outcome& outcome)
@@ -573,7 +599,23 @@ private:
               "a constrained edge is gone");
   }
 
+  // Each part of the result has the topology of another one of the input.
+  void require_parts() {
+    require(topology_after_.components + report_.vanished_parts == topology_before_.components,
+            "the count of parts that vanished");
+    require(topology_before_.components == 0 || topology_after_.components > 0, "nothing is left");
+    if (!topology_before_.is_manifold)
+      return;
+    require(topology_after_.is_manifold, "no manifold any more");
+    const auto before = topologies_of_parts(before_), after = topologies_of_parts(after_);
+    require(std::includes(before.begin(), before.end(), after.begin(), after.end()),
+            "the topology of a part changed");
+  }
+
   void require_topology() {
+    if (call_.topology == Topology::parts_may_vanish)
+      return require_parts();
+    require(report_.vanished_parts == 0, "parts vanished");
     if (call_.topology != Topology::kept)
       return;
     require(topology_after_.components == topology_before_.components, "components changed");

@@ -82,7 +82,7 @@ simplify_input(Input input, const Box& box, const Policies& policies, bool keeps
                Report& report, StopWatch& watch) {
   WorkingSurface<Policies> surface(std::move(input), box, policies);
   report.stop = contract(surface, report, watch);
-  if (surface.progress().is_cancelled() && surface.status().contractions == 0)
+  if (surface.progress().is_cancelled() && !surface.progress().has_begun())
     return std::nullopt;
   surface.recording().end();
   return std::move(surface).finish(keeps_memories, report);

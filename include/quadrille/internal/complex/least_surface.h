@@ -36,14 +36,14 @@ struct PartTally {
 };
 
 /// A surface of the same topology, with the same fixed vertices, has no fewer faces and vertices.
-/// In linear time.
-template <class IsFixed>
+/// Parts of which no vertex stays may vanish and do not count. In linear time.
+template <class IsFixed, class Stays>
 SurfaceSize least_surface(const TriangleComplex& complex, const LinkCondition& link_condition,
-                          IsFixed is_fixed) {
+                          IsFixed is_fixed, Stays stays) {
   const Array<Index> root = component_roots(complex);
   std::vector<PartTally> parts(root.size());
   for (Index v = 0; v < root.size(); ++v)
-    if (complex.has_faces(v)) {
+    if (complex.has_faces(v) && stays(v)) {
       PartTally& part = parts[root[v]];
       ++part.vertices;
       part.fixed += is_fixed(v);

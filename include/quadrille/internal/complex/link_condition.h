@@ -67,6 +67,8 @@ public:
            is_along_spine(star, a, b, labels);
   }
 
+  /// Does it know of each vertex how its faces lie? Not where topology is free.
+  bool knows_kinds() const { return !kind_.empty(); }
   /// Is every vertex known to be inside the surface?
   bool is_closed() const { return is_closed_; }
 

@@ -8,8 +8,10 @@
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/cost/candidate.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
 
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -80,6 +82,19 @@ struct InPass {
 };
 template <class MayWriteTo>
 InPass(MayWriteTo) -> InPass<MayWriteTo>;
+
+/// Which end of a pair is kept, and which is gone: one that keeps its place is kept, else the
+/// first.
+template <class Cost>
+std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
+                                      const Geometry<Cost::dimension>& geometry) {
+  const Index a = contraction.first(), b = contraction.second();
+  const auto& pair = contraction.pair();
+  const auto& target = contraction.target();
+  const bool b_stays = !geometry.is_fixed(a) &&
+                       (geometry.is_fixed(b) || (target == pair.second && target != pair.first));
+  return b_stays ? std::pair(b, a) : std::pair(a, b);
+}
 
 /// What observers of the surface are told before a contraction, and after it: which vertex is kept
 /// and which is gone.

@@ -26,6 +26,8 @@ public:
   void expect(std::size_t contractions) { expected_contractions_ = contractions; }
 
   const Status& status() const { return status_; }
+  /// Has anything been contracted, or vanished?
+  bool has_begun() const { return status_.vertices < status_.initial_vertices; }
 
   /// Adds what contractions have changed, and forgets it.
   void count(Tally& tally) {
@@ -34,6 +36,7 @@ public:
     status_.contractions += tally.contractions;
     total_.non_edge_contractions += tally.non_edge_contractions;
     total_.doubled_labels += tally.doubled_labels;
+    total_.vanished_parts += tally.vanished_parts;
     total_.error = (std::max)(total_.error, tally.error);
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
       total_.rejections[cause] += tally.rejections[cause];
@@ -58,6 +61,7 @@ public:
     report.contractions = status_.contractions;
     report.non_edge_contractions = total_.non_edge_contractions;
     report.doubled_labels = total_.doubled_labels;
+    report.vanished_parts = total_.vanished_parts;
     report.rejections = total_.rejections;
     report.error = total_.error;
   }

@@ -5,6 +5,7 @@
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/cost/channels.h>
@@ -108,6 +109,16 @@ public:
       buffer.add(contraction, event.contraction.cost());
     else
       policies_.recorder.record(contraction);
+  }
+
+  void vanished(const PartEvent& event) {
+    std::vector<Index> faces;
+    for (Index face : event.faces)
+      faces.push_back(numbering_.faces[face]);
+    RecordedContraction removal;
+    removal.error = event.radius;
+    removal.removed_faces = faces;
+    policies_.recorder.record(removal);
   }
 
   /// The contractions of a thread belong to a block of a pass from here on.

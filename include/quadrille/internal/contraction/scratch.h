@@ -2,12 +2,14 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_SCRATCH_H
 
 #include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
 #include <quadrille/internal/pairs/pair_tools.h>
 #include <quadrille/report.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -18,10 +20,21 @@ namespace quadrille::internal {
 struct Tally {
   std::size_t faces = 0, vertices = 0; // that are gone
   std::size_t contractions = 0, non_edge_contractions = 0;
-  std::size_t doubled_labels = 0; // see Report
+  std::size_t doubled_labels = 0, vanished_parts = 0; // see Report
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0; // the greatest
 
+  void count_contraction(double its_error) {
+    ++contractions;
+    ++vertices;
+    error = (std::max)(error, its_error);
+  }
+  void count_part(const PartEvent& part) {
+    faces += part.faces.size();
+    vertices += part.vertices.size();
+    ++vanished_parts;
+    error = (std::max)(error, part.radius);
+  }
   void reject(Rejection cause) { ++rejections[static_cast<std::size_t>(cause)]; }
 };
 

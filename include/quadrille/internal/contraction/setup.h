@@ -62,7 +62,7 @@ Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& i
 
 /// Is topology kept? Unless the user says, it is free if there are pairs that are not edges.
 inline bool keeps_topology(std::optional<Topology> topology, bool has_other_pairs) {
-  return topology.value_or(has_other_pairs ? Topology::free : Topology::kept) == Topology::kept;
+  return topology.value_or(has_other_pairs ? Topology::free : Topology::kept) != Topology::free;
 }
 
 /// The label of each face, in the order of the complex.

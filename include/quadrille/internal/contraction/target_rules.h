@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -29,9 +30,11 @@ public:
 
   TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
               TriangleComplex& complex, const Geometry<Cost::dimension>& geometry,
-              const LinkCondition& link_condition, const SeamGraph& seams, bool is_topology_kept)
+              const LinkCondition& link_condition, const Parts<Cost::dimension>& parts,
+              const SeamGraph& seams, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        link_condition_(link_condition), seams_(seams), is_topology_kept_(is_topology_kept) {}
+        link_condition_(link_condition), parts_(parts), seams_(seams),
+        is_topology_kept_(is_topology_kept) {}
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
@@ -46,9 +49,18 @@ public:
                status);
   }
 
+  /// Does the surface lie beyond the target of the stop policy, once it has lost that?
+  bool is_passed_without(const Loss& loss, const Status& status) const {
+    Status after = status;
+    after.faces -= (std::min)(after.faces, loss.faces);
+    after.vertices -= (std::min)(after.vertices, loss.vertices);
+    return internal::is_passed(policies_.stop, after);
+  }
+
   /// In which way the stop policy stops, if it does: have contractions gone beyond its target?
   StopReason reason_of_stop(const Status& status) const {
-    const bool is_passed = status.contractions > 0 && internal::is_passed(policies_.stop, status);
+    const bool is_passed =
+        status.vertices < status.initial_vertices && internal::is_passed(policies_.stop, status);
     return is_passed ? StopReason::target_passed : StopReason::target_met;
   }
 
@@ -64,14 +76,15 @@ public:
   }
 
   /// Might contractions satisfy the stop policy? Not if the topology of several parts is kept and
-  /// even the smallest ones that have it are too large; one part alone may go as far as it can.
-  /// Takes linear time.
+  /// even the smallest ones that have it are too large; one part alone may go as far as it can, and
+  /// so may one beside parts that may vanish. Takes linear time.
   bool is_reachable(const Status& status) const {
     if (!is_topology_kept_)
       return true;
-    const auto [faces, vertices, parts] =
-        least_surface(complex_, link_condition_, [this](Index v) { return geometry_.is_fixed(v); });
-    if (parts == 1)
+    const auto [faces, vertices, parts] = least_surface(
+        complex_, link_condition_, [this](Index v) { return geometry_.is_fixed(v); },
+        [this](Index v) { return parts_.stays(v); });
+    if (parts <= 1)
       return true;
     Status least = status;
     std::size_t contractions = least.vertices - (std::min)(least.vertices, vertices);
@@ -85,19 +98,12 @@ public:
   }
 
 private:
-  // Does the surface lie beyond the target of the stop policy, once it has lost that?
-  bool is_passed_without(const Loss& loss, const Status& status) const {
-    Status after = status;
-    after.faces -= (std::min)(after.faces, loss.faces);
-    after.vertices -= (std::min)(after.vertices, loss.vertices);
-    return internal::is_passed(policies_.stop, after);
-  }
-
   const Policies& policies_;
   const Scale<Cost::dimension>& scale_;
   TriangleComplex& complex_;
   const Geometry<Cost::dimension>& geometry_;
   const LinkCondition& link_condition_;
+  const Parts<Cost::dimension>& parts_;
   const SeamGraph& seams_;
   bool is_topology_kept_;
 };

@@ -14,6 +14,8 @@
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
+#include <quadrille/internal/contraction/part_event.h>
+#include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/progress.h>
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/scratch.h>
@@ -34,10 +36,10 @@
 #include <quadrille/order.h>
 #include <quadrille/report.h>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -77,12 +79,14 @@ public:
                 appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
-        target_rules_(policies, scale_, complex_, geometry_, link_condition_, appearance_.seams(),
-                      is_topology_kept_),
+        target_rules_(policies, scale_, complex_, geometry_, link_condition_, parts_,
+                      appearance_.seams(), is_topology_kept_),
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       Cleanup(complex_, scratch(), labels_by_face(input.labels, numbering_.faces, complex_))
           .remove_all_duplicate_faces();
+    if (policies.topology == Topology::parts_may_vanish)
+      parts_ = Parts<dimension>(complex_, geometry_, scale_);
     if constexpr (Policies::keeps_seams)
       appearance_.read(input, numbering_, scale_, pairs_.are_edges());
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
@@ -107,6 +111,8 @@ public:
   std::vector<Scratch>& scratches() { return scratches_; }
   Scratch& scratch() { return scratches_.front(); }
 
+  const Parts<dimension>& parts() const { return parts_; } ///< none where they may not vanish
+  const Array<Index>& labels() const { return appearance_.seams().labels(); }
   PairFinder<Policies>& pairs() { return pairs_; }
   const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
   const Checks<Policies>& checks() const { return checks_; }
@@ -137,17 +143,19 @@ public:
   /// end of an earlier one may be cut off: see any_cut_off().
   template <class Mode>
   Index apply(const Contraction& contraction, const Mode& mode) {
-    const auto [kept, gone] = choose(contraction);
+    const auto [kept, gone] = kept_and_gone(contraction, geometry_);
     const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone};
     const auto observers = this->observers();
     std::apply([&](auto&... observer) { (tell_before(observer, event), ...); }, observers);
     change_faces(event);
     std::apply([&](auto&... observer) { (tell_after(observer, event), ...); }, observers);
-    Tally& tally = contraction.scratch().tally;
-    ++tally.contractions;
-    ++tally.vertices;
-    tally.error = (std::max)(tally.error, contraction.error());
+    contraction.scratch().tally.count_contraction(contraction.error());
     return kept;
+  }
+
+  /// Removes a part whole, of which these vertices are left. Observers are told before.
+  void remove_part(Index part, std::span<const Index> vertices) {
+    internal::remove_part(complex_, vertices, parts_[part].radius, observers(), scratch().tally);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
@@ -173,7 +181,8 @@ public:
     if constexpr (asks_for_distance)
       report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
     count_topology(complex_, scratch().labels).tell(report);
-    report.components_before = is_topology_kept_ ? report.components_after : initial_components_;
+    const std::size_t parts = report.components_after + report.vanished_parts;
+    report.components_before = is_topology_kept_ ? parts : initial_components_;
     if (!progress_.is_cancelled())
       progress_.tell_end();
     std::vector<Channel> channels = appearance_.take_channels();
@@ -238,20 +247,10 @@ private:
       if (part == 0)
         complex_.pack(vertices);
       else
-        pack_columns(vertices, geometry_, memories_, link_condition_, appearance_, moved_);
+        pack_columns(vertices, geometry_, memories_, link_condition_, appearance_, moved_, parts_);
     });
     complex_.fill_lists(policies_.threads);
     numbering_.vertices.pack(std::move(vertices));
-  }
-
-  // Which end is kept, and which is gone.
-  std::pair<Index, Index> choose(const Contraction& contraction) const {
-    const Index a = contraction.first(), b = contraction.second();
-    const auto& pair = contraction.pair();
-    const auto& target = contraction.target();
-    const bool b_stays = !geometry_.is_fixed(a) &&
-                         (geometry_.is_fixed(b) || (target == pair.second && target != pair.first));
-    return b_stays ? std::pair(b, a) : std::pair(a, b);
   }
 
   template <class Event>
@@ -283,6 +282,7 @@ private:
   Numbering numbering_;
   Geometry<dimension> geometry_;
   MovedVertices<dimension> moved_;
+  Parts<dimension> parts_;
   VertexMemories<Cost> memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
   Appearance<Policies> appearance_;

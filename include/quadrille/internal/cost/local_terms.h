@@ -27,7 +27,7 @@ public:
   LocalTerms(const Cost& cost, const Geometry& geometry, TriangleComplex& complex,
              const LinkCondition& link_condition)
       : cost_(cost), geometry_(geometry), complex_(complex), link_condition_(link_condition),
-        terms_(complex.workspace()) {}
+        terms_(complex.workspace()), on_boundary_(complex.workspace()) {}
 
   const Current& operator[](Index v) const { return terms_[v]; }
 
@@ -67,9 +67,11 @@ public:
       for (Index v : {p, q, r})
         terms_[v] += now;
     }
+    const bool is_known = link_condition_.knows_kinds();
+    on_boundary_.assign(is_known ? 0 : terms_.size(), 0);
     for (Index v = 0; v < terms_.size(); ++v)
-      if (!link_condition_.is_interior(v))
-        add_boundary(v, labels);
+      if (!link_condition_.is_interior(v) && add_boundary(v, labels) && !is_known)
+        on_boundary_[v] = 1;
   }
 
   static auto vertex_columns(auto& self) { return std::tie(self.terms_); }
@@ -152,8 +154,10 @@ private:
     if (link_condition_.is_closed())
       return;
     VertexLabels& labels = event.contraction.scratch().labels;
-    renew(event.kept, labels);
     const PairStar& star = event.contraction.star();
+    if (!on_boundary_.empty())
+      note_boundary(star, event.kept, event.gone);
+    renew(event.kept, labels);
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
         for (Index v : {f.second, f.third})
@@ -161,8 +165,22 @@ private:
             renew(v, labels);
   }
 
+  // Where topology is free, an edge gets down to one face in two ways only: a duplicate face is
+  // gone, or its end was on a boundary before.
+  void note_boundary(const PairStar& star, Index kept, Index gone) {
+    on_boundary_[kept] |= on_boundary_[gone];
+    star.for_each_changed([&](const StarFace& f) {
+      if (complex_.is_removed(f.face))
+        on_boundary_[kept] = on_boundary_[f.second] = on_boundary_[f.third] = 1;
+    });
+  }
+
+  bool may_be_on_boundary(Index v) const {
+    return on_boundary_.empty() ? !link_condition_.is_interior(v) : on_boundary_[v] != 0;
+  }
+
   void renew(Index v, VertexLabels& labels) {
-    if (link_condition_.is_interior(v))
+    if (!may_be_on_boundary(v))
       return;
     Current& sum = terms_[v] = {};
     complex_.prune_corners(
@@ -170,12 +188,17 @@ private:
     add_boundary(v, labels);
   }
 
-  void add_boundary(Index v, VertexLabels& labels) {
+  // Returns whether there is any.
+  bool add_boundary(Index v, VertexLabels& labels) {
     const auto& positions = geometry_.positions();
+    bool has_any = false;
     for (const EdgeAt& edge : edges_.gather(complex_, v, labels))
-      if (edge.faces == 1)
+      if (edge.faces == 1) {
         terms_[v] += cost_.current_boundary(positions[v], positions[edge.other],
                                             positions[edge.opposite[0]]);
+        has_any = true;
+      }
+    return has_any;
   }
 
   const Cost& cost_;
@@ -183,6 +206,7 @@ private:
   TriangleComplex& complex_;
   const LinkCondition& link_condition_;
   Array<Current> terms_;
+  Array<unsigned char> on_boundary_; // may a vertex be? Where the link condition does not tell
   LocalStar<Cost> last_star_;
   EdgeStar edges_;
 };

@@ -120,6 +120,17 @@ public:
   }
   static float as_key(double cost) { return (std::max)(0.0f, static_cast<float>(cost)); }
 
+  /// What a cost is compared by. One in the mesh's units, of which nobody knows whether it is a
+  /// length, its square or its fourth power, is taken to where floats hold it in each of these
+  /// cases.
+  double key_of_cost(double cost) const {
+    if constexpr (is_scale_free<Cost>)
+      return cost;
+    else
+      return (std::min)(PowerOfTwo(2 * scale_.exponent())(cost),
+                        double{(std::numeric_limits<float>::max)()});
+  }
+
 private:
   // The pair as cost and placement see it.
   Pair view(Index a, Index b) const {
@@ -150,16 +161,8 @@ private:
     return seen.position_from_mesh(policies_.placement(cost, seen), scale_);
   }
 
-  // What a cost at a position is compared by, as a float. One in the mesh's units, of which nobody
-  // knows whether it is a length, its square or its fourth power, is taken to where floats hold it
-  // in each of these cases.
   double key(const Pair& pair, const Position& target, double cost) const {
-    const double key = cost + tie_break(policies_.cost, pair, target);
-    if constexpr (is_scale_free<Cost>)
-      return key;
-    else
-      return (std::min)(PowerOfTwo(2 * scale_.exponent())(key),
-                        double{(std::numeric_limits<float>::max)()});
+    return key_of_cost(cost + tie_break(policies_.cost, pair, target));
   }
 
   const Policies& policies_;

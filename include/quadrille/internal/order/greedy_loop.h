@@ -8,15 +8,18 @@
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/order/cost_refresh.h>
 #include <quadrille/internal/order/deferred_pairs.h>
+#include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/stamped_queue.h>
+#include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/order/waiting_pairs.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,7 +43,8 @@ public:
                expected_pairs(surface.pairs().count(surface.status().faces),
                               surface.complex().vertex_capacity()),
                surface.complex().workspace()),
-        waiting_(surface.complex()), refresh_(surface, queue_.stamps()) {
+        waiting_(surface.complex()), distance_stop_(surface), parts_(surface),
+        refresh_(surface, queue_.stamps()) {
     fill_queue();
   }
 
@@ -63,6 +67,7 @@ private:
 
   static constexpr Index vertices_between_visits = 1 << 16;
   static constexpr std::size_t pairs_between_visits = 256;
+  static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   StopReason contract_pairs() {
     if (surface_.progress().is_cancelled())
@@ -76,7 +81,7 @@ private:
         continue;
       }
       surface_.progress().announce(candidate.error);
-      if (is_beyond_hub(candidate)) {
+      if (distance_stop_.is_beyond_hub(candidate)) {
         refuse(*next, Rejection::distance);
         continue;
       }
@@ -84,7 +89,7 @@ private:
           candidate, GatheredStar(surface_.complex(), next->first, next->second, scratch_));
       if (const auto cause = surface_.checks().rejection(contraction))
         refuse(*next, *cause);
-      else if (is_too_far(contraction))
+      else if (distance_stop_.is_too_far(contraction))
         refuse(*next, Rejection::distance);
       else if (surface_.progress().is_enough())
         return surface_.target_rules().reason_of_stop(surface_.status());
@@ -117,8 +122,22 @@ private:
     return !complex.has_faces(pair.first) || !complex.has_faces(pair.second);
   }
 
-  // The cheapest; those that would go beyond the target when there are no others.
+  // The cheapest pair, once all parts have vanished that are cheaper; none if the stop policy is
+  // satisfied by that.
   std::optional<QueuedPair> next_pair() {
+    std::optional<QueuedPair> next = next_queued();
+    while (parts_.has_below(next ? next->cost : no_limit, is_last_resort_)) {
+      if (next)
+        queue_.push_again(*next);
+      if (is_cancelled() || !parts_.vanish_next([this](Index v) { forget(v); }))
+        return std::nullopt;
+      next = next_queued();
+    }
+    return next;
+  }
+
+  // Those that would go beyond the target when there are no others.
+  std::optional<QueuedPair> next_queued() {
     look_ahead(
         surface_, [&](std::size_t ahead) { return queue_.peek(ahead); },
         [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA { waiting_.prefetch(w); });
@@ -153,41 +172,14 @@ private:
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
   // costs too much more than the first that would have had its turn?
   bool misses_target(const Contraction& contraction) {
-    return deferred_.is_too_dear(contraction.cost()) ||
+    return deferred_.is_too_dear(contraction.cost()) || parts_.is_too_dear(contraction.key()) ||
            surface_.target_rules().overshoots(contraction, surface_.status());
   }
 
-  // Does the stop policy stop at the distance, and at nothing else?
-  bool is_too_far(Contraction& contraction) {
-    if constexpr (asks_for_distance<typename Policies::Stop>) {
-      if (is_enough_at_no_distance())
-        return false;
-      Status status = surface_.status();
-      const bool result = surface_.distance_check().is_too_far(contraction, status);
-      surface_.progress().announce_distance(status.next_distance);
-      surface_.progress().announce(contraction.error()); // it may have another target
-      return result;
-    } else {
-      return false;
-    }
-  }
-  // The same, if it is seen at a glance.
-  bool is_beyond_hub(const Candidate& candidate) {
-    if constexpr (asks_for_distance<typename Policies::Stop>)
-      return !is_enough_at_no_distance() &&
-             surface_.distance_check().is_beyond_hub(candidate, scratch_, surface_.status());
-    else
-      return false;
-  }
-  bool is_enough_at_no_distance() {
-    surface_.progress().announce_distance(0);
-    return surface_.progress().is_enough();
-  }
-
   StopReason final_reason() {
-    if constexpr (asks_for_distance<typename Policies::Stop>)
-      surface_.progress().announce_distance(0);
-    if (surface_.progress().is_enough() || has_met_distance_)
+    if (surface_.progress().is_cancelled())
+      return StopReason::cancelled;
+    if (distance_stop_.is_enough_without() || has_met_distance_ || parts_.has_met_distance())
       return surface_.target_rules().reason_of_stop(surface_.status());
     if (has_met_destruction_)
       return StopReason::target_unreachable;
@@ -206,7 +198,7 @@ private:
     surface_.progress().count(scratch_.tally);
     queue_.stamps().advance();
     for (Index end : {contraction.first(), contraction.second()})
-      queue_.stamps().retire(end), waiting_.forget(end);
+      forget(end);
     queue_.stamps().renew(kept);
     release_around(contraction.star());
     if (!surface_.complex().has_faces(kept))
@@ -216,6 +208,12 @@ private:
       push_cheapest(kept);
     else
       push_all(kept);
+  }
+
+  // All pairs of a vertex are outdated.
+  void forget(Index v) {
+    queue_.stamps().retire(v);
+    waiting_.forget(v);
   }
 
   // Vertices of faces that are gone may be no neighbours any more. The others are partners, if all
@@ -271,6 +269,8 @@ private:
   StampedQueue queue_;
   WaitingPairs waiting_;
   DeferredPairs deferred_;
+  DistanceStop<Policies> distance_stop_;
+  VanishingParts<Policies> parts_;
   CostRefresh<Policies> refresh_;
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: key and partner
   bool is_last_resort_ = false;                    // has one of the deferred pairs its turn?

@@ -9,6 +9,7 @@
 #include <quadrille/internal/order/block_stars.h>
 #include <quadrille/internal/order/pass_plan.h>
 #include <quadrille/internal/order/proposals.h>
+#include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/order.h>
 #include <quadrille/report.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -98,6 +100,16 @@ private:
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
     surface_.end_pass(surface_.policies().order.refresh);
+    let_parts_vanish(static_cast<double>(plan.cost_limit));
+  }
+
+  // Those that cost less than the pairs of the pass.
+  void let_parts_vanish(double limit) {
+    if (limit == std::numeric_limits<double>::infinity())
+      return; // the pairs that cost most are for the greedy order
+    VanishingParts<Policies> parts(surface_);
+    while (parts.has_below(limit, false) && parts.vanish_next([](Index) {})) {
+    }
   }
 
   template <class Task>

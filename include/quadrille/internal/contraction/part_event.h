@@ -1,0 +1,54 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_PART_EVENT_H
+#define QUADRILLE_INTERNAL_CONTRACTION_PART_EVENT_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What observers that have a function vanished(event) are told before a part of the surface goes
+/// whole: all vertices that are left of it, and all their faces.
+struct PartEvent {
+  std::span<const Index> vertices, faces;
+  double radius; // of the part as it was in the input, in the mesh's unit
+};
+
+template <class Observer>
+void tell_vanished(Observer& observer, const PartEvent& event) {
+  if constexpr (requires { observer.vanished(event); })
+    observer.vanished(event);
+}
+
+/// All faces of the vertices of a part, each once.
+inline std::vector<Index> faces_of(const TriangleComplex& complex,
+                                   std::span<const Index> vertices) {
+  std::vector<Index> faces;
+  for (Index v : vertices)
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      if (i == 0)
+        faces.push_back(face);
+    });
+  return faces;
+}
+
+/// Removes a part whole, of which these vertices are left, tells observers before, and tallies it.
+template <class... Observer, class Tally>
+void remove_part(TriangleComplex& complex, std::span<const Index> vertices, double radius,
+                 const std::tuple<Observer&...>& observers, Tally& tally) {
+  const std::vector<Index> faces = faces_of(complex, vertices);
+  const PartEvent event{vertices, faces, radius};
+  std::apply([&](auto&... observer) { (tell_vanished(observer, event), ...); }, observers);
+  for (Index face : faces)
+    complex.remove_face(face);
+  for (Index v : vertices)
+    complex.prune_corners(v);
+  tally.count_part(event);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_PART_EVENT_H

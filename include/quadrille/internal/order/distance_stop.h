@@ -1,0 +1,69 @@
+#ifndef QUADRILLE_INTERNAL_ORDER_DISTANCE_STOP_H
+#define QUADRILLE_INTERNAL_ORDER_DISTANCE_STOP_H
+
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/cost/candidate.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/report.h>
+
+namespace quadrille::internal {
+
+/// Does the stop policy stop at a distance, and at nothing else? Never, where it does not ask for
+/// distances. What it was asked about is announced as what comes next.
+template <class Policies>
+class DistanceStop {
+public:
+  using Cost = typename Policies::Cost;
+
+  explicit DistanceStop(WorkingSurface<Policies>& surface) : surface_(surface) {}
+
+  /// The contraction may get another target.
+  bool is_too_far(Contraction<Cost>& contraction) {
+    if constexpr (asks) {
+      if (is_enough_without())
+        return false;
+      Status status = surface_.status();
+      const bool result = surface_.distance_check().is_too_far(contraction, status);
+      surface_.progress().announce_distance(status.next_distance);
+      surface_.progress().announce(contraction.error());
+      return result;
+    } else {
+      return false;
+    }
+  }
+  /// The same, if it is seen at a glance.
+  bool is_beyond_hub(const Candidate<Cost>& candidate) {
+    if constexpr (asks)
+      return !is_enough_without() && surface_.distance_check().is_beyond_hub(
+                                         candidate, surface_.scratch(), surface_.status());
+    else
+      return false;
+  }
+  /// A distance in the mesh's unit.
+  bool is_too_far(double distance) {
+    if constexpr (asks) {
+      if (is_enough_without())
+        return false;
+      surface_.progress().announce_distance(distance);
+      return surface_.progress().is_enough();
+    } else {
+      return false;
+    }
+  }
+  /// At a distance of 0, if it asks for any.
+  bool is_enough_without() {
+    if constexpr (asks)
+      surface_.progress().announce_distance(0);
+    return surface_.progress().is_enough();
+  }
+
+private:
+  static constexpr bool asks = asks_for_distance<typename Policies::Stop>;
+
+  WorkingSurface<Policies>& surface_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ORDER_DISTANCE_STOP_H

@@ -1,0 +1,162 @@
+#ifndef QUADRILLE_INTERNAL_ORDER_VANISHING_PARTS_H
+#define QUADRILLE_INTERNAL_ORDER_VANISHING_PARTS_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/contraction/part_event.h>
+#include <quadrille/internal/contraction/parts.h>
+#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/cost/part_price.h>
+#include <quadrille/internal/order/distance_stop.h>
+#include <quadrille/internal/order/part_lists.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The parts of a surface that may vanish whole, the cheapest first: see
+/// Topology::parts_may_vanish. Nothing where they may not.
+///
+/// A part remembers as much after its contractions as before, so what it costs stays the same; but
+/// for costs that look at the surface as it is, by which it becomes dearer while its faces become
+/// larger. Such a part goes back.
+template <class Policies>
+class VanishingParts {
+public:
+  /// In linear time.
+  explicit VanishingParts(WorkingSurface<Policies>& surface)
+      : surface_(surface), price_(surface.evaluator()), distance_stop_(surface) {
+    if (parts().size() < 2)
+      return;
+    lists_ = PartLists(surface.complex(), parts(), surface.labels());
+    for (Index part = 0; part < parts().size(); ++part)
+      if (!parts()[part].is_fixed && !vertices(part).empty())
+        heap_.push_back({price(part), part});
+    std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
+  }
+
+  /// Does the cheapest cost less than `limit`, and leave the surface at the target or before it? If
+  /// it would go beyond, it has to wait, with all that are dearer, for the last resort.
+  bool has_below(double limit, bool is_last_resort) {
+    return !heap_.empty() && has_cheap(static_cast<float>(limit), is_last_resort);
+  }
+  /// Is that more than meeting the target exactly is worth, where a part has to wait?
+  bool is_too_dear(double cost) const {
+    return waiting_price_ && cost > dearest_exact_pair * static_cast<double>(*waiting_price_);
+  }
+
+  /// Lets the part that has_below() has found vanish, unless it is refused, and calls gone(v) for
+  /// each of its vertices. False if the stop policy is satisfied without.
+  template <class Gone>
+  bool vanish_next(Gone gone) {
+    const Index part = take();
+    waiting_price_.reset();
+    surface_.progress().announce(parts()[part].radius);
+    if (distance_stop_.is_too_far(2 * parts()[part].radius)) {
+      refuse(Rejection::distance);
+      return true;
+    }
+    if (surface_.progress().is_enough())
+      return false;
+    if (!is_target_reachable()) {
+      refuse(Rejection::destruction);
+      return true;
+    }
+    const std::span<const Index> vertices = this->vertices(part);
+    surface_.remove_part(part, vertices);
+    std::for_each(vertices.begin(), vertices.end(), gone);
+    lists_.remove(part);
+    surface_.progress().count(surface_.scratch().tally);
+    return true;
+  }
+
+  bool has_met_distance() const { return has_met_distance_; }
+
+private:
+  using Cost = typename Policies::Cost;
+  using Entry = std::pair<float, Index>; // price and part
+
+  const Parts<Cost::dimension>& parts() const { return surface_.parts(); }
+  std::span<const Index> vertices(Index part) { return lists_.vertices(surface_.complex(), part); }
+  float price(Index part) {
+    const Part<Cost::dimension>& shape = parts()[part];
+    return price_(vertices(part), shape.centre, shape.squared_radius);
+  }
+
+  bool has_cheap(float limit, bool is_last_resort) {
+    while (!heap_.empty() && heap_.front().first < limit) {
+      const Index part = heap_.front().second;
+      if (lists_.left() < 2 || lists_.has_last_of_a_label(part))
+        take(); // for good
+      else if (!has_become_dearer())
+        return is_last_resort || !has_to_wait(part);
+    }
+    return false;
+  }
+
+  // The cheapest, which goes back if it has.
+  bool has_become_dearer() {
+    if constexpr (has_local_terms<Cost>) {
+      const Entry cheapest = heap_.front();
+      if (const float now = price(cheapest.second); now > tolerated_rise * cheapest.first) {
+        take();
+        heap_.push_back({now, cheapest.second});
+        std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool has_to_wait(Index part) {
+    if (!waiting_price_) {
+      const std::span<const Index> vertices = this->vertices(part);
+      const Loss loss{faces_of(surface_.complex(), vertices).size(), vertices.size()};
+      if (surface_.target_rules().is_passed_without(loss, surface_.status()))
+        waiting_price_ = heap_.front().first;
+    }
+    return waiting_price_.has_value();
+  }
+
+  // The cheapest, which is no longer here then.
+  Index take() {
+    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+    const Index part = heap_.back().second;
+    heap_.pop_back();
+    return part;
+  }
+
+  bool is_target_reachable() {
+    if (!is_target_reachable_)
+      is_target_reachable_ = surface_.target_rules().is_reachable(surface_.status());
+    return *is_target_reachable_;
+  }
+
+  void refuse(Rejection cause) {
+    surface_.scratch().tally.reject(cause);
+    has_met_distance_ |= cause == Rejection::distance;
+  }
+
+  static constexpr double dearest_exact_pair = 4; // as DeferredPairs has it
+  static constexpr float tolerated_rise = 1.1f;   // a part is looked at a few times only
+
+  WorkingSurface<Policies>& surface_;
+  PartPrice<Policies> price_;
+  DistanceStop<Policies> distance_stop_;
+  PartLists lists_;
+  std::vector<Entry> heap_;
+  std::optional<float> waiting_price_;      // of a part that would go beyond the target
+  std::optional<bool> is_target_reachable_; // if it has been asked
+  bool has_met_distance_ = false;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ORDER_VANISHING_PARTS_H

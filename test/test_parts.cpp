@@ -1,0 +1,549 @@
+// Topology::parts_may_vanish: small parts go whole where that is the cheapest thing to do, and
+// nothing else changes.
+
+#include "mesh_types.h"
+#include "meshes.h"
+#include "soups.h"
+
+#include <quadrille/levels.h>
+#include <quadrille/simplify.h>
+
+#include <CGAL/property_map.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::PointSoup;
+using test::Position;
+using test::Soup;
+
+constexpr Topology parts_may_vanish = Topology::parts_may_vanish;
+
+Soup scaled(const Soup& soup, double factor) {
+  return test::mapped(soup, [&](const Position& p) { return factor * p; });
+}
+
+Soup soup_of(const PointSoup& points) {
+  Soup soup{{}, points.triangles};
+  for (const auto& p : points.points)
+    soup.points.push_back({{p.x(), p.y(), p.z()}});
+  return soup;
+}
+
+template <class... Arguments>
+Soup simplified(const Soup& input, Report& report, const Arguments&... arguments) {
+  PointSoup soup(input);
+  report = simplify(soup.points, soup.triangles, arguments...);
+  return soup_of(soup);
+}
+
+/// Parts, by a plain walk, each as the points that it has.
+std::vector<std::vector<Position>> parts_of(const Soup& soup) {
+  test::detail::Partition parts(soup.points.size());
+  for (const auto& [a, b, c] : soup.triangles)
+    parts.merge(a, b), parts.merge(b, c);
+  std::map<std::uint32_t, std::vector<Position>> points;
+  for (const auto& t : soup.triangles)
+    for (std::uint32_t v : t)
+      points[parts.root(v)].push_back(soup.points[v]);
+  std::vector<std::vector<Position>> result;
+  for (const auto& [root, of_part] : points)
+    result.push_back(of_part);
+  return result;
+}
+
+/// The greatest distance between two of its points.
+double diameter(const std::vector<Position>& points) {
+  double squared = 0;
+  for (const Position& p : points)
+    for (const Position& q : points)
+      squared = std::max(squared, squared_distance(p, q));
+  return std::sqrt(squared);
+}
+
+// Things in a row along x, so far apart.
+constexpr double spacing = 4;
+
+std::size_t thing_at(double x) {
+  return static_cast<std::size_t>(std::lround(x / spacing));
+}
+Position place_of(std::size_t thing) {
+  return {{spacing * static_cast<double>(thing), 0, 0}};
+}
+
+/// Which of these things are there.
+std::vector<bool> things_in(const Soup& soup, std::size_t count) {
+  std::vector<bool> is_there(count);
+  for (const auto& part : parts_of(soup))
+    is_there.at(thing_at(part.front()[0])) = true;
+  return is_there;
+}
+
+/// Spheres in that row, each of so large a radius.
+Soup spheres(const std::vector<double>& radii, int levels = 2) {
+  Soup soup;
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    soup = test::joined(soup, scaled(test::sphere(levels), radii[i]), place_of(i));
+  return soup;
+}
+
+/// A large noisy sphere, with small parts of many sizes and kinds in and around it.
+Soup scan(std::size_t small) {
+  Soup soup = scaled(test::with_noise(test::sphere(5), 1, 0.004), 10);
+  test::Random random(7);
+  for (std::size_t i = 0; i < small; ++i) {
+    const Soup kinds[] = {test::sphere(1), test::torus(9, 7), test::grid(4, 3), test::triangle(),
+                          test::octahedron()};
+    const double size = std::exp(random(std::log(0.003), std::log(0.2)));
+    const double u = random(0, 2 * std::numbers::pi), z = random(-1, 1), r = random(3, 14);
+    const double w = std::sqrt(1 - z * z);
+    soup = test::joined(soup, scaled(kinds[i % 5], size),
+                        {{r * w * std::cos(u), r * w * std::sin(u), r * z}});
+  }
+  return soup;
+}
+
+} // namespace
+
+// --- What goes and what stays --------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("A target that small parts stand in the way of is met", "", Quadric,
+                   MemorylessQuadric, ThinFeatureQuadric) {
+  const Soup input = scan(300);
+  const auto check = [&](const auto& order) {
+    Report report;
+    const Soup kept = simplified(input, report, TestType{}, FaceCount{400}, Topology::kept, order);
+    CHECK(report.stop == StopReason::target_unreachable);
+    CHECK(report.vanished_parts == 0);
+
+    const Soup result =
+        simplified(input, report, TestType{}, FaceCount{400}, parts_may_vanish, order);
+    INFO(report);
+    CHECK(is_target_reached(report.stop));
+    CHECK(result.triangles.size() <= 400);
+    CHECK(result.triangles.size() >= 397);
+    CHECK(report.faces_after == result.triangles.size());
+    CHECK(report.vertices_after == result.points.size());
+    const test::SoupTopology before = test::topology_of(input), after = test::topology_of(result);
+    CHECK(after.is_manifold);
+    CHECK(after.is_oriented);
+    CHECK(after.vertices == result.points.size());
+    CHECK_FALSE(after.has_duplicate_faces);
+    CHECK(after.components < 301);
+    CHECK(report.components_before == before.components);
+    CHECK(report.components_after == after.components);
+    CHECK(report.vanished_parts == before.components - after.components);
+    CHECK(report.non_manifold_edges + report.non_manifold_vertices == 0);
+    // The large sphere is what it was.
+    CHECK(test::volume(result) == Approx(4 * std::numbers::pi / 3 * 1000).epsilon(0.04));
+  };
+  check(GreedyOrder{});
+  check(RelaxedOrder{});
+  check(RelaxedOrder{.refresh = true});
+}
+
+TEMPLATE_TEST_CASE("Of parts of one shape the smaller ones go first", "", Quadric,
+                   MemorylessQuadric, ThinFeatureQuadric, EdgeLength) {
+  std::vector<double> radii;
+  for (int i = 0; i < 24; ++i)
+    radii.push_back(0.4 * std::pow(0.8, i * 7 % 24));
+  const Soup input = spheres(radii);
+  using Placement =
+      std::conditional_t<std::is_same_v<TestType, EdgeLength>, MidpointPlacement, OptimalPlacement>;
+  for (std::size_t faces : {600, 300, 96, 60, 20, 4}) {
+    CAPTURE(faces);
+    Report report;
+    const Soup result =
+        simplified(input, report, TestType{}, Placement{}, FaceCount{faces}, parts_may_vanish);
+    CHECK(is_target_reached(report.stop));
+    CHECK(result.triangles.size() + 2 >= faces);
+    const std::vector<bool> is_there = things_in(result, radii.size());
+    double largest_gone = 0, smallest_left = 1;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      if (is_there[i])
+        smallest_left = std::min(smallest_left, radii[i]);
+      else
+        largest_gone = std::max(largest_gone, radii[i]);
+    CHECK(largest_gone < smallest_left);
+  }
+}
+
+TEST_CASE("A part costs its squared radius times the weight of what it remembers") {
+  // Spheres, tori and single triangles of many sizes: with Quadric a face weighs its area at each
+  // of its corners, and a border edge 100 times its square at both ends, and a quarter of that
+  // along the normal.
+  std::vector<double> prices;
+  Soup input;
+  for (std::size_t i = 0; i < 30; ++i) {
+    const Soup kinds[] = {test::sphere(2), test::torus(9, 7), test::triangle()};
+    const Soup thing = scaled(kinds[i % 3], 0.3 * std::pow(0.9, static_cast<double>(i * 7 % 30)));
+    double area = 0, border = 0, squared_radius = 0;
+    Position low = thing.points[0], high = low;
+    for (const Position& p : thing.points)
+      for (std::size_t k = 0; k < 3; ++k)
+        low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    for (const Position& p : thing.points)
+      squared_radius = std::max(squared_radius, squared_distance(p, 0.5 * (low + high)));
+    for (const test::Triangle& t : thing.triangles) {
+      area += std::sqrt(squared_length(test::area_vector(thing, t)));
+      if (i % 3 == 2)
+        for (std::size_t k = 0; k < 3; ++k)
+          border += squared_distance(thing.points[t[k]], thing.points[t[(k + 1) % 3]]);
+    }
+    prices.push_back(squared_radius * (3 * area + 2 * 125 * border));
+    input = test::joined(input, thing, place_of(i));
+  }
+  for (std::size_t faces : {400, 200, 120, 80, 60, 40, 20, 10}) {
+    Report report;
+    const Soup result = simplified(input, report, FaceCount{faces}, parts_may_vanish);
+    const std::vector<bool> is_there = things_in(result, prices.size());
+    double dearest_gone = 0, cheapest_left = 1e9;
+    for (std::size_t i = 0; i < prices.size(); ++i)
+      if (is_there[i])
+        cheapest_left = std::min(cheapest_left, prices[i]);
+      else
+        dearest_gone = std::max(dearest_gone, prices[i]);
+    CAPTURE(faces, dearest_gone, cheapest_left);
+    CHECK(dearest_gone < cheapest_left);
+    CHECK((dearest_gone > 0) == (report.vanished_parts > 0));
+  }
+}
+
+TEMPLATE_TEST_CASE("A part shrinks as far as it can before it vanishes", "", Quadric,
+                   MemorylessQuadric, ThinFeatureQuadric, EdgeLength) {
+  using Placement =
+      std::conditional_t<std::is_same_v<TestType, EdgeLength>, MidpointPlacement, OptimalPlacement>;
+  const Soup input = spheres(std::vector<double>(10, 0.3), 3);
+  for (std::size_t faces : {1000, 100, 40, 36, 20}) {
+    Report report;
+    const Soup result =
+        simplified(input, report, TestType{}, Placement{}, FaceCount{faces}, parts_may_vanish);
+    CAPTURE(faces, report);
+    CHECK(result.triangles.size() == faces);
+    CHECK(report.vanished_parts == (faces >= 40 ? 0 : 10 - faces / 4));
+  }
+}
+
+TEST_CASE("Thin and flat parts do not go before their size says so") {
+  // A wire, a plate of two sides and a strip, beside small spheres: their planes pass through their
+  // centres, or nearly, and yet they stay.
+  const auto stretched = [](const Soup& soup, double x, double y, double z) {
+    return test::mapped(soup, [=](const Position& p) {
+      return Position{{x * p[0], y * p[1], z * p[2]}};
+    });
+  };
+  Soup input = spheres(std::vector<double>(40, 0.02));
+  input = test::joined(input, stretched(test::sphere(2), 0.01, 3, 0.01), place_of(40));
+  input = test::joined(input, stretched(test::sphere(2), 0.4, 0.4, 1e-9), place_of(41));
+  input = test::joined(input, stretched(test::grid(9, 9), 0.2, 0.2, 1), place_of(42));
+  Report report;
+  const Soup result = simplified(input, report, FaceCount{12}, parts_may_vanish);
+  INFO(report);
+  CHECK(result.triangles.size() <= 12);
+  const std::vector<bool> is_there = things_in(result, 43);
+  CHECK(std::count(is_there.begin(), is_there.begin() + 40, true) == 0);
+  CHECK(is_there[40]);
+  CHECK(is_there[41]);
+  CHECK(is_there[42]);
+}
+
+TEST_CASE("A part of any topology vanishes, inside of another or not") {
+  Soup input = scaled(test::sphere(4), 10);
+  input = test::joined(input, scaled(test::plate_with_holes(3), 0.01), {{1, 0, 0}});
+  input = test::joined(input, scaled(test::torus(12, 9), 0.02), {{20, 0, 0}});
+  input = test::joined(input, scaled(test::open_cylinder(8, 3), 0.02), {{0, 20, 0}});
+  input = test::joined(input, scaled(test::triangle(), 0.02), {{0, 0, 20}});
+  // Spheres in spheres.
+  for (double r : {0.03, 0.02, 0.01})
+    input = test::joined(input, scaled(test::sphere(2), r), {{0, -20, 0}});
+  Report report;
+  const Soup result = simplified(input, report, FaceCount{100}, parts_may_vanish);
+  CHECK(report.vanished_parts == 7);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(test::topology_of(result).components == 1);
+  CHECK(result.triangles.size() == 100);
+}
+
+TEST_CASE("Never all parts vanish, and the one that stays is the largest") {
+  const Soup input = spheres({0.1, 0.3, 0.2, 0.05});
+  Report report;
+  const Soup result = simplified(input, report, FaceCount{0}, parts_may_vanish);
+  CHECK(result.triangles.size() == 4);
+  CHECK(report.vanished_parts == 3);
+  CHECK(report.stop == StopReason::all_pairs_rejected);
+  CHECK(things_in(result, 4)[1]);
+
+  const Soup equal = spheres(std::vector<double>(9, 0.25), 0);
+  const Soup one = simplified(equal, report, FaceCount{0}, parts_may_vanish);
+  CHECK(one.triangles.size() == 4);
+  const Soup sheets = test::joined(test::triangle(), test::triangle(), {{5, 0, 0}});
+  CHECK(simplified(sheets, report, FaceCount{0}, parts_may_vanish).triangles.size() == 1);
+}
+
+TEST_CASE(
+    "Nothing else changes: a surface of one part gives the same bits as where topology is kept") {
+  for (std::uint64_t seed : {1, 2, 3}) {
+    const Soup input = seed == 1 ? test::random_with_borders(seed) : test::random_closed(seed);
+    const auto check = [&](const auto&... arguments) {
+      Report kept, may_vanish;
+      const Soup a = simplified(input, kept, Topology::kept, arguments...);
+      const Soup b = simplified(input, may_vanish, parts_may_vanish, arguments...);
+      CHECK(test::is_identical(a, b));
+      CHECK(kept.error == may_vanish.error);
+      CHECK(kept.stop == may_vanish.stop);
+      CHECK(kept.rejections == may_vanish.rejections);
+    };
+    check(FaceRatio{0.1});
+    check(FaceCount{0});
+    check(FaceRatio{0.1}, RelaxedOrder{});
+    check(FaceRatio{0.1}, MemorylessQuadric{});
+    check(ErrorLimit{0.05});
+  }
+}
+
+TEST_CASE("Parts that are dearer than what the target costs stay, with the same bits") {
+  const Soup input = spheres({0.4, 0.4, 0.4, 0.4}, 4);
+  Report kept, may_vanish;
+  const Soup a = simplified(input, kept, FaceRatio{0.05}, Topology::kept);
+  const Soup b = simplified(input, may_vanish, FaceRatio{0.05}, parts_may_vanish);
+  CHECK(test::is_identical(a, b));
+  CHECK(may_vanish.vanished_parts == 0);
+}
+
+// --- Targets and limits --------------------------------------------------------------------------
+
+TEST_CASE("A count that a part would go beyond is met by pairs, or passed and told") {
+  Report report;
+  const Soup hundred = spheres(std::vector<double>(100, 0.25), 0); // octahedra
+  const Soup ten = simplified(hundred, report, FaceCount{10}, parts_may_vanish);
+  CHECK(is_target_reached(report.stop));
+  CHECK(ten.triangles.size() <= 10);
+  CHECK(ten.triangles.size() >= 7);
+  CHECK((report.stop == StopReason::target_met) == (ten.triangles.size() == 10));
+  const Soup some = simplified(hundred, report, VertexCount{11}, parts_may_vanish);
+  CHECK(is_target_reached(report.stop));
+  CHECK(some.points.size() <= 11);
+
+  // The sphere has pairs that meet any even number, at little cost.
+  const Soup crumbs =
+      test::joined(scaled(test::with_noise(test::sphere(4), 1, 0.01), 10), hundred, {{20, 0, 0}});
+  for (std::size_t faces = 300; faces < 320; faces += 2) {
+    const Soup result = simplified(crumbs, report, FaceCount{faces}, parts_may_vanish);
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(result.triangles.size() == faces);
+  }
+}
+
+TEST_CASE("With an error limit the parts vanish whose diameter is within it, and no others") {
+  const std::vector<double> radii{0.4, 0.04, 0.1, 0.049, 0.051, 0.002, 0.2, 0.02};
+  const Soup input = spheres(radii, 3);
+  const auto check = [&](const Soup& result, const Report& report, double limit) {
+    INFO(report);
+    CHECK(report.stop == StopReason::target_met);
+    const std::vector<bool> is_there = things_in(result, radii.size());
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      CHECK(is_there[i] == (2 * radii[i] > limit));
+  };
+  for (double limit : {0.1, 0.03, 0.003, 0.0})
+    for (double unit : {1.0, 1e-4}) {
+      CAPTURE(limit, unit);
+      Report report;
+      const Soup small = scaled(input, unit);
+      const ErrorLimit stop(limit * unit);
+      check(scaled(simplified(small, report, stop, parts_may_vanish), 1 / unit), report, limit);
+      CHECK(report.distance_bound <= limit * unit + 1e-12);
+      CHECK(report.rejected(Rejection::distance) > 0);
+      check(scaled(simplified(small, report, stop, RelaxedOrder{}, parts_may_vanish), 1 / unit),
+            report, limit);
+    }
+  Report report;
+  const Soup both =
+      simplified(input, report, AnyOf{FaceCount{0}, ErrorLimit{0.1}}, parts_may_vanish);
+  check(both, report, 0.1);
+}
+
+TEST_CASE("The diameter within a limit is that of the part as it was, of any shape") {
+  Report report;
+  const Soup input = scan(200);
+  for (double limit : {0.01, 0.05}) {
+    const Soup result = simplified(input, report, ErrorLimit(limit), parts_may_vanish);
+    INFO(report);
+    std::size_t within = 0, larger = 0;
+    for (const auto& part : parts_of(input)) {
+      // Its points are few, but for the large sphere.
+      const double size = part.size() > 2000 ? 20 : diameter(part);
+      within += 1.8 * size <= limit; // a sphere around it has no more than √3 times its diameter
+      larger += size > limit;
+    }
+    const std::size_t left = parts_of(result).size();
+    CHECK(left >= larger);
+    CHECK(left + within <= parts_of(input).size());
+    CHECK(report.vanished_parts > 0);
+  }
+}
+
+TEST_CASE("No part vanishes for a target that can't be reached") {
+  // Two spheres with a fixed point each keep four faces each.
+  const Soup input = spheres({0.4, 0.01, 0.4, 0.01, 0.02}, 2);
+  std::vector<char> is_fixed(input.points.size());
+  is_fixed.front() = true;
+  is_fixed[2 * input.points.size() / 5] = true;
+  const auto fixed = CGAL::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_fixed));
+  Report report;
+  Soup result = simplified(input, report, FaceCount{6}, parts_may_vanish, fixed);
+  CHECK(report.stop == StopReason::target_unreachable);
+  CHECK(report.vanished_parts == 0);
+  result = simplified(input, report, FaceCount{8}, parts_may_vanish, fixed);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(report.vanished_parts == 3);
+  CHECK(result.triangles.size() == 8);
+}
+
+// --- What keeps a part ---------------------------------------------------------------------------
+
+TEST_CASE("A part with a fixed vertex stays") {
+  const Soup input = spheres({0.4, 0.01, 0.02, 0.03, 0.04}, 1);
+  std::vector<char> is_fixed(input.points.size());
+  is_fixed[input.points.size() / 5 + 3] = true; // of the second
+  Report report;
+  const Soup result =
+      simplified(input, report, FaceCount{10}, parts_may_vanish,
+                 CGAL::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_fixed)));
+  CHECK(things_in(result, 5) == std::vector<bool>{true, true, false, false, false});
+  CHECK(report.stop == StopReason::target_met);
+
+  // Of a mesh, an edge as well.
+  test::Mesh mesh = test::make_mesh(input);
+  auto kept = mesh.add_property_map<test::Mesh::Edge_index, bool>("e:kept", false).first;
+  const auto of_third = static_cast<test::Mesh::size_type>(2 * input.points.size() / 5);
+  kept[mesh.edge(mesh.halfedge(test::Mesh::Vertex_index(of_third)))] = true;
+  simplify(mesh, FaceCount{10}, parts_may_vanish, CGAL::parameters::edge_is_constrained_map(kept));
+  CHECK(test::is_valid_triangle_mesh(mesh));
+  CHECK(things_in(test::to_soup(mesh), 5) == std::vector<bool>{true, false, true, false, false});
+}
+
+TEST_CASE("The last faces of a label stay") {
+  const std::vector<double> radii{0.4, 0.01, 0.02, 0.03, 0.04, 0.05};
+  const Soup input = spheres(radii, 1);
+  const std::vector<int> label_of{7, 7, 5, 5, 3, 7}; // 5: two small ones; 3: a single one
+  std::vector<int> labels;
+  for (const test::Triangle& t : input.triangles)
+    labels.push_back(label_of[thing_at(input.points[t[0]][0])]);
+  const auto check = [&](const auto& order) {
+    PointSoup soup(input);
+    std::vector<int> of_face = labels;
+    const Report report = simplify(soup.points, soup.triangles, FaceCount{12}, parts_may_vanish,
+                                   order, Labels{CGAL::make_property_map(of_face)});
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(things_in(soup_of(soup), 6) == std::vector<bool>{true, false, false, true, true, false});
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+      CHECK(of_face[f] == label_of[thing_at(soup.points[soup.triangles[f][0]].x())]);
+  };
+  check(GreedyOrder{});
+  check(RelaxedOrder{});
+}
+
+// --- Meshes, channels, maps ----------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("Meshes of any kind lose parts", "", test::Mesh, test::Polyhedron, test::TriMesh,
+                   test::CellComplex) {
+  const Soup input = test::as_floats(scan(60));
+  Report of_soup;
+  const Soup expected = simplified(input, of_soup, FaceCount{200}, parts_may_vanish);
+  CHECK(of_soup.vanished_parts > 30);
+  TestType mesh = test::make_mesh<TestType>(input);
+  const Report report = simplify(mesh, FaceCount{200}, parts_may_vanish);
+  CHECK(report.vanished_parts == of_soup.vanished_parts);
+  CHECK(report.faces_after == of_soup.faces_after);
+  CHECK(test::is_valid_triangle_mesh(mesh));
+  CHECK(test::is_same_surface(test::to_soup(mesh), expected, 1e-4));
+}
+
+TEST_CASE("What became of the vertices of a part is told") {
+  const Soup input = spheres({0.4, 0.01, 0.3}, 1);
+  PointSoup soup(input);
+  std::vector<std::size_t> image(input.points.size(), 12345);
+  const Report report = simplify(soup.points, soup.triangles, FaceCount{8}, parts_may_vanish,
+                                 parameters::vertex_image_map(CGAL::make_property_map(image)));
+  REQUIRE(report.vanished_parts == 1);
+  const std::size_t each = input.points.size() / 3;
+  for (std::size_t v = 0; v < image.size(); ++v)
+    if (v / each == 1)
+      CHECK(image[v] == parameters::vanished);
+    else
+      CHECK(thing_at(soup.points.at(image[v]).x()) == v / each);
+}
+
+TEST_CASE("Levels know which parts have vanished") {
+  const Soup input = scan(60);
+  const auto check = [&](const auto& order) {
+    Levels levels;
+    std::vector<std::array<double, 3>> points;
+    for (const Position& p : input.points)
+      points.push_back(p.coordinates);
+    std::vector<test::Triangle> triangles = input.triangles;
+    const Report report =
+        simplify(points, triangles, FaceCount{200}, parts_may_vanish, order, record_into(levels));
+    CHECK(report.vanished_parts > 20);
+    const Level last = in_input_order(levels.at(FaceCount{report.faces_after}));
+    CHECK(last.points == points);
+    CHECK(last.triangles == triangles);
+    CHECK(last.vertices == report.vertices_after);
+    CHECK(last.error == Approx(report.error).epsilon(1e-6));
+  };
+  check(GreedyOrder{});
+  check(RelaxedOrder{});
+}
+
+TEST_CASE("Channels of what is left are right") {
+  const Soup input = spheres({0.4, 0.01, 0.3, 0.02}, 3);
+  PointSoup soup(input);
+  std::vector<std::array<double, 2>> uv;
+  for (const Position& p : input.points)
+    uv.push_back({0.25 * p[0], p[1] + 0.5});
+  const Report report = simplify(soup.points, soup.triangles, FaceCount{100}, parts_may_vanish,
+                                 Texture{CGAL::make_property_map(uv)});
+  CHECK(report.vanished_parts == 2);
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    CHECK(uv[v][0] == Approx(0.25 * soup.points[v].x()).margin(0.01));
+    CHECK(uv[v][1] == Approx(soup.points[v].y() + 0.5).margin(0.04));
+  }
+}
+
+TEST_CASE("Any order of passes and any unit of length lets the same parts vanish") {
+  const Soup input = scan(150);
+  Report report, of_other;
+  const Soup one = simplified(input, report, FaceCount{300}, parts_may_vanish);
+  for (double unit : {0x1p-40, 0x1p30}) {
+    const Soup other = simplified(scaled(input, unit), of_other, FaceCount{300}, parts_may_vanish);
+    CHECK(test::is_identical(scaled(other, 1 / unit), one));
+    CHECK(of_other.vanished_parts == report.vanished_parts);
+    CHECK(of_other.error == report.error * unit);
+  }
+}
+
+TEST_CASE("A visitor may cancel when parts have vanished and nothing has been contracted") {
+  // Tetrahedra can't be contracted; the visitor lets some of them go.
+  const Soup input = spheres(std::vector<double>(3000, 0.1), 0);
+  struct Cancelling : Visitor {
+    bool proceed(const Status& status) const { return status.faces > 9000; }
+  };
+  PointSoup soup(input);
+  const Report report = simplify(soup.points, soup.triangles, FaceCount{0}, parts_may_vanish,
+                                 CGAL::parameters::visitor(Cancelling{}));
+  CHECK(report.stop == StopReason::cancelled);
+  CHECK(report.faces_after == soup.triangles.size());
+  CHECK(report.faces_after < input.triangles.size());
+  CHECK(soup.triangles.size() > 4);
+  CHECK(test::topology_of(soup_of(soup)).is_manifold);
+}
