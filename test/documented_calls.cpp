@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <quadrille/cluster.h>
+#include <quadrille/hull.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>

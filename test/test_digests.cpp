@@ -55,8 +55,9 @@ std::uint64_t digest_of(const Result& result) {
   digest.add(result.report.distance_bound);
   digest.add(std::uint64_t{result.report.contractions});
   for (std::size_t cause = 0; cause < rejection_causes; ++cause)
-    if (static_cast<Rejection>(cause) != Rejection::seam &&
-        static_cast<Rejection>(cause) != Rejection::texture) // the table is older than that
+    if (const auto rejection = static_cast<Rejection>(cause);
+        rejection != Rejection::seam && rejection != Rejection::texture &&
+        rejection != Rejection::hull && rejection != Rejection::volume) // the table is older
       digest.add(std::uint64_t{result.report.rejections[cause]});
   return digest.value();
 }

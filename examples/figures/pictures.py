@@ -6,6 +6,7 @@
 #   --zoom F        (1)          --edges  draw them          --columns N
 #   --inside X,Y,Z,X,Y,Z,ANGLE   a camera, what it looks at, its angle of view
 #   --with FILE     a second mesh in the same panel as the mesh before it, in green
+#   --around FILE   the same, seen through
 import sys
 import vtk
 
@@ -73,7 +74,8 @@ def main():
         elif arg == "--columns": columns = int(args.pop(0))
         elif arg == "--size": size = [int(x) for x in numbers(args.pop(0))]
         elif arg == "--inside": inside = numbers(args.pop(0))
-        elif arg == "--with": panels[-1][2].append(args.pop(0))
+        elif arg == "--with": panels[-1][2].append((args.pop(0), 1))
+        elif arg == "--around": panels[-1][2].append((args.pop(0), 0.25))
         else:
             path, _, title = arg.partition("=")
             panels.append((path, title, []))
@@ -89,8 +91,10 @@ def main():
         renderer.SetViewport(column / columns, row / rows, (column + 1) / columns, (row + 1) / rows)
         renderer.SetBackground(1, 1, 1)
         renderer.AddActor(actor(read(path), edges))
-        for other in others:
-            renderer.AddActor(actor(read(other), False, (0.3, 0.75, 0.3)))
+        for other, opacity in others:
+            second = actor(read(other), opacity < 1, (0.3, 0.75, 0.3))
+            second.GetProperty().SetOpacity(opacity)
+            renderer.AddActor(second)
         text = vtk.vtkTextActor()
         text.SetInput(title)
         text.GetTextProperty().SetColor(0, 0, 0)

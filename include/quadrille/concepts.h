@@ -85,6 +85,15 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// Used where there: `placement.any_equal(cost, pair, x, predicate)`, which tries other positions
 /// that cost what x does, where filters refuse x: see OptimalPlacement.
 ///
+/// Also used, in a scale-free placement that says `static constexpr bool looks_at_star = true`:
+/// `placement.settle(cost, pair, star)`, an optional position once the faces around the pair are
+/// known, all of them: `star.for_each_face(visit)` calls visit(p, q, r) with the corners of each;
+/// `placement.admits(pair, star, x)`, the last word on each position that is tried, and
+/// `P::cause`, the Rejection that counts where it says no or there is none;
+/// `placement.any_further(cost, pair, star, predicate)`, which tries others then; `P::Guess`, a
+/// placement by which pairs are ordered until their turn, `P::rise_of_guess`, what to multiply its
+/// costs with. The call itself, `placement(cost, pair)`, is that guess.
+///
 /// The least model:
 /// ```cpp
 /// struct First {
@@ -92,7 +101,8 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// };
 /// ```
 ///
-/// Models: OptimalPlacement, EndpointPlacement, MidpointPlacement.
+/// Models: OptimalPlacement, EndpointPlacement, MidpointPlacement, VolumeKeeping, OuterHull,
+/// InnerHull.
 template <class P, class Cost>
 concept PlacementPolicy = std::copy_constructible<P> &&
     requires(const P placement, const typename internal::SeenByPlacement<P, Cost>::Costs cost,

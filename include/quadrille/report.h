@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <string_view>
 
@@ -60,9 +61,11 @@ enum class Rejection {
   destruction, ///< a part would lose its shape for a target that can't be reached
   seam,    ///< a region of labels, or a chart of a texture, would not stay: see Labels and Texture
   texture, ///< a face would turn over in a texture: see Texture
+  hull,    ///< no place that the planes around it allow: see OuterHull
+  volume,  ///< no place that keeps the volume: see VolumeKeeping
   filter,  ///< a filter of the user's refused
 };
-inline constexpr std::size_t rejection_causes = 11;
+inline constexpr std::size_t rejection_causes = 13;
 
 constexpr std::string_view to_string(StopReason reason) {
   constexpr std::array<std::string_view, 6> names{"target met",         "target passed",
@@ -73,8 +76,8 @@ constexpr std::string_view to_string(StopReason reason) {
 
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
-      "topology", "constraint",  "normal flip", "shape",   "degree", "distance",
-      "position", "destruction", "seam",        "texture", "filter"};
+      "topology",    "constraint", "normal flip", "shape", "degree", "distance", "position",
+      "destruction", "seam",       "texture",     "hull",  "volume", "filter"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -116,6 +119,13 @@ struct Report {
   /// has vanished whose diameter is greater than the limit.
   double distance_bound = std::numeric_limits<double>::infinity();
 
+  /// The volume that the surface encloses, in the mesh's units, cubed: the sum of its winding
+  /// numbers over space, so negative where it is oriented inwards. Known with OuterHull and
+  /// InnerHull, and with VolumeKeeping where topology is kept and each vertex lies inside of an
+  /// oriented surface without borders. Of the result it is that of coordinates before they are
+  /// rounded to the mesh's number type.
+  std::optional<double> volume_before, volume_after;
+
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
   std::array<std::size_t, rejection_causes> rejections{};
   std::size_t rejected(Rejection cause) const {
@@ -135,6 +145,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
       << " contractions, stopped: " << to_string(report.stop) << ", error " << report.error;
   if (report.distance_bound < std::numeric_limits<double>::infinity())
     out << ", within " << report.distance_bound << " of the input";
+  if (report.volume_before && report.volume_after)
+    out << ", volume " << *report.volume_before << " -> " << *report.volume_after;
   if (report.non_edge_contractions > 0)
     out << ", " << report.non_edge_contractions << " contractions of no edge";
   if (report.components_before != report.components_after)

@@ -25,6 +25,7 @@
 #include <quadrille/topology.h>
 #include <quadrille/version.h>
 #include <quadrille/visitor.h>
+#include <quadrille/volume_keeping.h>
 
 namespace quadrille {
 

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CALL_RUN_H
 
 #include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/contraction/enclosed_volume.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/result.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -81,7 +82,10 @@ std::optional<FinishedSurface<typename Policies::Cost>>
 simplify_input(Input input, const Box& box, const Policies& policies, bool keeps_memories,
                Report& report, StopWatch& watch) {
   WorkingSurface<Policies> surface(std::move(input), box, policies);
+  const EnclosedVolume volume(surface, box);
+  report.volume_before = volume(surface);
   report.stop = contract(surface, report, watch);
+  report.volume_after = volume(surface);
   if (surface.progress().is_cancelled() && !surface.progress().has_begun())
     return std::nullopt;
   surface.recording().end();

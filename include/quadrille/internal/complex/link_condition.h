@@ -72,6 +72,12 @@ public:
   /// Is every vertex known to be inside the surface?
   bool is_closed() const { return is_closed_; }
 
+  /// And are their faces oriented alike?
+  bool is_oriented() const {
+    return is_closed_ && std::all_of(kind_.begin(), kind_.end(),
+                                     [](Kind kind) { return kind == Kind::interior; });
+  }
+
   /// Is the vertex known to be inside the surface? A condition without a surface knows of none.
   bool is_interior(Index v) const { return !kind_.empty() && kind_[v] <= Kind::unoriented; }
   /// And is each neighbour the second vertex of just one of its faces?

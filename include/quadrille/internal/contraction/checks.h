@@ -11,6 +11,7 @@
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/policy/star_view.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
@@ -29,6 +30,7 @@ template <class Policies>
 class Checks {
 public:
   using Cost = typename Policies::Cost;
+  using Placement = typename Policies::Placement;
   static constexpr std::size_t dimension = Cost::dimension;
   using Position = Vector<dimension>;
   using Contraction = internal::Contraction<Cost>;
@@ -39,6 +41,8 @@ public:
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
         link_condition_(link_condition), seams_(seams), channels_(channels),
         is_topology_kept_(is_topology_kept) {}
+
+  const LinkCondition& link_condition() const { return link_condition_; }
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
   /// that costs the same suits them, it goes there.
@@ -55,7 +59,7 @@ public:
     if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
     const std::optional<Rejection> cause = refusal(contraction, contraction.target());
-    if (cause && !is_fixed(a) && !is_fixed(b) && finds_equal_place(contraction))
+    if (cause && !is_fixed(a) && !is_fixed(b) && finds_other_place(contraction, *cause))
       return std::nullopt;
     return cause;
   }
@@ -87,6 +91,9 @@ private:
       if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
                                         contraction.second(), target))
         return Rejection::texture;
+    if constexpr (looks_at_star<Placement>)
+      if (!cause && !policies_.placement.admits(contraction.pair(), star_view(contraction), target))
+        return Placement::cause;
     return cause;
   }
 
@@ -101,7 +108,13 @@ private:
     return true;
   }
 
-  QUADRILLE_NOINLINE bool finds_equal_place(Contraction& contraction) const { // seldom
+  auto star_view(const Contraction& contraction) const {
+    return StarView<dimension>(contraction.star(), contraction.first(), contraction.second(),
+                               geometry_.positions().data(), scale_);
+  }
+
+  QUADRILLE_NOINLINE bool finds_other_place(Contraction& contraction,
+                                            [[maybe_unused]] Rejection cause) const { // seldom
     const auto takes = [&](const Position& x) {
       if (refusal(contraction, x))
         return false;
@@ -109,7 +122,14 @@ private:
       return true;
     };
     const auto& placement = policies_.placement; // a derived one may want none of these places
-    if constexpr (is_scale_free<typename Policies::Placement> && requires {
+    if constexpr (requires {
+                    placement.any_further(policies_.cost, contraction.pair(),
+                                          star_view(contraction), takes);
+                  })
+      if (cause == Placement::cause)
+        return placement.any_further(policies_.cost, contraction.pair(), star_view(contraction),
+                                     takes);
+    if constexpr (is_scale_free<Placement> && requires {
                     placement.any_equal(policies_.cost, contraction.pair(), Position{}, takes);
                   })
       return placement.any_equal(policies_.cost, contraction.pair(), Position(contraction.target()),

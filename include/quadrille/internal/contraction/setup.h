@@ -28,10 +28,24 @@
 
 namespace quadrille::internal {
 
+/// Are all coordinates floats?
+template <class Positions>
+bool are_floats(const Positions& positions) {
+  return std::all_of(positions.begin(), positions.end(), [](const auto& p) {
+    return std::all_of(p.coordinates.begin(), p.coordinates.begin() + 3,
+                       [](double x) { return to_number<float>(x) == x; });
+  });
+}
+
 /// The units of a surface in a box, with the weights that the cost gives its attributes.
-template <class Cost, std::size_t N>
-Scale<N> scale_of(const Box<N>& box, const Cost& cost) {
+template <class Policies, std::size_t N>
+Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policies& policies) {
+  using Cost = typename Policies::Cost;
+  const Cost& cost = policies.cost;
   Scale<N> scale(box, is_scale_free<Cost>);
+  if constexpr (needs_closed_surface<typename Policies::Placement>)
+    if (are_floats(input.positions))
+      scale.write_floats();
   if constexpr (requires {
                   cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
                 })

@@ -56,7 +56,7 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
-      : policies_(policies), scale_(scale_of(box, policies.cost)),
+      : policies_(policies), scale_(scale_of(input, box, policies)),
         complex_(input.positions.size(), take_triangles(policies.pairs, input), merges_at_once,
                  policies.threads),
         scratches_(scratches_for(policies.threads, complex_)),

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/power_of_two.h>
+#include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/candidate.h>
@@ -15,6 +16,7 @@
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/policy/star_view.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
@@ -51,6 +53,7 @@ public:
         memories_(memories), terms_(terms), channels_(channels) {}
 
   const Cost& cost() const { return policies_.cost; }
+  const Scale<Cost::dimension>& scale() const { return scale_; }
   const TriangleComplex& complex() const { return complex_; }
   const Geometry& geometry() const { return geometry_; }
   const Memories& memories() const { return memories_; }
@@ -65,12 +68,40 @@ public:
       channels_.prefetch(v);
   }
 
-  /// Where the pair goes and what that costs; `first` is below `second`.
+  /// Where the pair goes and what that costs, but for settle(); `first` is below `second`.
   Candidate evaluate(Index first, Index second) const {
     Candidate candidate{first, second, view(first, second)};
-    candidate.target = target(first, second, candidate.pair);
-    set_cost(candidate);
+    if constexpr (!looks_at_star<Placement>) {
+      candidate.target = target(first, second, candidate.pair);
+      set_cost(candidate);
+    }
     return candidate;
+  }
+
+  /// Where a placement that looks at the star of the pair puts it. False if nowhere.
+  bool settle(Candidate& candidate, const PairStar& star) const {
+    if constexpr (looks_at_star<Placement>) {
+      static_assert(is_scale_free<Placement>,
+                    "A placement that looks at the star has to be scale-free: see CostPolicy and "
+                    "PlacementPolicy in <quadrille/concepts.h>.");
+      const Index a = candidate.first, b = candidate.second;
+      if (geometry_.is_fixed(a) || geometry_.is_fixed(b)) {
+        candidate.target = target(a, b, candidate.pair);
+      } else {
+        const auto x =
+            policies_.placement.settle(policies_.cost, candidate.pair, star_view(a, b, star));
+        if (!x)
+          return false;
+        candidate.target = *x;
+      }
+      set_cost(candidate);
+    }
+    return true;
+  }
+
+  /// What such a placement sees of it.
+  auto star_view(Index first, Index second, const PairStar& star) const {
+    return StarView<Cost::dimension>(star, first, second, geometry_.positions().data(), scale_);
   }
 
   /// Of the candidate's target, which may be another one than before.
@@ -102,7 +133,8 @@ public:
     keys.clear();
     float* const values = keys.extend(pairs.size() + 1); // two at a time
     keys.add(pairs.size());
-    if constexpr (has_two_lanes<Cost, Placement> && (!counts_channels || remembers_forms<Cost>))
+    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
+                  (!counts_channels || remembers_forms<Cost>))
       if (keeps_corners || !geometry_.is_any_fixed()) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         return;
@@ -118,7 +150,11 @@ public:
     const Position x = target(a, b, pair);
     return as_key(key(pair, x, policies_.cost(pair, x)));
   }
-  static float as_key(double cost) { return (std::max)(0.0f, static_cast<float>(cost)); }
+  static float as_key(double cost) {
+    if constexpr (rise_of_guess<Placement> != 1)
+      cost *= rise_of_guess<Placement>;
+    return (std::max)(0.0f, static_cast<float>(cost));
+  }
 
   /// What a cost is compared by. One in the mesh's units, of which nobody knows whether it is a
   /// length, its square or its fourth power, is taken to where floats hold it in each of these

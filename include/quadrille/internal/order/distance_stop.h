@@ -32,9 +32,9 @@ public:
       return false;
     }
   }
-  /// The same, if it is seen at a glance.
+  /// The same, if it is seen at a glance, of a candidate whose place is settled.
   bool is_beyond_hub(const Candidate<Cost>& candidate) {
-    if constexpr (asks)
+    if constexpr (asks && !looks_at_star<typename Policies::Placement>)
       return !is_enough_without() && surface_.distance_check().is_beyond_hub(
                                          candidate, surface_.scratch(), surface_.status());
     else

@@ -76,17 +76,16 @@ private:
       if (is_cancelled())
         return StopReason::cancelled;
       Candidate candidate = surface_.evaluator().evaluate(next->first, next->second);
-      if (has_become_dearer(candidate, *next)) {
-        queue_.push(next->first, next->second, static_cast<float>(candidate.key));
+      if (goes_back(candidate, *next))
         continue;
-      }
-      surface_.progress().announce(candidate.error);
       if (distance_stop_.is_beyond_hub(candidate)) {
         refuse(*next, Rejection::distance);
         continue;
       }
       Contraction contraction(
           candidate, GatheredStar(surface_.complex(), next->first, next->second, scratch_));
+      if (is_put_off(candidate, contraction.star(), *next))
+        continue;
       if (const auto cause = surface_.checks().rejection(contraction))
         refuse(*next, *cause);
       else if (distance_stop_.is_too_far(contraction))
@@ -151,12 +150,28 @@ private:
     });
   }
 
-  bool has_become_dearer(const Candidate& candidate, const QueuedPair& pair) const {
-    if constexpr (has_local_terms<Cost>)
-      return static_cast<float>(candidate.key) > tolerated_rise<Cost> * pair.cost &&
-             !is_last_resort_;
-    else
-      return false;
+  // Into the queue, if it has become dearer.
+  bool goes_back(const Candidate& candidate, const QueuedPair& pair) {
+    surface_.progress().announce(candidate.error);
+    if constexpr (has_local_terms<Cost> || looks_at_star<typename Policies::Placement>) {
+      const auto key = static_cast<float>(candidate.key);
+      if (!(key > tolerated_rise<Cost> * pair.cost) || is_last_resort_)
+        return false;
+      queue_.push(pair.first, pair.second, key);
+      return true;
+    }
+    return false;
+  }
+
+  // Has it no place, or one that is dearer, now that its placement has looked at the star?
+  bool is_put_off(Candidate& candidate, const PairStar& star, const QueuedPair& pair) {
+    if constexpr (looks_at_star<typename Policies::Placement>) {
+      if (surface_.evaluator().settle(candidate, star))
+        return goes_back(candidate, pair);
+      refuse(pair, Policies::Placement::cause);
+      return true;
+    }
+    return false;
   }
 
   // Is it for nothing, since the target can't be reached? Asked when the surface has few faces

@@ -234,6 +234,11 @@ private:
   // Contracts a pair unless it is refused.
   void contract(const Proposal& proposal, const GatheredStar& star) {
     Candidate candidate = surface_.evaluator().evaluate(proposal.first, proposal.second);
+    if constexpr (looks_at_star<typename Policies::Placement>)
+      if (!surface_.evaluator().settle(candidate, *star)) {
+        star.scratch().tally.reject(Policies::Placement::cause);
+        return;
+      }
     Contraction contraction(candidate, star);
     if (const auto cause = surface_.checks().rejection(contraction)) {
       contraction.scratch().tally.reject(*cause);

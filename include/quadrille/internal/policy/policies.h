@@ -45,6 +45,47 @@ template <class Cost>
 requires tells_unevenness<Cost>
 inline constexpr float tolerated_fall<Cost> = static_cast<float>(Cost::tolerated_fall);
 
+/// Does a placement look at the star of a pair before it decides?
+template <class Placement>
+inline constexpr bool looks_at_star = requires {
+  requires Placement::looks_at_star;
+};
+
+/// Does it want to know whether each edge of the surface has as many faces on one side as on the
+/// other?
+template <class Placement>
+inline constexpr bool needs_closed_surface = requires {
+  requires Placement::needs_closed_surface;
+};
+
+/// Does it promise something of the volume that the surface encloses? Then the report tells that.
+template <class Placement>
+inline constexpr bool asks_for_volume = requires {
+  requires Placement::asks_for_volume;
+};
+
+/// By which placement pairs are ordered until their star is looked at.
+template <class Placement>
+struct GuessOf {
+  using type = Placement;
+};
+template <class Placement>
+requires requires {
+  typename Placement::Guess;
+}
+struct GuessOf<Placement> {
+  using type = typename Placement::Guess;
+};
+
+/// By which factor such a pair is dearer then, at least, as a rule.
+template <class Placement>
+inline constexpr double rise_of_guess = 1;
+template <class Placement>
+requires requires {
+  Placement::rise_of_guess;
+}
+inline constexpr double rise_of_guess<Placement> = Placement::rise_of_guess;
+
 /// Does a policy say that it does as well in any unit of length? A class says so for itself only:
 /// one that is derived from it may not.
 template <class Policy>

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_SCALE_H
 #define QUADRILLE_INTERNAL_SURFACE_SCALE_H
 
+#include <quadrille/internal/base/points.h>
 #include <quadrille/internal/base/power_of_two.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/surface/box.h>
@@ -67,6 +68,22 @@ public:
     return p;
   }
 
+  /// What is written is rounded to floats from now on, as far as as_written() tells.
+  void write_floats() { writes_floats_ = true; }
+
+  /// Where a position lies once it has been written to the user's mesh.
+  Vector<N> as_written(Vector<N> p) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = to_mesh_(p[i]);
+      p[i] = to_engine_(writes_floats_ ? static_cast<double>(to_number<float>(x)) : x);
+    }
+    return p;
+  }
+  /// By how much that moves a coordinate of such a size at most, and arithmetic does.
+  double rounding(double coordinate) const {
+    return coordinate * (writes_floats_ ? 0x1p-24 : 0x1p-53);
+  }
+
   double length_from_mesh(double length) const { return to_engine_(length); }
   double length_of_mesh(double length) const { return to_mesh_(length); }
 
@@ -107,6 +124,7 @@ private:
   static constexpr double greatest_range = 0x1p40; // its square times an area, too
 
   int exponent_ = 0;
+  bool writes_floats_ = false;
   PowerOfTwo to_engine_{0}, to_mesh_{0};
   double diagonal_;
   Vector<N - 3> weights_;
