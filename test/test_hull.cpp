@@ -429,6 +429,7 @@ TEST_CASE("A surface that encloses nothing has no hull, and stays as it is") {
     std::swap(t[0], t[1]);
   CHECK(contains(message(inward), "oriented inwards"));
   CHECK(contains(message(test::sphere(2), Topology::free), "keeps the topology"));
+  CHECK(contains(message(test::sphere(2), Topology::parts_may_vanish), "keeps the topology"));
   CHECK(contains(message(test::sphere(2), ThresholdPairs{1}), "keeps the topology"));
 }
 
