@@ -115,6 +115,22 @@ TEST_CASE("channels of a level are what simplify leaves, of a large surface in a
   require_same_levels(earth, Seams::kept, 1300);
 }
 
+TEST_CASE("channels of the last level of passes are what these leave") {
+  const Textured surface = textured_torus(100, 60);
+  PointSoup soup(surface.soup);
+  auto [values, triples] = indexed(surface.texture);
+  std::vector<Vector<3>> colors = colors_of(surface.soup);
+  Levels levels;
+  simplify(soup.points, soup.triangles, FaceRatio{0.05}, Texture{values, triples},
+           Colors{CGAL::make_property_map(colors)}, RelaxedOrder{}, record_into(levels));
+  const Level level = in_input_order(levels.at(FaceCount{0}));
+  REQUIRE(level.triangles == soup.triangles);
+  require_equal(at_corners<2>(level, level.channels[0]), test::at_corners(values, triples));
+  for (std::size_t v = 0; v < level.vertices; ++v)
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(level.channels[1].values[3 * v + c] == colors[v][c]);
+}
+
 TEST_CASE("attributes of a cost are channels of a level") {
   const Soup soup = with_noise(sphere(2), 3, 0.02);
   Levels levels;

@@ -32,7 +32,7 @@ passes() {
   options= libraries="-lOpenMeshCore -lmpfr -lgmp" # of the kinds of meshes
   case $1 in
     any_order) options="-O1 -I$folder/test/any_order" ;;
-    parallel) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;
+    parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;
     error_limit | float_precision | targets | thin_features) options=-O1 ;; # take minutes without
   esac
   $compile -include "$folder/prelude.h" $options -I"$folder/include" "$folder/test/test_$1.cpp" \
