@@ -39,8 +39,9 @@ class LevelsFileWriter;
 /// A level has the faces and positions that `simplify` with that stop would have left, bit for bit
 /// in GreedyOrder with the same policies, for any number of faces that it meets without choosing
 /// another pair for it: any even one of a closed surface. (Attributes of a cost in more dimensions
-/// go through their weights, which rounds them.) Coordinates are doubles, also of meshes with exact
-/// numbers. Channels come along, but for NewValues::recomputed: see RecordedChannel.
+/// go through their weights, which rounds them.) A part that vanishes whole counts as a
+/// contraction. Coordinates are doubles, also of meshes with exact numbers. Channels come along,
+/// but for NewValues::recomputed: see RecordedChannel.
 ///
 /// Contractions only remove faces. So faces in the order in which they are removed, the last first,
 /// have each level as their first ones, and so have vertices. At each halving of the faces the

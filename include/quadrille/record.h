@@ -16,7 +16,8 @@
 namespace quadrille {
 
 /// A vertex, a face or a wedge by its number: those of a mesh in the order of `vertices(mesh)` and
-/// `faces(mesh)`, those of a soup by their indices.
+/// `faces(mesh)`, those of a soup by their indices; with SplitVertices, the places of its points in
+/// the order of the first one at each.
 using RecordedIndex = std::uint32_t;
 inline constexpr RecordedIndex not_recorded = ~RecordedIndex{0};
 

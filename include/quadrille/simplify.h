@@ -47,7 +47,7 @@ inline namespace QUADRILLE_THREADING {
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h
-/// - Topology: kept, or free; kept by default, free with pairs that are not edges
+/// - Topology: kept, free, or parts_may_vanish; kept by default, free with pairs that are not edges
 /// - record_into(recorder): contractions are told to a recorder, as to Levels
 ///
 /// Named parameters:
