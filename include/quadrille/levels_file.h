@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <ostream>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -39,6 +40,13 @@ namespace quadrille {
 /// be written, or is to be compressed without zstd.
 inline void write_levels(const std::filesystem::path& path, const Levels& levels,
                          const LevelsFileOptions& options = {});
+
+/// The same to a stream, binary and seekable, from its beginning. What its state says afterwards is
+/// for the caller to see.
+inline void write_levels(std::ostream& file, const Levels& levels,
+                         const LevelsFileOptions& options = {}) {
+  internal::LevelsFileWriter(levels, options).write(file);
+}
 
 /// A file of levels. What is read is checked, so that a broken or foreign file is refused with a
 /// std::runtime_error that names it and says what is wrong, here or when a level is asked for.
