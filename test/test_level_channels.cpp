@@ -38,7 +38,8 @@ CornerValues<N> at_corners(const Level& level, const LevelChannel& channel) {
   for (const auto& triangle : triangles) {
     auto& corners = result.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      REQUIRE((triangle[i] + 1) * N <= channel.values.size());
+      if ((triangle[i] + 1) * N > channel.values.size())
+        FAIL("a corner has no value");
       std::copy_n(&channel.values[triangle[i] * N], N, corners[i].coordinates.data());
     }
   }
@@ -90,29 +91,31 @@ void require_same_levels(const Textured& surface, Seams seams_of_texture, std::s
     const auto [soup, texture, normals, colors, heat, report] = run(until(i));
     const Level level = in_input_order(levels.at(AfterContractions{i}));
     REQUIRE(level.triangles == soup.triangles);
+    bool is_equal = true;
     for (std::size_t v = 0; v < level.vertices; ++v)
-      REQUIRE(Position{level.points[v]} == to_position(soup.points[v]));
+      is_equal = is_equal && Position{level.points[v]} == to_position(soup.points[v]);
     REQUIRE(level.channels.size() == 4);
     require_equal(at_corners<2>(level, level.channels[0]), texture);
     require_equal(at_corners<3>(level, level.channels[2]), normals);
     for (std::size_t v = 0; v < level.vertices; ++v)
       for (std::size_t c = 0; c < 3; ++c)
-        REQUIRE(level.channels[1].values[3 * v + c] == colors[v][c]);
+        is_equal = is_equal && level.channels[1].values[3 * v + c] == colors[v][c];
     for (std::size_t v = 0; v < level.vertices; ++v)
-      REQUIRE(level.channels[3].values[v] == heat[v]);
+      is_equal = is_equal && level.channels[3].values[v] == heat[v];
+    REQUIRE(is_equal);
   }
 }
 
 TEST_CASE("channels of a level are what simplify leaves") {
-  require_same_levels(textured_torus(14, 9), Seams::kept, 3);
-  require_same_levels(sphere_of_20_charts(2), Seams::kept, 3);
-  require_same_levels(textured_cylinder(12, 7), Seams::priced, 3);
-  require_same_levels(mirrored_sphere(4), Seams::free, 3);
+  require_same_levels(textured_torus(14, 9), Seams::kept, 7);
+  require_same_levels(sphere_of_20_charts(2), Seams::kept, 7);
+  require_same_levels(textured_cylinder(12, 7), Seams::priced, 7);
+  require_same_levels(mirrored_sphere(4), Seams::free, 7);
 }
 
 TEST_CASE("channels of a level are what simplify leaves, of a large surface in any order") {
   Textured earth = test::earth(120, 50);
-  require_same_levels(earth, Seams::kept, 1300);
+  require_same_levels(earth, Seams::kept, 2100);
 }
 
 TEST_CASE("channels of the last level of passes are what these leave") {

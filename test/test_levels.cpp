@@ -152,15 +152,16 @@ void require_replayed(const Levels& levels, const Log& log, bool is_manifold) {
         v = level.input_vertices[v];
       REQUIRE(corners == replay.faces().at(level.input_faces[f]));
     }
+    bool is_equal = true;
     for (std::size_t v = 0; v < level.vertices; ++v)
       for (std::size_t k = 0; k < 3; ++k)
-        REQUIRE(level.points[v][k] == replay.values(level.input_vertices[v])[k]);
+        is_equal = is_equal && level.points[v][k] == replay.values(level.input_vertices[v])[k];
     const std::vector<std::uint32_t> images = levels.images(level);
     for (std::uint32_t v = 0; v < images.size(); ++v)
-      if (vertices.count(replay.image(v)))
-        REQUIRE(level.input_vertices.at(images[v]) == replay.image(v));
-      else
-        REQUIRE(images[v] == not_recorded);
+      is_equal = is_equal && (vertices.count(replay.image(v))
+                                  ? level.input_vertices.at(images[v]) == replay.image(v)
+                                  : images[v] == not_recorded);
+    REQUIRE(is_equal);
     if (is_manifold) {
       Soup soup{{}, level.triangles};
       soup.points.resize(level.vertices);
