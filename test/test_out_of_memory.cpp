@@ -8,6 +8,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <boost/property_map/property_map.hpp>
 #include <quadrille/cluster.h>
+#include <quadrille/levels.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
@@ -180,6 +181,24 @@ TEST_CASE("Colours are as they were if memory runs out") {
   };
   survive(mesh, get(boost::vertex_index, mesh));
   survive(soup, boost::typed_identity_property_map<std::size_t>());
+}
+
+TEMPLATE_TEST_CASE("Levels are as they were if memory runs out", "", Mesh, PointSoup) {
+  Levels levels;
+  PointSoup soup(plate());
+  simplify(soup.points, soup.triangles, FaceCount{400}, record_into(levels));
+  std::size_t faces = levels.coarsest().faces;
+  const auto simplify_recorded = [&](TestType& surface) {
+    try {
+      run(surface, FaceCount{300}, record_into(levels));
+      faces = 300;
+    } catch (const std::bad_alloc&) {
+      CHECK(levels.coarsest().faces == faces);
+      CHECK(levels.at(FaceCount{faces}).triangles.size() == faces);
+      throw;
+    }
+  };
+  CHECK(survive_shortages(make<TestType>(plate()), simplify_recorded) > 20);
 }
 
 TEST_CASE("A soup is as it was if memory runs out while it is clustered") {

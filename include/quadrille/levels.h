@@ -171,16 +171,17 @@ inline void Levels::end() {
   const std::size_t vertices = items_.front().values.size() / items_.front().width;
   internal::LevelBuilder builder(std::move(items_), records_);
   builder.build();
-  items_.clear();
-  segments_ = builder.take_segments();
+  std::vector<Segment> segments = builder.take_segments();
+  std::vector<std::size_t> begins(1, 0);
+  for (const Segment& segment : segments)
+    begins.push_back(begins.back() + segment.contractions());
+  segments_ = std::move(segments); // nothing throws from here on
+  begins_ = std::move(begins);
   input_faces_ = builder.take_faces();
   input_vertices_ = builder.take_vertices();
   input_vertex_count_ = vertices;
   channels_ = std::move(recorded_channels_);
   records_ = {};
-  begins_.assign(1, 0);
-  for (const Segment& segment : segments_)
-    begins_.push_back(begins_.back() + segment.contractions());
 }
 
 inline LevelInfo Levels::info(const Place& place) const {
