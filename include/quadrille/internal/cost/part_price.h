@@ -39,9 +39,9 @@ public:
     if constexpr (has_local_terms<Cost>) {
       using Current = typename Cost::Current;
       part.current = cost().join(Current{}, Current{}, Current{}, Position{});
-      price = of_radius + cost()(part, centre);
+      price = of_radius + cost_of(part, centre);
     } else {
-      price = (std::max)(of_radius, cost()(part, centre));
+      price = (std::max)(of_radius, cost_of(part, centre));
     }
     return std::isnan(price) ? std::numeric_limits<float>::infinity()
                              : PairEvaluator<Policies>::as_key(evaluator_.key_of_cost(price));
@@ -50,6 +50,9 @@ public:
 private:
   const Cost& cost() const { return evaluator_.cost(); }
   const Position& position(Index v) const { return evaluator_.geometry().position(v); }
+
+  // A user's cost may give something that becomes a number.
+  double cost_of(const PairOf<Cost>& pair, const Position& x) const { return cost()(pair, x); }
 
   // By which a squared distance becomes a cost. Local terms count a face at each of its three
   // vertices, and once in the cost of a pair.
