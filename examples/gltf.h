@@ -6,10 +6,12 @@
 /// with its buffers in the text or in files, and .glb.
 ///
 /// Each mesh is one surface, which goes through `simplify` with all of its attributes as channels
-/// and its primitives as labels. All else of a document is passed on.
+/// and its primitives as labels. All else of a document is passed on. Simplified copies may become
+/// levels of detail beside it.
 
 #include "gltf/document.h"
 #include "gltf/json.h"
+#include "gltf/levels.h"
 #include "gltf/primitive.h"
 #include "gltf/rewrite.h"
 #include "gltf/surface.h"
@@ -64,6 +66,24 @@ public:
   /// The document with the surfaces as they are now.
   GltfDocument take() {
     with_errors_of(path_, [&] { GltfRewriting::rewrite(document_, surfaces_); });
+    return std::move(document_);
+  }
+
+  /// Throws `std::runtime_error` for a document that cannot take levels of detail.
+  void require_fit_for_levels() const {
+    with_errors_of(path_, [&] {
+      GltfLevels::require_none(document_.json);
+      GltfLevels::require_shown(document_.json, surfaces_);
+    });
+  }
+
+  /// The document with its meshes as they were, and these as their levels of detail, the finest
+  /// first: each has all surfaces.
+  GltfDocument take_with(std::vector<std::vector<GltfSurface>> levels) {
+    with_errors_of(path_, [&] {
+      GltfRewriting::rewrite(document_,
+                             GltfLevels::add(document_.json, surfaces_, std::move(levels)));
+    });
     return std::move(document_);
   }
 

@@ -142,11 +142,26 @@ inline void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
     lose_parts(mesh);
 }
 
-/// A mesh as the content of a file.
-inline std::string encoded(const IndexedMesh& mesh, const MeshFormat& format) {
-  if (format.holds_attributes && !format.holds_corners && !mesh.corner_textures.empty())
-    return format.encode(with_vertex_textures(mesh));
-  return format.encode(mesh);
+/// A mesh as the content of a file, of which is told what cannot be.
+inline std::string encoded(const std::filesystem::path& path, const IndexedMesh& mesh,
+                           const MeshFormat& format) {
+  try {
+    if (format.holds_attributes && !format.holds_corners && !mesh.corner_textures.empty())
+      return format.encode(with_vertex_textures(mesh));
+    return format.encode(mesh);
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
+}
+
+/// Gives a file a content: see FileReplacement.
+inline void replace_file(const std::filesystem::path& path, const std::string& content,
+                         bool is_forced = false) {
+  try {
+    FileReplacement(path, is_forced).write(content);
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
 }
 
 /// Writes a mesh, to standard output if the path is "-": all of it, or, throwing
@@ -157,11 +172,7 @@ inline std::string encoded(const IndexedMesh& mesh, const MeshFormat& format) {
 /// numbers to PLY. Of what is at corners PLY gets single precision, unless it was read as double.
 inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
                        const MeshFormat& format, bool is_forced = false) {
-  try {
-    FileReplacement(path, is_forced).write(encoded(mesh, format));
-  } catch (const std::runtime_error& error) {
-    fail(path, error.what());
-  }
+  replace_file(path, encoded(path, mesh, format), is_forced);
 }
 inline void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   write_mesh(path, mesh, mesh_format(path));

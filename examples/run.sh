@@ -18,7 +18,8 @@ esac
 
 prepare() {
   sh "$root/.ci/install_packages.sh" \
-    cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev nlohmann-json3-dev &&
+    cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev nlohmann-json3-dev \
+    libzstd-dev &&
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF &&
   cmake --build "$build" --target "$program" --parallel "$(nproc)"
 }

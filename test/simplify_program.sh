@@ -438,6 +438,148 @@ for cost in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--co
   done
 done
 
+# Levels of detail: each is what a run of its own gives, and OUT itself is not written
+expect_same() { # file, file
+  cmp -s "$1" "$2" || fail "$1 and $2 differ"
+}
+mkdir folder_of_levels
+for input in plain.off sheet.off parts.obj parts.ply; do
+  extension=${input##*.}
+  out=folder_of_levels/a.b.$extension
+  run 0 $input $out --levels 50%,25%,100
+  [ "$(grep -c '^800 -> ' stdout)" -eq 3 ] || fail "no line for each level"
+  [ ! -e $out ] || fail "$out is written"
+  level=1
+  for target in '--ratio 0.5' '--ratio 0.25' '--faces 100'; do
+    # shellcheck disable=SC2086
+    run 0 $target $input one.$extension
+    expect_same one.$extension folder_of_levels/a.b-$level.$extension
+    level=$((level + 1))
+  done
+done
+run 2 --format off plain.off - --levels 50%,25%
+expect stderr '^-: --levels writes a file for each level, so OUT cannot be standard output$'
+for list in 50%,50% 25%,50% 100,200 50%,400 ,50% 50%, 50%,,25% 110% -1 x 5.5 nan% % 50%,x; do
+  run 2 plain.off bad.off --levels $list
+  expect stderr .
+done
+run 2 plain.off bad.off --levels ''
+run 2 plain.off bad.off --levels 50%,400
+expect stderr '^--levels: 400 is not coarser than 50% before it, of 800 faces$'
+run 2 plain.off bad.off --levels 50% --faces 10
+cp plain.off bad-2.off
+chmod 444 bad-2.off
+run 2 plain.off bad.off --levels 50%,25%
+expect stderr '^bad-2.off: is read-only; --force replaces it$'
+[ "$(echo bad*.off)" = bad-2.off ] || fail "files are written: $(echo bad*.off)"
+run 0 --force plain.off bad.off --levels 50%,25%
+expect_ratio bad-2.off 200
+run 1 tetrahedron.off few.off --levels 100%,50%
+expect stderr '^few-2.off: the target was not reached: '
+expect_faces few-1.off 4
+expect_faces few-2.off 4
+run 0 none.off empty.off --levels 50%,25%
+expect_faces empty-2.off 0
+
+# Records: a run that is recorded gives the same, and the record has its levels
+for options in '' '--cost quadric --boundary-weight 7' '--cost memoryless' '--cost thin-features' \
+  '--cost length' '--placement endpoint' '--placement midpoint' '--pairs-closer-than 1.2' \
+  '--cost memoryless --topology free'; do
+  # shellcheck disable=SC2086
+  run 0 $options --ratio 0.1 plain.off expected.off
+  # shellcheck disable=SC2086
+  run 0 $options --ratio 0.1 --record record.qlv plain.off out.off
+  expect_nothing stderr
+  expect_same out.off expected.off
+  for target in '--ratio 0.1' '--ratio 0.4' '--vertices 150' '--faces 800'; do
+    # shellcheck disable=SC2086
+    run 0 $options $target plain.off expected.off
+    # shellcheck disable=SC2086
+    run 0 --from record.qlv out.off $target
+    expect stdout '^800 -> [0-9]+ faces, 441 -> [0-9]+ vertices, '
+    expect_same out.off expected.off
+  done
+done
+run 0 --from record.qlv - --format off --faces 800
+expect_same stdout expected.off
+expect stderr '^800 -> 800 faces'
+run 1 --from record.qlv out.off --faces 3
+expect stderr '^out.off: the target was not reached: the record ends at [78][09] faces and [0-9]+ vertices$'
+expect_ratio out.off 80
+
+# With attributes the record has the positions of the same run
+positions() { # file.off
+  awk 'NR == 2 { n = $1 } NR > 2 { print $1, $2, $3, (NR > 2 + n ? $4 : "") }' "$1"
+}
+for options in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--cost color' \
+  '--cost texture' '--cost length'; do
+  for input in fine.off parts.obj; do
+    # shellcheck disable=SC2086
+    run 0 $options --ratio 0.2 $input expected.${input##*.}
+    # shellcheck disable=SC2086
+    run 0 $options --ratio 0.2 --record record.qlv $input out.${input##*.}
+    expect stderr "^$input: the record holds positions only$"
+    expect_same out.${input##*.} expected.${input##*.}
+    run 0 --from record.qlv from.off --ratio 0.2
+    [ $input != fine.off ] || [ "$(positions from.off)" = "$(positions out.off)" ] || fail "other positions"
+    run 0 --from record.qlv from.off --ratio 1
+    expect_faces from.off 800
+  done
+done
+run 0 --drop-parts --faces 60 sheets.off expected.off
+run 0 --drop-parts --faces 60 --record record.qlv sheets.off out.off
+expect_same out.off expected.off
+run 0 --from record.qlv from.off --faces 60
+[ "$(positions from.off)" = "$(positions out.off)" ] || fail "other positions"
+run 0 --record record.qlv parts.ply out.ply
+expect stderr '^parts.ply: the record holds positions only$'
+
+# Distances are in the record of a run that asks for them
+run 2 --from record.qlv out.off --error 0.1
+expect stderr '^record.qlv: the record knows no distances for --error'
+run 0 --error 0.05 plain.off expected.off
+run 0 --error 0.05 --record record.qlv plain.off out.off
+expect_same out.off expected.off
+run 0 --from record.qlv out.off --error 0.05
+expect stdout ', within 0\.0[0-4]'
+expect_same out.off expected.off
+run 0 --from record.qlv out.off --error 0.01
+expect stdout ', within 0\.00'
+cmp -s out.off expected.off && fail "no finer level"
+run 0 --from record.qlv out.off --error 0
+run 0 --record record.qlv none.off out.off
+run 0 --from record.qlv out.off
+expect_faces out.off 0
+
+# Bad records
+run 0 --ratio 0.1 --record record.qlv plain.off out.off
+cp plain.off out.off
+head -c 900 record.qlv >cut.qlv
+{ head -c 100 record.qlv; printf '\377\377\377\377'; tail -c +105 record.qlv; } >damaged.qlv
+for bad in cut.qlv damaged.qlv plain.off missing.qlv; do
+  run 2 --from $bad out.off --faces 700
+  expect stderr "^$bad: no file of levels, or a broken one: "
+  expect_nothing stdout
+done
+for bad in '--from record.qlv plain.off out.off' '--from record.qlv --cost quadric out.off' \
+  '--from record.qlv --levels 50% out.off' '--from record.qlv --weld out.off' '--from record.qlv' \
+  '--from record.qlv --drop-parts out.off' \
+  '--from record.qlv out.glb' '--from record.qlv out.off --out-format gltf' \
+  '--record new.qlv --levels 50% plain.off out.off' '--record - plain.off out.off' \
+  '--record out.off plain.off out.off' '--record missing/record.qlv plain.off out.off' \
+  '--record new.qlv --faces 10 point.off out.off'; do
+  # shellcheck disable=SC2086
+  run 2 $bad
+  expect stderr .
+  expect_nothing stdout
+  expect_same out.off plain.off
+done
+[ ! -e new.qlv ] || fail "a record is written"
+chmod 444 record.qlv
+run 2 --record record.qlv plain.off out.off
+expect stderr '^record.qlv: is read-only; --force replaces it$'
+expect_same out.off plain.off
+
 # Standard input and output
 run 0 plain.off expected.off
 for names in '- -' '- /dev/stdout' '/dev/stdin -' '/dev/stdin /dev/stdout'; do
@@ -668,6 +810,20 @@ else
   expect stderr '^plain.off: glTF goes to glTF only'
   run 2 --cost color sheet.gltf out.glb
   expect stderr '^sheet.gltf: no colours for --cost color$'
+  run 0 sheet.gltf levels.gltf --levels 50%,40
+  [ "$(grep -c '^128 -> ' stdout)" -eq 2 ] || fail "no line for each level"
+  expect levels.gltf '"nodes":\[{"mesh":0,"extensions":{"MSFT_lod":{"ids":\[1,2\]}},"extras":{"MSFT_screencoverage":\[0\.(5|492)[0-9]*,0\.3125,0\]}},{"mesh":1},{"mesh":2}\]'
+  expect levels.gltf '"extensionsUsed":\["MSFT_lod"\]'
+  run 0 sheet.gltf - --format glb --levels 50%,40
+  head -c 4 stdout | grep -q '^glTF' || fail "no GLB on standard output"
+  run 2 levels.gltf out.gltf --levels 50%
+  expect stderr '^levels.gltf: its nodes have levels of detail already \(MSFT_lod\)$'
+  run 2 sheet.gltf out.gltf --levels 50%,64
+  expect stderr '^--levels: 64 is not coarser than 50% before it, of 128 faces$'
+  run 1 sheet.gltf levels.glb --levels 50%,0
+  expect stderr '^levels.glb, level 0: the target was not reached: '
+  run 2 sheet.gltf out.gltf --record record.qlv
+  expect stderr '^sheet.gltf: --record is not for glTF$'
   head -c 900 out.glb >cut.glb
   echo old >old.glb
   run 2 cut.glb old.glb

@@ -157,6 +157,41 @@ TEST_CASE("a file that is damaged anywhere is refused") {
   }
 }
 
+// What LevelSteps needs, and levels as such do not.
+TEST_CASE("a segment of which a contraction is none of two vertices is refused") {
+  internal::LevelSegment segment;
+  segment.faces_after = {2, 1};
+  segment.errors = {0, 0};
+  internal::LevelTrack& vertices = segment.tracks.emplace_back();
+  vertices.width = 3;
+  vertices.corners = {{0, 1, 2}, {0, 2, 1}, {1, 3, 4}};
+  vertices.values.assign(15, 0.);
+  vertices.parents = {2, internal::none}; // of 3 and 4
+  vertices.items_after = {4, 3};
+  vertices.change_ends = {0,
+                          1}; // the first removes a face, and with it 4; in the second 3 becomes 2
+  vertices.changed = {2};
+  vertices.changed_values.assign(3, 1.);
+  const auto read = [](const internal::LevelSegment& s) {
+    return internal::SegmentBytes::read(internal::SegmentBytes::write(s, false), {3});
+  };
+  CHECK(read(segment).tracks.front().parents == vertices.parents);
+  const auto check_refused = [&](auto change) {
+    internal::LevelSegment changed = segment;
+    change(changed.tracks.front());
+    CHECK_THROWS_WITH(read(changed), "a contraction is none of two vertices");
+  };
+  check_refused([](internal::LevelTrack& track) { track.changed = {1}; });
+  check_refused([](internal::LevelTrack& track) { track.parents[1] = 2; });
+  check_refused([](internal::LevelTrack& track) { track.change_ends = {1, 1}; });
+  check_refused([](internal::LevelTrack& track) { track.items_after = {3, 3}; });
+  check_refused([](internal::LevelTrack& track) {
+    track.changed = {2, 2};
+    track.changed_values.assign(6, 1.);
+    track.change_ends = {0, 2};
+  });
+}
+
 // What a file says may be wrong although its checksums are right.
 TEST_CASE("a segment that makes no sense is refused") {
   const Levels levels = levels_of(textured_torus(6, 5), FaceCount{30});

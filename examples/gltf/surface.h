@@ -58,6 +58,14 @@ public:
   const std::vector<GltfPrimitive>& primitives() const { return primitives_; }
   bool has(AttributeKind kind) const { return channels_.has(kind); }
 
+  /// The number of the mesh of which the surface is.
+  std::size_t mesh() const { return primitives_.front().mesh; }
+  /// Makes it the surface of another mesh, of the same primitives.
+  void belong_to(std::size_t mesh) {
+    for (GltfPrimitive& primitive : primitives_)
+      primitive.mesh = mesh;
+  }
+
   /// How many triangles of the primitives do not go through `simplify`: those of two equal corners,
   /// which are not among the triangles, and all but one of those of the same corners. To be asked
   /// before.

@@ -5,6 +5,7 @@
 /// The command line of the program.
 
 #include "../mesh_io.h"
+#include "asked_levels.h"
 #include "policies.h"
 
 #include <quadrille/quadric.h>
@@ -21,12 +22,16 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace quadrille_examples {
 
 struct Options {
   std::string input, output;
   Target target;
+  AskedLevels levels;                // empty: one result, by the target
+  std::string record;                // the file of levels to write; empty: none
+  std::string from;                  // the one to read instead of IN; empty: none
   std::string format, output_format; // empty: as their names say
   std::string cost;                  // empty: quadric with attributes
   std::string placement;             // empty: the best that the cost has
@@ -58,7 +63,8 @@ inline CLI::Validator count() {
   return {complaint, ""};
 }
 
-inline void add_target(CLI::App& app, Target& target) {
+inline void add_target(CLI::App& app, Options& options) {
+  Target& target = options.target;
   const auto stop_at_faces = [&](std::size_t n) { target.chosen = quadrille::FaceCount{n}; };
   const auto stop_at_ratio = [&](double ratio) { target.chosen = quadrille::FaceRatio{ratio}; };
   const auto stop_at_vertices = [&](std::size_t n) { target.chosen = quadrille::VertexCount{n}; };
@@ -79,6 +85,13 @@ inline void add_target(CLI::App& app, Target& target) {
       ->add_option_function<double>("--error", stop_at_error,
                                     "stay within that distance of the input")
       ->check(number_in(0, std::numeric_limits<double>::infinity(), "a distance"));
+  group
+      ->add_option_function<std::string>(
+          "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
+          "several results, each coarser than the one before it: parts of the faces or counts of "
+          "them, 50%,25%,1000; written to OUT-1, OUT-2, ... with the extension of OUT, or of glTF "
+          "as MSFT_lod of the one file OUT")
+      ->check(list_of_levels());
 }
 
 inline void add_policies(CLI::App& app, Options& options) {
@@ -112,7 +125,7 @@ inline void add_files(CLI::App& app, Options& options) {
   const CLI::IsMember is_format({"off", "obj", "ply", "stl", "ts", "gltf", "glb"});
   const std::string formats = " (.off .obj .ply .stl .ts, or .gltf .glb for both; - is standard ";
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
-  app.add_option("OUT", options.output, "the mesh to write" + formats + "output)")->required();
+  app.add_option("OUT", options.output, "the mesh to write" + formats + "output)");
   app.add_option("--format", options.format,
                  "the format of IN and OUT where their names end in none")
       ->check(is_format);
@@ -121,15 +134,37 @@ inline void add_files(CLI::App& app, Options& options) {
   app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only");
 }
 
+/// Records of a run, of which levels are read later. Called last: it names other options.
+inline void add_records(CLI::App& app, Options& options) {
+  app.add_option("--record", options.record,
+                 "write all levels from IN to the target to this file (.qlv), positions only")
+      ->excludes("--levels");
+  CLI::Option* const reads = app.add_option(
+      "--from", options.from, "read the target's level from this record instead of IN");
+  for (const char* const name :
+       {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary-weight",
+        "--pairs-closer-than", "--topology", "--drop-parts"})
+    reads->excludes(name);
+  app.callback([&] {
+    if (!options.from.empty() && !options.output.empty())
+      throw CLI::ValidationError("--from", "there is an OUT, but no IN");
+    if (!options.from.empty())
+      options.output = std::exchange(options.input, options.from);
+    if (options.output.empty())
+      throw CLI::RequiredError("OUT");
+  });
+}
+
 inline void add_options(CLI::App& app, Options& options) {
   add_files(app, options);
-  add_target(app, options.target);
+  add_target(app, options);
   add_policies(app, options);
   app.add_flag("--weld", options.welds,
                "make vertices at exactly the same place one; without this, that is done only if no "
                "two faces share a vertex, and to vertices of the same colour and texture "
                "coordinate");
   app.add_flag("--quiet", options.is_quiet, "print errors only");
+  add_records(app, options);
 }
 
 inline Placement placement(const Options& options) {

@@ -31,16 +31,20 @@ inline std::string hint(const Options& options, const quadrille::Report& report)
   return report.rejected(quadrille::Rejection::topology) > 0 ? "topology is kept: " + free : "";
 }
 
-/// On standard output, unless that is the mesh. False if the target was not reached.
-inline bool tell(const Options& options, const quadrille::Report& report) {
+/// Of the result `name`, on standard output, unless that is the mesh. False if the target was not
+/// reached.
+inline bool tell(const Options& options, const quadrille::Report& report, const std::string& name) {
   if (!options.is_quiet)
     (is_standard_output(options.output) ? std::cerr : std::cout) << report << std::endl;
   if (options.target.is_met(report.stop))
     return true;
-  std::cerr << options.output << ": the target was not reached: " << to_string(report.stop) << '\n';
+  std::cerr << name << ": the target was not reached: " << to_string(report.stop) << '\n';
   if (const std::string help = hint(options, report); !help.empty() && !options.is_quiet)
-    std::cerr << options.output << ": " << help << '\n';
+    std::cerr << name << ": " << help << '\n';
   return false;
+}
+inline bool tell(const Options& options, const quadrille::Report& report) {
+  return tell(options, report, options.output);
 }
 
 } // namespace quadrille_examples

@@ -6,6 +6,7 @@
 
 #include "options.h"
 #include "report.h"
+#include "simplify_levels.h"
 #include "simplify_mesh.h"
 
 #if __has_include(<nlohmann/json.hpp>)
@@ -20,6 +21,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quadrille_examples {
@@ -90,11 +92,38 @@ inline quadrille::Report simplify_surfaces(std::vector<GltfSurface>& surfaces,
   return sum;
 }
 
+/// One document with all levels. False if one was not reached.
+inline bool run_gltf_levels(const Options& options, GltfMeshes& meshes,
+                            const std::string& output_extension) {
+  meshes.require_fit_for_levels();
+  std::size_t faces = 0;
+  for (const GltfSurface& surface : meshes.surfaces())
+    faces += surface.triangles.size();
+  require_descending(options.levels, faces);
+  std::vector<std::vector<GltfSurface>> levels;
+  std::vector<quadrille::Report> reports;
+  for (const AskedLevel& level : options.levels) {
+    levels.push_back(meshes.surfaces());
+    reports.push_back(with_errors_of_file(options, [&] {
+      return simplify_surfaces(levels.back(), options_of_level(options, level));
+    }));
+  }
+  write_gltf(options.output, meshes.take_with(std::move(levels)), output_extension,
+             options.is_forced);
+  bool is_reached = true;
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    is_reached &= tell(options_of_level(options, options.levels[i]), reports[i],
+                       options.output + ", level " + options.levels[i].word);
+  return is_reached;
+}
+
 /// False if the target was not reached.
 inline bool run_gltf(const Options& options, const std::string& output_extension) {
   GltfMeshes meshes = GltfMeshes::read(options.input);
   require_fit(options, meshes.surfaces());
   print_remarks(options, meshes);
+  if (!options.levels.empty())
+    return run_gltf_levels(options, meshes, output_extension);
   const quadrille::Report report =
       with_errors_of_file(options, [&] { return simplify_surfaces(meshes.surfaces(), options); });
   write_gltf(options.output, meshes.take(), output_extension, options.is_forced);

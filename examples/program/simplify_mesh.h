@@ -26,6 +26,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,8 @@ Cost with_boundary_weight(Cost cost, const Options& options) {
   cost.boundary_weight = options.boundary_weight;
   return cost;
 }
+
+// In all that follows, `into` is nothing, or the quadrille::record_into of a run that is recorded.
 
 quadrille::Report simplify(auto& mesh, const Options& options, const auto& cost,
                            const auto&... named) {
@@ -53,10 +56,10 @@ quadrille::Report simplify(auto& mesh, const Options& options, const auto& cost,
 /// With attributes, which the engine places together with the positions.
 template <std::size_t N>
 quadrille::Report simplify_with(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                const Options& options, const auto& cost) {
+                                const Options& options, const auto& cost, const auto&... into) {
   std::vector<CarriedAttributes<N>> carried = attributes.carried<N>();
   const quadrille::Report report =
-      simplify(mesh, options, cost,
+      simplify(mesh, options, cost, into...,
                quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)));
   attributes.restore(mesh, carried);
   return report;
@@ -71,20 +74,20 @@ quadrille::AttributeQuadric<N> attribute_quadric(const Options& options) {
 }
 
 /// The quadric in as many dimensions as vary, rounded up, since each takes time to compile.
-inline quadrille::Report simplify_by_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                                const Options& options) {
+quadrille::Report simplify_by_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
+                                         const Options& options, const auto&... into) {
   if (attributes.size() <= 2)
-    return simplify_with<2>(attributes, mesh, options, attribute_quadric<2>(options));
+    return simplify_with<2>(attributes, mesh, options, attribute_quadric<2>(options), into...);
   if (attributes.size() == 3)
-    return simplify_with<3>(attributes, mesh, options, attribute_quadric<3>(options));
-  return simplify_with<6>(attributes, mesh, options, attribute_quadric<6>(options));
+    return simplify_with<3>(attributes, mesh, options, attribute_quadric<3>(options), into...);
+  return simplify_with<6>(attributes, mesh, options, attribute_quadric<6>(options), into...);
 }
 
 /// With a cost that looks at positions only, along which attributes are carried.
 quadrille::Report simplify_carrying(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                    const Options& options, const auto& cost) {
+                                    const Options& options, const auto& cost, const auto&... into) {
   return simplify_with<6>(attributes, mesh, options,
-                          CarryingCost<std::remove_cvref_t<decltype(cost)>, 6>(cost));
+                          CarryingCost<std::remove_cvref_t<decltype(cost)>, 6>(cost), into...);
 }
 
 inline quadrille::SoupOptions soup_options(const Options& options) {
@@ -147,13 +150,8 @@ inline ChannelImportance channel_importance(const Options& options) {
           .of_numbers = hardly};
 }
 
-/// With values at corners, named numbers and parts of faces, which `taken` takes through.
-quadrille::Report simplify_by_channels(auto& mesh, auto&& taken, const Options& options) {
-  const auto simplify_by = [&](const auto& cost) {
-    return taken.take_through(
-        [&](const auto&... channels) { return simplify(mesh, options, cost, channels...); },
-        channel_importance(options));
-  };
+/// Calls simplify_by(cost) with the one that looks at positions: two types serve for all of them.
+quadrille::Report with_cost_of_positions(const Options& options, const auto& simplify_by) {
   LocalCost local;
   local.boundary_weight = options.boundary_weight;
   if (options.cost == "memoryless")
@@ -165,6 +163,18 @@ quadrille::Report simplify_by_channels(auto& mesh, auto&& taken, const Options& 
   else
     return simplify_by(with_boundary_weight(quadrille::Quadric{}, options));
   return simplify_by(local);
+}
+
+/// With values at corners, named numbers and parts of faces, which `taken` takes through.
+quadrille::Report simplify_by_channels(auto& mesh, auto&& taken, const Options& options,
+                                       const auto&... into) {
+  return with_cost_of_positions(options, [&](const auto& cost) {
+    return taken.take_through(
+        [&](const auto&... channels) {
+          return simplify(mesh, options, cost, into..., channels...);
+        },
+        channel_importance(options));
+  });
 }
 
 inline quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& options) {
@@ -185,6 +195,42 @@ inline quadrille::Report simplify_by_cost(IndexedMesh& mesh, const Options& opti
   if (options.cost != "quadric")
     return simplify_by_attributes(attributes, mesh, options);
   return carrying(with_boundary_weight(quadrille::Quadric{}, options));
+}
+
+/// As simplify_positions, which records nothing.
+quadrille::Report simplify_recorded_positions(IndexedMesh& mesh, const Options& options,
+                                              const auto& into) {
+  if (options.cost == "memoryless") // LocalCost rounds differently
+    return simplify(mesh, options, with_boundary_weight(quadrille::MemorylessQuadric{}, options),
+                    into);
+  IndexedMesh bare;
+  bare.points = std::move(mesh.points);
+  bare.triangles = std::move(mesh.triangles);
+  const quadrille::Report report = simplify_by_channels(bare, MeshChannels(bare), options, into);
+  mesh.points = std::move(bare.points);
+  mesh.triangles = std::move(bare.triangles);
+  return report;
+}
+
+/// As simplify_by_cost, to the same bits, by fewer types of costs, since each of them is compiled
+/// once more for recordings.
+quadrille::Report simplify_recorded(IndexedMesh& mesh, const Options& options, const auto& into) {
+  if (needs_channels(mesh))
+    return simplify_by_channels(mesh, MeshChannels(mesh), options, into);
+  const MeshAttributes attributes(mesh, importance(options));
+  if (attributes.size() == 0) {
+    const quadrille::Report report = simplify_recorded_positions(mesh, options, into);
+    attributes.restore(mesh);
+    return report;
+  }
+  const auto carrying = [&](const auto& cost) {
+    return simplify_carrying(attributes, mesh, options, cost, into);
+  };
+  if (options.cost.empty() || options.cost == "color" || options.cost == "texture")
+    return simplify_by_attributes(attributes, mesh, options, into);
+  if (options.cost == "memoryless") // as above
+    return carrying(with_boundary_weight(quadrille::MemorylessQuadric{}, options));
+  return with_cost_of_positions(options, carrying);
 }
 
 /// What is wrong with attributes that no weight makes comparable with positions is told of the

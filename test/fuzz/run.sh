@@ -8,11 +8,11 @@ export LC_ALL=C
 
 seconds=${1:?"usage: sh test/fuzz/run.sh SECONDS [FUZZER...]"}
 shift
-[ $# -gt 0 ] || set -- fuzz_soup fuzz_file
+[ $# -gt 0 ] || set -- fuzz_soup fuzz_file fuzz_levels
 
 cd -- "$(dirname -- "$0")/../.."
 sh .ci/install_packages.sh cmake clang libclang-rt-dev ninja-build libcgal-dev libcgal-demo \
-  libboost-dev catch2 libopenmesh-dev libeigen3-dev
+  libboost-dev catch2 libopenmesh-dev libeigen3-dev libzstd-dev
 cmake --preset fuzz
 cmake --build --preset fuzz --parallel 2 --target "$@"
 

@@ -63,6 +63,7 @@ public:
     require_ascending(segment.bounds, segment.bound_before);
     for (const LevelTrack& track : segment.tracks)
       require_images(segment, track);
+    require_steps(segment.tracks.front());
     return segment;
   }
 
@@ -254,6 +255,25 @@ private:
     for (std::size_t f = 0; f < segment.faces(); ++f)
       for (Index item : track.corners[f])
         require(end[last[item]] >= face_end[f], "a face loses a corner");
+  }
+
+  // A contraction that changes a vertex lets the last one that is there become it; others that go
+  // with it become none. LevelSteps tells contractions by that.
+  static void require_steps(const LevelTrack& vertices) {
+    const std::size_t first = vertices.items() - vertices.parents.size();
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < vertices.change_ends.size(); ++i) {
+      const std::size_t end = vertices.change_ends[i];
+      std::size_t there = vertices.items_at(i);
+      bool is_step = end - begin <= 1;
+      if (is_step && end > begin)
+        is_step = there > vertices.items_after[i] &&
+                  vertices.parents[--there - first] == vertices.changed[begin];
+      while (there > vertices.items_after[i])
+        is_step = vertices.parents[--there - first] == none && is_step;
+      require(is_step, "a contraction is none of two vertices");
+      begin = end;
+    }
   }
 };
 

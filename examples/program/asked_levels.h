@@ -1,0 +1,101 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_ASKED_LEVELS_H
+#define QUADRILLE_EXAMPLES_PROGRAM_ASKED_LEVELS_H
+
+/// \file
+/// The levels of detail that the program is asked for in one run: --levels 50%,25%,1000.
+
+#include "../mesh_io/text.h"
+#include "policies.h"
+
+#include <quadrille/stop.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// A part of the faces, or a count of them, as it was written.
+struct AskedLevel {
+  std::string word;
+  Target target;
+};
+using AskedLevels = std::vector<AskedLevel>;
+
+/// Nothing for a word that is neither a percentage nor a count.
+inline std::optional<Target> target_of_level(const std::string& word) {
+  if (word.ends_with('%')) {
+    const std::optional<double> percent = parse_number(word.substr(0, word.size() - 1));
+    if (!percent || !(*percent >= 0 && *percent <= 100))
+      return std::nullopt;
+    return Target{quadrille::FaceRatio{*percent / 100}};
+  }
+  const std::optional<std::int64_t> count = parse_integer(word);
+  if (!count || *count < 0)
+    return std::nullopt;
+  return Target{quadrille::FaceCount{static_cast<std::size_t>(*count)}};
+}
+
+inline std::vector<std::string> words_between_commas(const std::string& list) {
+  std::vector<std::string> words(1);
+  for (const char c : list)
+    if (c == ',')
+      words.emplace_back();
+    else
+      words.back() += c;
+  return words;
+}
+
+inline CLI::Validator list_of_levels() {
+  const auto complaint = [](const std::string& list) -> std::string {
+    for (const std::string& word : words_between_commas(list))
+      if (!target_of_level(word))
+        return in_quotes(word) + " is neither a percentage of the faces nor a count of them";
+    return "";
+  };
+  return {complaint, ""};
+}
+
+/// Of a list that list_of_levels() accepts.
+inline AskedLevels asked_levels(const std::string& list) {
+  AskedLevels levels;
+  for (const std::string& word : words_between_commas(list))
+    levels.push_back({word, target_of_level(word).value()});
+  return levels;
+}
+
+/// How many faces a level shall have, of a surface of so many; no whole number as a rule.
+inline double wanted_faces(const AskedLevel& level, std::size_t faces) {
+  if (const auto* part = std::get_if<quadrille::FaceRatio>(&level.target.chosen))
+    return part->ratio * static_cast<double>(faces);
+  return static_cast<double>(std::get<quadrille::FaceCount>(level.target.chosen).faces);
+}
+
+/// Throws for a level that is not coarser than the one before it, of a surface of so many faces. A
+/// surface of none has levels of none.
+inline void require_descending(const AskedLevels& levels, std::size_t faces) {
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    if (faces > 0 && !(wanted_faces(levels[i], faces) < wanted_faces(levels[i - 1], faces)))
+      throw std::runtime_error("--levels: " + levels[i].word + " is not coarser than " +
+                               levels[i - 1].word + " before it, of " + std::to_string(faces) +
+                               " faces");
+}
+
+/// The file of a level, counted from 1: OUT-1.ext of OUT.ext.
+inline std::string file_of_level(const std::string& output, std::size_t number) {
+  const std::filesystem::path path(output);
+  const std::string name =
+      path.stem().string() + "-" + std::to_string(number) + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+} // namespace quadrille_examples
+
+#endif
