@@ -66,13 +66,13 @@ struct RecordedContraction {
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };
 
-/// **Recorder**: `recorder.begin(surface)` before the first contraction, with a surface of its own;
-/// `recorder.record(contraction)` for each in order; `recorder.end()` behind the last, before the
-/// mesh is changed. What a contraction refers to is there during the call only. If one of them
-/// throws, the mesh stays as it was.
+/// **ContractionRecorder**: `recorder.begin(surface)` before the first contraction, with a surface
+/// of its own; `recorder.record(contraction)` for each in order; `recorder.end()` behind the last,
+/// before the mesh is changed. What a contraction refers to is there during the call only. If one
+/// of them throws, the mesh stays as it was.
 template <class R>
-concept Recorder = requires(R& recorder, RecordedSurface surface,
-                            const RecordedContraction& contraction) {
+concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
+                                       const RecordedContraction& contraction) {
   recorder.begin(std::move(surface));
   recorder.record(contraction);
   recorder.end();
@@ -84,11 +84,11 @@ concept Recorder = requires(R& recorder, RecordedSurface surface,
 /// RelaxedOrder contracts in many places at a time. Its contractions are told in an order in which
 /// they could have been done one by one, which is the same for any number of threads: those of a
 /// pass by their costs, as far as the order within each block allows it.
-template <Recorder R>
+template <ContractionRecorder R>
 struct RecordInto {
   R* recorder;
 };
-template <Recorder R>
+template <ContractionRecorder R>
 RecordInto<R> record_into(R& recorder) {
   return {&recorder};
 }
