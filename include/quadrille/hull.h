@@ -107,7 +107,7 @@ public:
   /// The position of least cost, up to rounding.
   template <class Cost, class Pair, class Star>
   std::optional<Vector<3>> settle(const Cost&, const Pair& pair, const Star& star) const {
-    const Planes planes(pair, star);
+    const Planes<Pair, Star> planes(pair, star);
     const std::optional<Vector<3>> x = planes.least_of_all();
     return x ? x : planes.least_within(planes.rounding());
   }
@@ -124,7 +124,7 @@ public:
   /// Does the predicate hold of a position further out, where rounding may be in the way?
   template <class Cost, class Pair, class Star, class Predicate>
   bool any_further(const Cost&, const Pair& pair, const Star& star, Predicate predicate) const {
-    const Planes planes(pair, star);
+    const Planes<Pair, Star> planes(pair, star);
     double margin = planes.rounding();
     for (int step = 0; step < most_steps; ++step, margin *= 8)
       if (const auto x = planes.least_within(margin); x && predicate(*x))

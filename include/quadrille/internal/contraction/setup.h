@@ -33,7 +33,7 @@ template <class Positions>
 bool are_floats(const Positions& positions) {
   return std::all_of(positions.begin(), positions.end(), [](const auto& p) {
     return std::all_of(p.coordinates.begin(), p.coordinates.begin() + 3,
-                       [](double x) { return to_number<float>(x) == x; });
+                       [](double x) { return static_cast<double>(to_number<float>(x)) == x; });
   });
 }
 

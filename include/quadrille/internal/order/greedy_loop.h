@@ -125,7 +125,7 @@ private:
   // satisfied by that.
   std::optional<QueuedPair> next_pair() {
     std::optional<QueuedPair> next = next_queued();
-    while (parts_.has_below(next ? next->cost : no_limit, is_last_resort_)) {
+    while (parts_.has_below(next ? static_cast<double>(next->cost) : no_limit, is_last_resort_)) {
       if (next)
         queue_.push_again(*next);
       if (is_cancelled() || !parts_.vanish_next([this](Index v) { forget(v); }))
