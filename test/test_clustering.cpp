@@ -301,7 +301,8 @@ TEST_CASE("One cell, no triangle, and points without triangles leave nothing beh
   // A point of no triangle, or of degenerate ones only, is no part of the box.
   Soup expected = test::sphere(3), soup = expected;
   soup.points.push_back({{1e9, -1e9, 1e9}});
-  soup.triangles.push_back({0, 0, static_cast<std::uint32_t>(soup.points.size() - 1)});
+  const auto far = static_cast<std::uint32_t>(soup.points.size() - 1);
+  soup.triangles.insert(soup.triangles.end(), {{0, 0, far}, {0, far, far}, {far, 0, far}});
   cluster(expected, Grid{5, 5, 5});
   cluster(soup, Grid{5, 5, 5});
   CHECK(test::is_identical(soup, expected));
