@@ -104,6 +104,13 @@ Soup to_soup(const M& mesh) {
   return soup;
 }
 
+inline Soup to_soup(const PointSoup& soup) {
+  Soup result{{}, soup.triangles};
+  for (const Point& p : soup.points)
+    result.points.push_back(to_position(p));
+  return result;
+}
+
 /// Holds CGAL's own checks, and that every triangle is one by its halfedges.
 template <class M>
 bool is_valid_triangle_mesh(const M& mesh) {

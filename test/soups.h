@@ -479,6 +479,23 @@ inline double volume(const Soup& soup) {
   return sum;
 }
 
+/// The same about the first point and in long doubles: far from the origin, too.
+inline long double exact_volume(const Soup& soup) {
+  long double sum = 0;
+  const Position o = soup.points.front();
+  const auto at = [&](std::uint32_t v) {
+    return std::array{static_cast<long double>(soup.points[v][0]) - o[0],
+                      static_cast<long double>(soup.points[v][1]) - o[1],
+                      static_cast<long double>(soup.points[v][2]) - o[2]};
+  };
+  for (const auto& [i, j, k] : soup.triangles) {
+    const auto a = at(i), b = at(j), c = at(k);
+    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return sum / 6;
+}
+
 inline double diagonal(const Soup& soup) {
   Position low = soup.points.front(), high = low;
   for (const Position& p : soup.points)

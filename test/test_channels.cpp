@@ -42,13 +42,6 @@ using Catch::Contains;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Soup to_soup(const PointSoup& soup) {
-  Soup result{{}, soup.triangles};
-  for (const Point& p : soup.points)
-    result.points.push_back(to_position(p));
-  return result;
-}
-
 // --- One texture ---------------------------------------------------------------------------------
 
 struct TextureResult {

@@ -93,6 +93,18 @@ struct Reference {
   std::size_t doubled = 0;
 };
 
+/// In long double.
+Position mean_of(const std::set<std::uint32_t>& members, const Soup& soup) {
+  std::array<long double, 3> sum{};
+  for (std::uint32_t v : members)
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[i] += static_cast<long double>(soup.points[v][i]);
+  Position p;
+  for (std::size_t i = 0; i < 3; ++i)
+    p[i] = static_cast<double>(sum[i] / static_cast<long double>(members.size()));
+  return p;
+}
+
 /// Means in long double, triangles in sets of cells.
 template <class Choice>
 Reference brute_force(const Soup& soup, const Choice& choice) {
@@ -125,14 +137,7 @@ Reference brute_force(const Soup& soup, const Choice& choice) {
   for (const auto& [first, cell] : in_order) {
     number[cell] = static_cast<std::uint32_t>(result.cells.size());
     result.cells.push_back(cell);
-    std::array<long double, 3> sum{};
-    for (std::uint32_t v : members[cell])
-      for (std::size_t i = 0; i < 3; ++i)
-        sum[i] += static_cast<long double>(soup.points[v][i]);
-    Position p;
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] = static_cast<double>(sum[i] / static_cast<long double>(members[cell].size()));
-    result.soup.points.push_back(p);
+    result.soup.points.push_back(mean_of(members[cell], soup));
   }
   for (const auto& [a, b, c] : left)
     result.soup.triangles.push_back({number[a], number[b], number[c]});

@@ -178,29 +178,6 @@ void check_encloses(const Soup& outer, const Soup& inner, std::size_t random_poi
   CHECK(2 * seen >= random_points);
 }
 
-Soup of(const test::PointSoup& soup) {
-  Soup result{{}, soup.triangles};
-  for (const auto& p : soup.points)
-    result.points.push_back(test::to_position(p));
-  return result;
-}
-
-long double exact_volume(const Soup& soup) {
-  long double sum = 0;
-  const Position o = soup.points.front();
-  const auto at = [&](std::uint32_t v) {
-    return std::array{static_cast<long double>(soup.points[v][0]) - o[0],
-                      static_cast<long double>(soup.points[v][1]) - o[1],
-                      static_cast<long double>(soup.points[v][2]) - o[2]};
-  };
-  for (const auto& [i, j, k] : soup.triangles) {
-    const auto a = at(i), b = at(j), c = at(k);
-    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-  return sum / 6;
-}
-
 // Two spheres that pass through each other, as one surface.
 Soup crossed_spheres() {
   return test::joined(test::sphere(3), test::tilted(test::sphere(3)), {{0.7, 0.2, 0.1}});
@@ -225,11 +202,11 @@ Soup hull_of(const Soup& soup, std::size_t faces, const Arguments&... arguments)
       simplify<Cost, Hull>(result.points, result.triangles, FaceCount{faces}, arguments...);
   INFO(report);
   CHECK(report.faces_after < report.faces_before);
-  CHECK(std::abs(*report.volume_before - double(exact_volume(soup))) <=
+  CHECK(std::abs(*report.volume_before - double(test::exact_volume(soup))) <=
         1e-12 * std::abs(*report.volume_before));
-  CHECK(std::abs(*report.volume_after - double(exact_volume(of(result)))) <=
+  CHECK(std::abs(*report.volume_after - double(test::exact_volume(test::to_soup(result)))) <=
         1e-12 * std::abs(*report.volume_after));
-  return of(result);
+  return test::to_soup(result);
 }
 
 std::string message_of(const auto& call) {
@@ -405,7 +382,7 @@ TEST_CASE("Passes, eager order, limits, fixed vertices and labels go with hulls"
       simplify<MemorylessQuadric, OuterHull>(limited.points, limited.triangles, ErrorLimit{0.02});
   CHECK(report.distance_bound <= 0.02);
   CHECK(report.faces_after < 6000);
-  check_encloses(of(limited), soup, 30);
+  check_encloses(test::to_soup(limited), soup, 30);
 }
 
 TEST_CASE("A surface that encloses nothing has no hull, and stays as it is") {
@@ -414,7 +391,7 @@ TEST_CASE("A surface that encloses nothing has no hull, and stays as it is") {
     const std::string text = message_of([&] {
       simplify<Quadric, OuterHull>(changed.points, changed.triangles, FaceCount{4}, arguments...);
     });
-    CHECK(test::is_identical(of(changed), soup));
+    CHECK(test::is_identical(test::to_soup(changed), soup));
     return text;
   };
   Soup open = test::sphere(2);
@@ -439,8 +416,8 @@ TEST_CASE("The report tells the volume where there is one") {
     const Report report = simplify<Quadric, VolumeKeeping<OptimalPlacement>>(
         changed.points, changed.triangles, arguments...);
     if (report.volume_after)
-      CHECK(std::abs(*report.volume_after - double(exact_volume(of(changed)))) <=
-            1e-12 * std::abs(double(exact_volume(of(changed)))));
+      CHECK(std::abs(*report.volume_after - double(test::exact_volume(test::to_soup(changed)))) <=
+            1e-12 * std::abs(double(test::exact_volume(test::to_soup(changed)))));
     return report;
   };
   for (const double unit : {1e-80, 1.0, 1e30}) {
@@ -450,7 +427,7 @@ TEST_CASE("The report tells the volume where there is one") {
     CHECK(*report_of(soup).volume_before == Approx(unit * unit * unit).epsilon(1e-11));
   }
   CHECK(*report_of(ball_with_bubble()).volume_before ==
-        Approx(double(exact_volume(ball_with_bubble()))).epsilon(1e-13));
+        Approx(double(test::exact_volume(ball_with_bubble()))).epsilon(1e-13));
   CHECK_FALSE(report_of(test::grid(4, 4)).volume_before.has_value());
   CHECK_FALSE(report_of(test::sphere(2), Topology::free).volume_after.has_value());
   Soup turned = test::sphere(2);

@@ -63,6 +63,30 @@ std::vector<Vector<3>> colors_of(const Soup& soup) {
   return colors;
 }
 
+void require_equal_points(const Level& level, const PointSoup& soup) {
+  REQUIRE(level.triangles == soup.triangles);
+  bool is_equal = true;
+  for (std::size_t v = 0; v < level.vertices; ++v)
+    is_equal = is_equal && Position{level.points[v]} == to_position(soup.points[v]);
+  REQUIRE(is_equal);
+}
+
+// Of one value a point: numbers of the user's, which as_written(number) of the level's becomes.
+template <class Value, class AsWritten>
+void require_equal_values(const LevelChannel& channel, const std::vector<Value>& values,
+                          std::size_t points, AsWritten as_written) {
+  const std::size_t n = channel.components;
+  REQUIRE(channel.values.size() == n * points);
+  bool is_equal = true;
+  for (std::size_t v = 0; v < points; ++v)
+    for (std::size_t c = 0; c < n; ++c)
+      is_equal = is_equal && as_written(channel.values[n * v + c]) == values[v][c];
+  REQUIRE(is_equal);
+}
+double as_it_is(double x) {
+  return x;
+}
+
 // A texture with its seams, normals with creases and a colour of each point: all levels.
 void require_same_levels(const Textured& surface, Seams seams_of_texture, std::size_t step) {
   const CornerValues<3> facets = facet_normals(surface.soup);
@@ -71,9 +95,9 @@ void require_same_levels(const Textured& surface, Seams seams_of_texture, std::s
     auto [values, triples] = indexed(surface.texture);
     auto [normals, normal_triples] = indexed(facets);
     std::vector<Vector<3>> colors = colors_of(surface.soup);
-    std::vector<double> heat;
+    std::vector<std::array<double, 1>> heat;
     for (const Position& p : surface.soup.points)
-      heat.push_back(p[2] * p[2]);
+      heat.push_back({p[2] * p[2]});
     const Report report = simplify(
         soup.points, soup.triangles, stop, Texture{values, triples, {.seams = seams_of_texture}},
         Colors{CGAL::make_property_map(colors)}, Normals{normals, normal_triples},
@@ -90,19 +114,12 @@ void require_same_levels(const Textured& surface, Seams seams_of_texture, std::s
     CAPTURE(i);
     const auto [soup, texture, normals, colors, heat, report] = run(until(i));
     const Level level = in_input_order(levels.at(AfterContractions{i}));
-    REQUIRE(level.triangles == soup.triangles);
-    bool is_equal = true;
-    for (std::size_t v = 0; v < level.vertices; ++v)
-      is_equal = is_equal && Position{level.points[v]} == to_position(soup.points[v]);
+    require_equal_points(level, soup);
     REQUIRE(level.channels.size() == 4);
     require_equal(at_corners<2>(level, level.channels[0]), texture);
+    require_equal_values(level.channels[1], colors, level.vertices, as_it_is);
     require_equal(at_corners<3>(level, level.channels[2]), normals);
-    for (std::size_t v = 0; v < level.vertices; ++v)
-      for (std::size_t c = 0; c < 3; ++c)
-        is_equal = is_equal && level.channels[1].values[3 * v + c] == colors[v][c];
-    for (std::size_t v = 0; v < level.vertices; ++v)
-      is_equal = is_equal && level.channels[3].values[v] == heat[v];
-    REQUIRE(is_equal);
+    require_equal_values(level.channels[3], heat, level.vertices, as_it_is);
   }
 }
 
@@ -127,11 +144,9 @@ TEST_CASE("channels of the last level of passes are what these leave") {
   simplify(soup.points, soup.triangles, FaceRatio{0.05}, Texture{values, triples},
            Colors{CGAL::make_property_map(colors)}, RelaxedOrder{}, record_into(levels));
   const Level level = in_input_order(levels.at(FaceCount{0}));
-  REQUIRE(level.triangles == soup.triangles);
+  require_equal_points(level, soup);
   require_equal(at_corners<2>(level, level.channels[0]), test::at_corners(values, triples));
-  for (std::size_t v = 0; v < level.vertices; ++v)
-    for (std::size_t c = 0; c < 3; ++c)
-      CHECK(level.channels[1].values[3 * v + c] == colors[v][c]);
+  require_equal_values(level.channels[1], colors, level.vertices, as_it_is);
 }
 
 TEST_CASE("attributes of a cost are channels of a level") {
@@ -152,13 +167,10 @@ TEST_CASE("attributes of a cost are channels of a level") {
   for (std::size_t faces = 320; faces > 20; faces -= 20) {
     const auto [points, colors] = run(FaceCount{faces});
     const Level level = in_input_order(levels.at(FaceCount{faces}));
-    REQUIRE(level.triangles == points.triangles);
+    require_equal_points(level, points);
     REQUIRE(level.channels.size() == 1);
-    for (std::size_t v = 0; v < level.vertices; ++v) {
-      CHECK(Position{level.points[v]} == to_position(points.points[v]));
-      for (std::size_t c = 0; c < 3; ++c)
-        CHECK(static_cast<float>(level.channels[0].values[3 * v + c]) == colors[v][c]);
-    }
+    require_equal_values(level.channels[0], colors, level.vertices,
+                         [](double x) { return static_cast<float>(x); });
   }
 }
 
@@ -180,10 +192,10 @@ TEST_CASE("colours in linear light and small integers are told in the user's num
   for (std::size_t faces = 320; faces > 20; faces -= 20) {
     const auto [points, colors] = run(FaceCount{faces});
     const Level level = in_input_order(levels.at(FaceCount{faces}));
-    REQUIRE(level.triangles == points.triangles);
-    for (std::size_t v = 0; v < level.vertices; ++v)
-      for (std::size_t c = 0; c < 4; ++c)
-        CHECK(std::round(level.channels[0].values[4 * v + c]) == colors[v][c]);
+    require_equal_points(level, points);
+    REQUIRE(level.channels[0].components == 4);
+    require_equal_values(level.channels[0], colors, level.vertices,
+                         [](double x) { return std::round(x); });
   }
 }
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace {
@@ -16,23 +15,6 @@ namespace {
 using namespace quadrille;
 using test::Position;
 using test::Soup;
-
-// About the first point, in long doubles.
-long double volume_of(const Soup& soup) {
-  long double sum = 0;
-  const Position o = soup.points.front();
-  const auto at = [&](std::uint32_t v) {
-    return std::array{static_cast<long double>(soup.points[v][0]) - o[0],
-                      static_cast<long double>(soup.points[v][1]) - o[1],
-                      static_cast<long double>(soup.points[v][2]) - o[2]};
-  };
-  for (const auto& [i, j, k] : soup.triangles) {
-    const auto a = at(i), b = at(j), c = at(k);
-    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-  return sum / 6;
-}
 
 struct Result {
   Soup soup;
@@ -50,8 +32,8 @@ Result simplified(const Soup& soup, double ratio, const auto&... arguments) {
       simplify<Cost, Placement>(points, result.soup.triangles, FaceRatio{ratio}, arguments...);
   for (const auto& p : points)
     result.soup.points.push_back({p});
-  const long double before = volume_of(soup);
-  result.change = static_cast<double>((volume_of(result.soup) - before) / before);
+  const long double before = test::exact_volume(soup);
+  result.change = static_cast<double>((test::exact_volume(result.soup) - before) / before);
   return result;
 }
 

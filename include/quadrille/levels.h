@@ -187,16 +187,11 @@ inline void Levels::end() {
 inline LevelInfo Levels::info(const Place& place) const {
   require_any();
   const Segment& segment = segments_[place.segment];
-  LevelInfo info;
-  info.faces = segment.faces_at(place.contractions);
-  info.vertices = segment.tracks.front().items_at(place.contractions);
-  info.contractions = begins_[place.segment] + place.contractions;
-  info.error = segment.error_at(place.contractions);
-  if (info.contractions == 0)
-    info.distance_bound = 0;
-  else if (!segments_.front().bounds.empty())
-    info.distance_bound = segment.bound_at(place.contractions);
-  return info;
+  const bool knows_bounds = !segments_.front().bounds.empty();
+  return internal::level_info(
+      segment.faces_at(place.contractions), segment.tracks.front().items_at(place.contractions),
+      begins_[place.segment] + place.contractions, segment.error_at(place.contractions),
+      knows_bounds, knows_bounds ? segment.bound_at(place.contractions) : 0);
 }
 
 inline LevelChannel Levels::channel_at(const ChannelPlace& channel, const Place& place,
@@ -271,15 +266,8 @@ inline std::vector<std::uint32_t> Levels::images(const LevelInfo& fine,
   std::vector<std::uint32_t> images(fine.vertices);
   const auto left = (std::min)(coarse.vertices, fine.vertices);
   std::iota(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(left), std::uint32_t{0});
-  for (auto segment = segments_.rbegin(); segment != segments_.rend(); ++segment) {
-    const Track& track = segment->tracks.front();
-    const std::size_t first = track.items() - track.parents.size();
-    for (std::size_t v = (std::max)(first, left); v < (std::min)(track.items(), fine.vertices);
-         ++v) {
-      const Index parent = track.parents[v - first];
-      images[v] = parent == internal::none ? not_recorded : images[parent];
-    }
-  }
+  for (auto segment = segments_.rbegin(); segment != segments_.rend(); ++segment)
+    segment->tracks.front().find_images(left, fine.vertices, images);
   return images;
 }
 

@@ -124,19 +124,12 @@ private:
     directory_ = internal::LevelDirectory::read(block.read(file_, size_));
   }
 
-  static LevelInfo info_of(const internal::LevelDirectory& directory, const Stage& stage) {
-    LevelInfo info;
-    info.faces = stage.faces;
-    info.vertices = stage.vertices;
-    info.contractions = static_cast<std::size_t>(stage.contractions);
-    info.error = static_cast<double>(stage.error);
-    if (info.contractions == 0)
-      info.distance_bound = 0;
-    else if (directory.knows_bounds)
-      info.distance_bound = static_cast<double>(stage.bound);
-    return info;
+  LevelInfo info_of(const Stage& stage) const {
+    return internal::level_info(stage.faces, stage.vertices,
+                                static_cast<std::size_t>(stage.contractions),
+                                static_cast<double>(stage.error), directory_.knows_bounds,
+                                static_cast<double>(stage.bound));
   }
-  LevelInfo info_of(const Stage& stage) const { return info_of(directory_, stage); }
 
   // The segment in which a level lies: the first that ends with one that is coarse enough.
   std::size_t segment_of(const FaceCount& stop) const {

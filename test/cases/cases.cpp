@@ -340,13 +340,7 @@ void simplify_with(const Case& input, Outcome& outcome, const Cost& cost) {
   input.is_mesh ? simplify_mesh(input, outcome, cost) : simplify_soup(input, outcome, cost);
 }
 
-void simplify(const Case& input, Outcome& outcome) {
-  outcome.points.clear();
-  for (const Position& p : input.soup.points)
-    outcome.points.push_back(to_point<Point>(p));
-  outcome.triangles = input.soup.triangles;
-  outcome.colors = input.colors;
-  outcome.numbers = input.numbers;
+void simplify_by_cost(const Case& input, Outcome& outcome) {
   const Call& call = input.call;
   switch (call.cost) {
   case CostName::quadric:
@@ -381,6 +375,14 @@ void simplify(const Case& input, Outcome& outcome) {
   case CostName::channels:
     return simplify_soup_with_channels(input, outcome);
   }
+}
+
+void simplify(const Case& input, Outcome& outcome) {
+  outcome.points = points_of(input.soup);
+  outcome.triangles = input.soup.triangles;
+  outcome.colors = input.colors;
+  outcome.numbers = input.numbers;
+  simplify_by_cost(input, outcome);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <quadrille/internal/adapter/split_points.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/read_indices.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/surface_input.h>
 
@@ -128,9 +129,12 @@ private:
     for (std::size_t i = 0; i < count; ++i)
       map.read(i, input);
     for (const auto& triple : triples)
-      input.corners.push_back(read_indices(
-          triple, input.corners.size(), count, "value", " of a channel",
-          " has " + std::to_string(std::ranges::size(triple)) + " indices of a channel, not 3"));
+      input.corners.push_back(read_indices(triple, input.corners.size(), count,
+                                           {"quadrille::simplify", "value", " of a channel"}, [&] {
+                                             return " has " +
+                                                    std::to_string(std::ranges::size(triple)) +
+                                                    " indices of a channel, not 3";
+                                           }));
   }
 
   struct Nothing {};

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/read_indices.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -10,11 +11,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
-#include <ranges>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,35 +19,14 @@
 
 namespace quadrille::internal {
 
-/// The three indices of a face, which are below `count`: of points, or of something else that the
-/// face names. Throws std::invalid_argument, with `not_three` if they are not three.
-template <class Triple>
-std::array<Index, 3> read_indices(const Triple& triple, std::size_t face, std::size_t count,
-                                  const char* name, const char* of_what,
-                                  const std::string& not_three) {
-  const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument("quadrille::simplify: face " + std::to_string(face) + what);
-  };
-  if (std::ranges::size(triple) != 3)
-    refuse(not_three);
-  std::array<Index, 3> indices;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!std::in_range<Index>(triple[i]) || std::cmp_greater_equal(triple[i], count))
-      refuse(std::string(" names ") + name + " " + std::to_string(triple[i]) + " of " +
-             std::to_string(count) + of_what);
-    indices[i] = static_cast<Index>(triple[i]);
-  }
-  return indices;
-}
-
 /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
 /// there.
 template <class Triangle>
 TriangleComplex::Triangle read_triangle(const Triangle& triangle, std::size_t face,
                                         std::size_t points) {
-  return read_indices(
-      triangle, face, points, "point", "",
-      " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so");
+  return read_indices(triangle, face, points, {"quadrille::simplify"}, [] {
+    return " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so";
+  });
 }
 
 /// The numbers of a result in the order of their inputs, which are below `count`.

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_indices.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
@@ -38,8 +39,9 @@ public:
         refuse_clustering("point " + std::to_string(v) + " is not finite");
     is_used_.resize(point_count());
     for (std::size_t f = 0; f < triangle_count(); ++f) {
-      require_triangle(f);
-      const auto [a, b, c] = corners(f);
+      const auto [a, b, c] =
+          read_indices(triangles_[f], f, point_count(), {"quadrille::cluster_vertices"},
+                       [] { return " is not a triangle"; });
       if (a != b && b != c && c != a)
         is_used_[a] = is_used_[b] = is_used_[c] = 1;
     }
@@ -107,16 +109,6 @@ private:
       throw std::length_error("quadrille::cluster_vertices: " + std::to_string(point_count()) +
                               " points and " + std::to_string(triangle_count()) +
                               " triangles do not fit into 32-bit indices");
-  }
-
-  void require_triangle(std::size_t f) const {
-    const auto& triangle = triangles_[f];
-    if (std::ranges::size(triangle) != 3)
-      refuse_clustering("face " + std::to_string(f) + " is not a triangle");
-    for (const auto v : triangle)
-      if (std::cmp_less(v, 0) || std::cmp_greater_equal(v, point_count()))
-        refuse_clustering("face " + std::to_string(f) + " names point " + std::to_string(v) +
-                          " of " + std::to_string(point_count()));
   }
 
   Points& points_;

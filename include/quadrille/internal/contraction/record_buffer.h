@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace quadrille::internal {
@@ -42,6 +43,19 @@ struct RecordBuffer {
   RecordList list;
   std::vector<float> costs; // of those in the list: the greatest until then, of the block
   std::vector<Block> blocks;
+
+  /// Makes the views of the wedges, once all of these are there.
+  void view_wedges() {
+    views.clear();
+    std::size_t joined_begin = 0, values_begin = 0;
+    for (const Wedge& w : wedges) {
+      views.push_back({w.channel, w.wedge,
+                       std::span(joined).subspan(joined_begin, w.joined_end - joined_begin),
+                       std::span(wedge_values).subspan(values_begin, w.values_end - values_begin)});
+      joined_begin = w.joined_end;
+      values_begin = w.values_end;
+    }
+  }
 
   /// Contractions belong to that block from here on.
   void begin_block(std::size_t number) { blocks.push_back({number, list.size()}); }

@@ -237,15 +237,7 @@ private:
         buffer.wedges.push_back({c, identity, buffer.joined.size(), buffer.wedge_values.size()});
       }
     }
-    buffer.views.clear();
-    std::size_t joined = 0, values = 0;
-    for (const RecordBuffer::Wedge& w : buffer.wedges) {
-      buffer.views.push_back(
-          {w.channel, w.wedge, std::span(buffer.joined).subspan(joined, w.joined_end - joined),
-           std::span(buffer.wedge_values).subspan(values, w.values_end - values)});
-      joined = w.joined_end;
-      values = w.values_end;
-    }
+    buffer.view_wedges();
   }
 
   void append_places(std::uint32_t thread, std::vector<Place>& places) const {

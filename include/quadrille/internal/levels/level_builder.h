@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_LEVELS_LEVEL_BUILDER_H
 
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/merges.h>
 #include <quadrille/internal/contraction/record_list.h>
 #include <quadrille/internal/levels/level_track.h>
 
@@ -74,21 +75,10 @@ private:
 
   void remove_corners(Index face, std::vector<Index>& deaths) {
     for (Index corner : items_.corners[face]) {
-      const Index item = image(corner);
+      const Index item = follow_merges(merged_into_, corner);
       if (--corners_[item] == 0)
         deaths.push_back(item);
     }
-  }
-
-  // Shortens the way that it goes.
-  Index image(Index item) {
-    while (merged_into_[item] != none) {
-      Index& next = merged_into_[item];
-      if (merged_into_[next] != none)
-        next = merged_into_[next];
-      item = next;
-    }
-    return item;
   }
 
   void number(std::size_t all, const std::vector<Index>& deaths, ItemLives& lives) {

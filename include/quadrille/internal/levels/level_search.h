@@ -7,10 +7,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// What is known of a level; of its bound only if distances have been recorded.
+inline LevelInfo level_info(std::size_t faces, std::size_t vertices, std::size_t contractions,
+                            double error, bool knows_bounds, double bound) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return {faces, vertices, contractions, error,
+          contractions == 0 ? 0
+          : knows_bounds    ? bound
+                            : unknown};
+}
 
 /// So many contractions into a segment.
 struct LevelPlace {

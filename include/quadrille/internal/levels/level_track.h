@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace quadrille::internal {
@@ -35,16 +36,20 @@ struct LevelTrack {
 
   /// What has become of each item after so many contractions of the segment.
   std::vector<Index> images(std::size_t contractions) const {
-    const auto left = static_cast<Index>(items_at(contractions));
-    const std::size_t first_to_go = items() - parents.size();
+    const std::size_t left = items_at(contractions);
     std::vector<Index> images(items());
-    for (Index i = 0; i < left; ++i)
-      images[i] = i;
-    for (Index i = left; i < images.size(); ++i) {
+    std::iota(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(left), Index{0});
+    find_images(left, items(), images);
+    return images;
+  }
+  /// The same of the items that go in the segment, as far as they are among those from `begin` to
+  /// `end`. All before them are known.
+  void find_images(std::size_t begin, std::size_t end, std::vector<Index>& images) const {
+    const std::size_t first_to_go = items() - parents.size();
+    for (std::size_t i = (std::max)(begin, first_to_go); i < (std::min)(end, items()); ++i) {
       const Index parent = parents[i - first_to_go];
       images[i] = parent == none ? none : images[parent];
     }
-    return images;
   }
 
   /// Calls visit(item, numbers) for what has changed of items that are still there after so many

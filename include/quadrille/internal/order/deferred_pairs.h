@@ -13,16 +13,20 @@ namespace quadrille::internal {
 /// exactly. They come back in the order in which they were put aside, which is that of their costs.
 class DeferredPairs {
 public:
+  /// How many times what comes first in the order meeting a target exactly is worth: a little
+  /// error, and no more.
+  static constexpr double dearest_exact = 4;
+
   bool empty() const { return next_ == pairs_.size(); }
 
   /// Puts a pair with this key aside.
   void defer(const QueuedPair& pair, double key) {
     if (empty())
-      highest_cost_ = dearest_exact_pair * key;
+      highest_cost_ = dearest_exact * key;
     pairs_.push_back(pair);
   }
-  /// Is that more than meeting the target exactly is worth? It is worth a small multiple of what
-  /// the first of the pairs here costs: a little error, and no more.
+  /// Is that more than meeting the target exactly is worth, by what the first of the pairs here
+  /// costs?
   bool is_too_dear(double cost) const { return !empty() && cost > highest_cost_; }
 
   /// Takes out the first for which is_left(pair) holds.
@@ -35,8 +39,6 @@ public:
   }
 
 private:
-  static constexpr double dearest_exact_pair = 4; // by what the first of those here costs
-
   std::vector<QueuedPair> pairs_;
   std::size_t next_ = 0;
   double highest_cost_ = 0;

@@ -6,6 +6,7 @@
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/cost/part_price.h>
+#include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/part_lists.h>
 #include <quadrille/internal/policy/policies.h>
@@ -49,7 +50,8 @@ public:
   }
   /// Is that more than meeting the target exactly is worth, where a part has to wait?
   bool is_too_dear(double cost) const {
-    return waiting_price_ && cost > dearest_exact_pair * static_cast<double>(*waiting_price_);
+    return waiting_price_ &&
+           cost > DeferredPairs::dearest_exact * static_cast<double>(*waiting_price_);
   }
 
   /// Lets the part that has_below() has found vanish, unless it is refused, and calls gone(v) for
@@ -144,8 +146,7 @@ private:
     has_met_distance_ |= cause == Rejection::distance;
   }
 
-  static constexpr double dearest_exact_pair = 4; // as DeferredPairs has it
-  static constexpr float tolerated_rise = 1.1f;   // a part is looked at a few times only
+  static constexpr float tolerated_rise = 1.1f; // a part is looked at a few times only
 
   WorkingSurface<Policies>& surface_;
   PartPrice<Policies> price_;

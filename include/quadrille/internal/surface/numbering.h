@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_SURFACE_NUMBERING_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/merges.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -93,16 +94,8 @@ public:
   }
 
   /// The input index of what a vertex of the input has become part of. By input indices only.
-  /// Shortens the way that it goes, so that many questions take little more than linear time.
-  Index image(Index input) const {
-    while (merged_into_[input] != none) {
-      Index& next = merged_into_[input];
-      if (merged_into_[next] != none)
-        next = merged_into_[next];
-      input = next;
-    }
-    return input;
-  }
+  /// See follow_merges.
+  Index image(Index input) const { return follow_merges(merged_into_, input); }
 
   InputIndices vertices, faces;
 
