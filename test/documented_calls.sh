@@ -8,7 +8,7 @@ shift
 blocks=$(mktemp -d)
 trap 'rm -rf "$blocks"' EXIT
 
-for document in "$repository"/README.md "$repository"/doc/*.md; do
+find "$repository/README.md" "$repository/doc" -name '*.md' | sort | while read -r document; do
   awk -v document="$document" '
     /^<!-- file: .* -->$/      { is_file = 1; next }
     /^```cpp$/ && !is_file     { print "{\n#line " FNR + 1 " \"" document "\""; inside = 1; next }

@@ -9,9 +9,8 @@ blocks=$(mktemp -d)
 trap 'rm -rf "$blocks"' EXIT
 
 # Writes the blocks as block.1, block.2, ... and a line "BLOCK PATH DOCUMENT:LINE" for each.
-for document in README.md doc/*.md; do
-  [ -f "$document" ] || continue
-  awk -v block="$blocks/$(basename "$document")" '
+find README.md doc -name '*.md' | sort | while read -r document; do
+  awk -v block="$blocks/$(echo "$document" | tr / .)" '
     /^<!-- file: .* -->$/ { path = $3; next }
     path != "" && /^```/  { name = block "." ++n; printf "" > name
                             print name, path, FILENAME ":" FNR; path = ""; inside = 1; next }
