@@ -16,14 +16,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace quadrille_examples {
 
-/// How much attributes count, as quadrille::ChannelOptions has it.
-struct ChannelImportance {
+/// How much attributes count, and what becomes of the seams of textures, as
+/// quadrille::ChannelOptions has it.
+struct ChannelChoices {
   double of_colors = 1, of_textures = 1, of_normals = 1, of_numbers = 1;
+  std::optional<quadrille::Seams> texture_seams = {};
 };
 
 /// Has a mesh what MeshChannels takes along and MeshAttributes does not?
@@ -47,9 +50,9 @@ public:
   /// Calls simplify(argument...) with arguments for `quadrille::simplify`, and gives the mesh what
   /// that leaves of them.
   template <class Simplify>
-  quadrille::Report take_through(Simplify simplify, const ChannelImportance& importance) {
+  quadrille::Report take_through(Simplify simplify, const ChannelChoices& choices) {
     const quadrille::Report report =
-        call(simplify, importance, std::make_index_sequence<VertexNumbers::most_channels>());
+        call(simplify, choices, std::make_index_sequence<VertexNumbers::most_channels>());
     mesh_.colors = colors_.of_points(mesh_);
     mesh_.texture_coordinates = textures_.of_points(mesh_);
     numbers_.restore(mesh_);
@@ -59,18 +62,18 @@ public:
 
 private:
   template <class Simplify, std::size_t... I>
-  quadrille::Report call(Simplify simplify, const ChannelImportance& importance,
+  quadrille::Report call(Simplify simplify, const ChannelChoices& choices,
                          std::index_sequence<I...>) {
     auto& textures = textures_.empty() ? mesh_.corner_textures : textures_.corners;
     auto& normals = mesh_.corner_normals;
     auto& colors = colors_.corners;
     return simplify(
         quadrille::Texture(textures.values, textures.triples,
-                           {.importance = importance.of_textures}),
-        quadrille::Normals(normals.values, normals.triples, {.importance = importance.of_normals}),
-        quadrille::Colors(colors.values, colors.triples, {.importance = importance.of_colors}),
+                           {.importance = choices.of_textures, .seams = choices.texture_seams}),
+        quadrille::Normals(normals.values, normals.triples, {.importance = choices.of_normals}),
+        quadrille::Colors(colors.values, colors.triples, {.importance = choices.of_colors}),
         quadrille::Attributes(numbers_.channel(I).values, numbers_.channel(I).triples,
-                              {.importance = importance.of_numbers})...,
+                              {.importance = choices.of_numbers})...,
         quadrille::Labels{CGAL::make_property_map(labels_)},
         quadrille::parameters::vertex_image_map(CGAL::make_property_map(numbers_.images())));
   }

@@ -9,6 +9,7 @@
 /// CGAL 5.5 take indices that are out of range, NaN and files that are cut off for good, allocate
 /// what a header claims, and pass over texture coordinates and most colours.
 
+#include "amount.h"
 #include "mesh_io/assemble.h"
 #include "mesh_io/gocad.h"
 #include "mesh_io/indexed_mesh.h"
@@ -72,9 +73,9 @@ inline const MeshFormat& mesh_format(const std::filesystem::path& path) {
 /// told in `IndexedMesh::remarks`: faces of fewer than three corners, vertices that are not finite
 /// and that no face uses. What an IndexedMesh has no place for is told in `IndexedMesh::losses`.
 inline IndexedMesh read_mesh(const std::filesystem::path& path, const MeshFormat& format,
-                             Weld weld = Weld::loose_faces) {
+                             Weld weld = Weld::loose_faces, const Amount& tolerance = {}) {
   PolygonSoup soup = format.read(read_source(path));
-  return Assembly(std::move(soup), path).mesh(weld);
+  return Assembly(std::move(soup), path).mesh(weld, tolerance);
 }
 inline IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld = Weld::loose_faces) {
   return read_mesh(path, mesh_format(path), weld);

@@ -3,7 +3,7 @@
 #   sh examples/run.sh               simplifies the models of the papers and prints a table
 #   sh examples/run.sh --figures [NUMBER...]
 #                                    computes the papers' figures (doc/figures.md)
-#   sh examples/run.sh ARGUMENT...   runs the program simplify (--help lists its arguments)
+#   sh examples/run.sh ARGUMENT...   runs the program quadrille (--help lists its arguments)
 # Exit status: that of the program, or 3 if it cannot be built.
 set -u
 
@@ -11,26 +11,30 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$root/build/examples
 log=$build/build.log
 case $#,${1-} in
-  0,*)         program=papers_models; set -- "$build/data/meshes" "$build/results" ;;
-  *,--figures) program=figures; shift; set -- "$build/data/meshes" "$build/figures" "$@" ;;
-  *)           program=simplify ;;
+  0,*)         target=papers_models; set -- "$build/data/meshes" "$build/results" ;;
+  *,--figures) target=figures; shift; set -- "$build/data/meshes" "$build/figures" "$@" ;;
+  *)           target=quadrille_program ;;
+esac
+case $target in
+  quadrille_program) program=$build/examples/program/quadrille ;;
+  *)                 program=$build/examples/$target ;;
 esac
 
 prepare() {
   sh "$root/.ci/install_packages.sh" \
     cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev nlohmann-json3-dev \
-    libzstd-dev &&
+    libzstd-dev libtbb-dev &&
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF &&
-  cmake --build "$build" --target "$program" --parallel "$(nproc)"
+  cmake --build "$build" --target "$target" --parallel "$(nproc)"
 }
 
 mkdir -p "$build" || exit 3
-[ -x "$build/examples/$program" ] ||
+[ -x "$program" ] ||
   echo "The first run installs what is missing and builds; this takes a minute or more." >&2
 if ! prepare >"$log" 2>&1; then
   cat "$log" >&2
-  echo "The program $program could not be built; what is above is in $log" >&2
+  echo "The program $target could not be built; what is above is in $log" >&2
   exit 3
 fi
 
-exec "$build/examples/$program" "$@"
+exec "$program" "$@"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the program simplify over a folder of small files on which results were wrong, and checks
+# Runs the program quadrille over a folder of small files on which results were wrong, and checks
 # what must hold of those that are there.
 #
 #   example_files.sh FOLDER PROGRAM

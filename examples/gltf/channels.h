@@ -78,26 +78,26 @@ public:
   /// Calls simplify(argument...) with arguments for `quadrille::simplify`. One type of call serves
   /// all meshes: a channel without values is none.
   template <class Simplify>
-  quadrille::Report take_through(Simplify simplify, const ChannelImportance& importance) {
+  quadrille::Report take_through(Simplify simplify, const ChannelChoices& choices) {
     const auto texture = [&](std::size_t i) {
       CornerValues<4>& corners = corners_of(AttributeKind::texture, i);
       return quadrille::Texture(corners.values, corners.triples,
-                                {.importance = importance.of_textures});
+                                {.importance = choices.of_textures, .seams = choices.texture_seams});
     };
     const auto color = [&](std::size_t i) {
       CornerValues<4>& corners = corners_of(AttributeKind::color, i);
       return quadrille::Colors(corners.values, corners.triples,
-                               {.importance = importance.of_colors});
+                               {.importance = choices.of_colors});
     };
     const auto direction = [&](AttributeKind kind) {
       CornerValues<4>& corners = corners_of(kind, 0);
       return quadrille::Normals(corners.values, corners.triples,
-                                {.importance = importance.of_normals});
+                                {.importance = choices.of_normals});
     };
     const auto number = [&](std::size_t i) {
       CornerValues<4>& corners = corners_of(AttributeKind::number, i);
       return quadrille::Attributes(corners.values, corners.triples,
-                                   {.importance = importance.of_normals, .weights = weights(i)});
+                                   {.importance = choices.of_normals, .weights = weights(i)});
     };
     return simplify(texture(0), texture(1), texture(2), texture(3), color(0), color(1),
                     direction(AttributeKind::normal), direction(AttributeKind::tangent), number(0),

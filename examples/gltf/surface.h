@@ -83,14 +83,14 @@ public:
 
   /// As GltfChannels has it.
   template <class Simplify>
-  quadrille::Report take_through(Simplify simplify, const ChannelImportance& importance) {
+  quadrille::Report take_through(Simplify simplify, const ChannelChoices& choices) {
     std::vector<std::size_t> images(points.size());
     const std::vector<Point> before = points;
     const auto simplify_labelled = [&](const auto&... channels) {
       return simplify(channels..., quadrille::Labels{CGAL::make_property_map(label_of_)},
                       quadrille::parameters::vertex_image_map(CGAL::make_property_map(images)));
     };
-    const quadrille::Report report = channels_.take_through(simplify_labelled, importance);
+    const quadrille::Report report = channels_.take_through(simplify_labelled, choices);
     skin_.follow(before, images, points);
     return report;
   }

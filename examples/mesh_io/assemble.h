@@ -4,8 +4,11 @@
 /// \file
 /// From what a file says to a triangle soup: checked, triangulated, cleaned.
 
+#include "../amount.h"
+#include "../bounding_box.h"
 #include "indexed_mesh.h"
 #include "polygon_soup.h"
+#include "snap.h"
 #include "text.h"
 #include "triangulate.h"
 #include "weld.h"
@@ -28,7 +31,9 @@ public:
   Assembly(PolygonSoup soup, const std::filesystem::path& path)
       : soup_(std::move(soup)), path_(path), keeps_corners_(!soup_.parts.of_faces.empty()) {}
 
-  IndexedMesh mesh(Weld weld) {
+  /// Vertices that are to be welded always are so if they are no further from each other than the
+  /// tolerance.
+  IndexedMesh mesh(Weld weld, const Amount& tolerance) {
     mesh_.remarks = std::move(soup_.remarks);
     mesh_.losses = std::move(soup_.losses);
     mesh_.texture_comments = std::move(soup_.texture_comments);
@@ -43,6 +48,8 @@ public:
     convert_numbers();
     triangulate();
     drop_points_that_are_not_finite();
+    if (weld == Weld::always && tolerance.value > 0)
+      snap(length_of(tolerance, diagonal(mesh_.points, mesh_.triangles)));
     if (weld == Weld::always || is_loose()) {
       const Welded welded = weld_points(mesh_, weld);
       remark(welded.vertices, "vertices welded to another at the same place");
@@ -70,6 +77,11 @@ private:
   void remark(std::size_t count, const char* what) {
     if (count > 0)
       mesh_.remarks.push_back(what + (": " + std::to_string(count)));
+  }
+
+  void snap(double tolerance) {
+    if (tolerance > 0) // as a part of a diagonal it may be 0
+      snap_points(mesh_.points, tolerance);
   }
 
   void require_finite_corners() const {

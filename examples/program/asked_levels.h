@@ -5,9 +5,7 @@
 /// The levels of detail that the program is asked for in one run: --levels 50%,25%,1000.
 
 #include "../mesh_io/text.h"
-#include "policies.h"
-
-#include <quadrille/stop.h>
+#include "target.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,7 +15,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace quadrille_examples {
@@ -32,15 +29,15 @@ using AskedLevels = std::vector<AskedLevel>;
 /// Nothing for a word that is neither a percentage nor a count.
 inline std::optional<Target> target_of_level(const std::string& word) {
   if (word.ends_with('%')) {
-    const std::optional<double> percent = parse_number(word.substr(0, word.size() - 1));
-    if (!percent || !(*percent >= 0 && *percent <= 100))
+    const std::optional<Amount> part = parse_amount(word);
+    if (!part || part->value > 1)
       return std::nullopt;
-    return Target{quadrille::FaceRatio{*percent / 100}};
+    return Target{.ratio = part->value};
   }
   const std::optional<std::int64_t> count = parse_integer(word);
   if (!count || *count < 0)
     return std::nullopt;
-  return Target{quadrille::FaceCount{static_cast<std::size_t>(*count)}};
+  return Target{.faces = static_cast<std::size_t>(*count)};
 }
 
 inline std::vector<std::string> words_between_commas(const std::string& list) {
@@ -73,9 +70,8 @@ inline AskedLevels asked_levels(const std::string& list) {
 
 /// How many faces a level shall have, of a surface of so many; no whole number as a rule.
 inline double wanted_faces(const AskedLevel& level, std::size_t faces) {
-  if (const auto* part = std::get_if<quadrille::FaceRatio>(&level.target.chosen))
-    return part->ratio * static_cast<double>(faces);
-  return static_cast<double>(std::get<quadrille::FaceCount>(level.target.chosen).faces);
+  return level.target.ratio ? *level.target.ratio * static_cast<double>(faces)
+                            : static_cast<double>(level.target.faces.value());
 }
 
 /// Throws for a level that is not coarser than the one before it, of a surface of so many faces. A

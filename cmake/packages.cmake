@@ -1,0 +1,33 @@
+# Debian packages: `cpack -G DEB` in the build folder, once it is built.
+#   quadrille          the program, where it is built
+#   libquadrille-dev   the library
+set(CPACK_PACKAGE_NAME quadrille)
+set(CPACK_PACKAGE_VENDOR Quadrille)
+set(CPACK_PACKAGE_CONTACT "The developers of Quadrille <quadrille@localhost>")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_GENERATOR DEB)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENTS_ALL development)
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libquadrille-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libboost-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libtbb-dev, libzstd-dev")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+  "simplification of triangle surfaces for C++20\n Header-only, in the manner of CGAL.")
+
+if(TARGET quadrille_program)
+  list(APPEND CPACK_COMPONENTS_ALL program)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME quadrille)
+  set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+    "simplifies triangle surfaces by quadric error metrics\n Reads and writes OFF, OBJ, PLY, STL, GOCAD and glTF.")
+endif()
+
+include(CPack)

@@ -1,0 +1,293 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_COMMAND_LINE_H
+#define QUADRILLE_EXAMPLES_PROGRAM_COMMAND_LINE_H
+
+/// \file
+/// From the words of the command line to options.
+
+#include "help_formatter.h"
+#include "options.h"
+
+#include <quadrille/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// A check of a word by what it complains of; CLI11's own let nan through, and -1 as a large count.
+template <class IsGood>
+CLI::Validator word_that(IsGood is_good, const std::string& what) {
+  const auto complaint = [=](const std::string& word) {
+    return is_good(word) ? "" : in_quotes(word) + " is not " + what;
+  };
+  return {complaint, ""};
+}
+
+inline CLI::Validator count() {
+  const auto is_count = [](const std::string& word) {
+    const std::optional<std::int64_t> value = parse_integer(word);
+    return value && *value >= 0;
+  };
+  return word_that(is_count, "a count");
+}
+
+inline CLI::Validator amount(const std::string& what,
+                             double most = std::numeric_limits<double>::infinity()) {
+  const auto is_good = [=](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && value->value <= most;
+  };
+  return word_that(is_good, what);
+}
+
+inline constexpr const char* target_group =
+    "Target: the first that is met ends the run; half of the faces without any";
+
+/// One of several words.
+inline CLI::Option* take_one_of(CLI::Option* option, const std::vector<std::string>& words) {
+  std::string type;
+  for (const std::string& word : words)
+    type += (type.empty() ? "" : "|") + word;
+  return option->check(CLI::IsMember(words).description(""))->type_name(type);
+}
+
+inline Amount amount_of(const std::string& word) {
+  return parse_amount(word).value();
+}
+
+inline void add_target(CLI::App& app, Options& options) {
+  Target& target = options.target;
+  const auto in_group = [](CLI::Option* option, const CLI::Validator& check, const char* type) {
+    return option->check(check)->type_name(type)->group(target_group);
+  };
+  in_group(app.add_option("--faces", target.faces, "stop at so many faces"), count(), "N");
+  in_group(app.add_option_function<std::string>(
+               "--keep,--ratio",
+               [&](const std::string& word) { target.ratio = amount_of(word).value; },
+               "stop at this part of the faces, 10% or 0.1"),
+           amount("from 0 to 1 nor from 0% to 100%", 1), "PART");
+  in_group(app.add_option("--vertices", target.vertices, "stop at so many vertices"), count(), "N");
+  in_group(app.add_option_function<std::string>(
+               "--error", [&](const std::string& word) { target.error = amount_of(word); },
+               "stay within that distance of the input, in its units or, with %, in parts of the "
+               "diagonal of its bounding box"),
+           amount("a distance"), "D|P%");
+  CLI::Option* const levels = in_group(
+      app.add_option_function<std::string>(
+          "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
+          "several results, each coarser than the one before it: parts of the faces or counts of "
+          "them, 50%,25%,1000; written to OUT-1, OUT-2, ... with the extension of OUT, or of glTF "
+          "as MSFT_lod of the one file OUT"),
+      list_of_levels(), "LIST");
+  for (const char* const name : {"--faces", "--keep", "--vertices", "--error"})
+    levels->excludes(name);
+}
+
+inline void add_boundary(CLI::App& app, Options& options) {
+  const auto is_weight_or_lock = [](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return word == "lock" || (value && !value->is_percentage);
+  };
+  app.add_option_function<std::string>(
+         "--boundary",
+         [&](const std::string& word) {
+           options.locks_boundaries = word == "lock";
+           if (!options.locks_boundaries)
+             options.boundary_weight = amount_of(word).value;
+         },
+         "how firmly boundaries hold: a weight, 100 by default, or lock, by which each of their "
+         "vertices stays where it is")
+      ->check(word_that(is_weight_or_lock, "a weight, nor lock"))
+      ->type_name("WEIGHT|lock")
+      ->group("Policies");
+}
+
+inline void add_policies(CLI::App& app, Options& options) {
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, text)->group("Policies");
+  };
+  take_one_of(
+      add("--cost", options.cost,
+          "which pair is contracted first: by distance to the planes of all faces so far, of the "
+          "current faces, the same and of lost thin parts, with colours or texture coordinates as "
+          "further dimensions, or the shortest (default: quadric, with all attributes of IN)"),
+      {"quadric", "memoryless", "thin-features", "color", "texture", "length"});
+  take_one_of(add("--placement", options.placement,
+                  "where the vertex goes (default: optimal, or midpoint with --cost length)"),
+              {"optimal", "endpoint", "midpoint"});
+  add_boundary(app, options);
+  const auto is_angle = [](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && !value->is_percentage && value->value <= 180;
+  };
+  add("--crease", options.crease_degrees,
+      "edges with a greater angle between the normals of their two faces hold like boundaries, "
+      "with --cost quadric, color or texture")
+      ->check(word_that(is_angle, "an angle from 0 to 180 degrees"))
+      ->type_name("DEGREES");
+  app.add_option_function<std::string>(
+         "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },
+         "contract also vertices without an edge, if they are closer than this, in units of IN or, "
+         "with %, in parts of the diagonal")
+      ->check(amount("a distance"))
+      ->type_name("T|T%")
+      ->group("Policies");
+  take_one_of(add("--topology", options.topology,
+                  "may holes close and parts join? (default: kept, or free with --pairs)"),
+              {"kept", "free"});
+  app.add_flag("--drop-parts", options.drops_parts,
+               "small parts may vanish whole where that is the cheapest thing to do; else topology "
+               "is kept")
+      ->group("Policies");
+  const std::vector<std::pair<std::string, quadrille::Seams>> seams{
+      {"kept", quadrille::Seams::kept},
+      {"priced", quadrille::Seams::priced},
+      {"free", quadrille::Seams::free}};
+  add("--seams", options.seams,
+      "do charts of a texture stay, or may their seams vanish, for a price or for none? (default: "
+      "kept)")
+      ->transform(CLI::CheckedTransformer(seams).description(""))
+      ->type_name("kept|priced|free");
+}
+
+inline void add_order(CLI::App& app, Options& options) {
+  const auto set_order = [&](const std::string& order) { options.is_relaxed = order == "relaxed"; };
+  take_one_of(app.add_option_function<std::string>(
+                  "--order", set_order,
+                  "one pair after the other by a queue, or faster, in passes of many (default: "
+                  "greedy)"),
+              {"greedy", "relaxed"})
+      ->group("Policies");
+  app.add_option(
+         "--threads", options.threads,
+         "how many threads passes use, with --order relaxed; the result is the same for any "
+         "number (default: all)")
+      ->check(CLI::Range(1, 1024).description(""))
+      ->type_name("N")
+      ->group("Policies");
+}
+
+inline void add_files(CLI::App& app, Options& options) {
+  const std::string formats = " (.off .obj .ply .stl .ts, or .gltf .glb for both; - is standard ";
+  app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
+  app.add_option("OUT", options.output, "the mesh to write" + formats + "output)");
+  const std::vector<std::string> words{"off", "obj", "ply", "stl", "ts", "gltf", "glb"};
+  take_one_of(app.add_option("--format", options.format,
+                             "the format of IN and OUT where their names end in none"),
+              words)
+      ->group("Files");
+  take_one_of(
+      app.add_option("--out-format", options.output_format, "the format of OUT, whatever its name"),
+      words)
+      ->group("Files");
+  app.add_option_function<std::string>(
+         "--weld", [&](const std::string& word) { options.weld = amount_of(word); },
+         "make vertices at the same place one, or closer than TOLERANCE, in units of IN or, with "
+         "%, in parts of the diagonal; without this, that is done only if no two faces share a "
+         "vertex, and to vertices of the same colour and texture coordinate")
+      ->check(amount("a distance"))
+      ->type_name("[TOLERANCE]")
+      ->group("Files");
+  app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only")->group("Files");
+  app.add_flag("--keep-partial", options.keeps_partial,
+               "after Ctrl-C write how far it went; without this OUT stays as it was")
+      ->group("Files");
+}
+
+inline void add_figures(CLI::App& app, Options& options) {
+  app.add_flag("--measure", options.measures,
+               "measure the distance of IN and OUT, and how far the texture has moved")
+      ->group("Figures");
+  app.add_option("--report", options.report,
+                 "write what was done and measured to this file, as JSON")
+      ->type_name("FILE")
+      ->group("Figures");
+  app.add_flag("--quiet", options.is_quiet, "print errors only")->group("Figures");
+  app.add_flag("--verbose", options.is_verbose, "print all that is known of the run")
+      ->excludes("--quiet")
+      ->group("Figures");
+}
+
+/// Records of a run, of which levels are read later. Called last: it names other options.
+inline void add_records(CLI::App& app, Options& options) {
+  app.add_option("--record", options.record,
+                 "write all levels from IN to the target to this file (.qlv), positions only")
+      ->type_name("FILE")
+      ->group("Files")
+      ->excludes("--levels");
+  CLI::Option* const reads = app.add_option(
+      "--from", options.from, "read the target's level from this record instead of IN");
+  reads->type_name("FILE")->group("Files");
+  for (const char* const name : {"--record", "--levels", "--cost", "--placement", "--weld",
+                                 "--boundary", "--crease", "--pairs", "--topology", "--drop-parts",
+                                 "--seams", "--order", "--threads", "--measure", "--keep-partial"})
+    reads->excludes(name);
+  app.callback([&] {
+    if (!options.from.empty() && !options.output.empty())
+      throw CLI::ValidationError("--from", "there is an OUT, but no IN");
+    if (!options.from.empty())
+      options.output = std::exchange(options.input, options.from);
+    if (options.output.empty())
+      throw CLI::RequiredError("OUT");
+  });
+}
+
+/// What does not go together, whatever the file.
+inline void require_consistency(const Options& options) {
+  const auto refuse_if = [](bool is_wrong, const char* message) {
+    if (is_wrong)
+      throw std::runtime_error(message);
+  };
+  refuse_if(options.cost == "length" && options.placement == "optimal",
+            "--placement optimal does not go with --cost length");
+  refuse_if(options.drops_parts && (options.topology == "free" || options.joins_pairs()),
+            "--drop-parts does not go with --topology free or --pairs: all else of the topology is "
+            "kept");
+  refuse_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
+                                       options.cost == "thin-features"),
+            "--crease goes with --cost quadric, color and texture only");
+  refuse_if(options.threads > 0 && !options.is_relaxed, "--threads needs --order relaxed");
+  refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
+            "--keep-partial does not go with --levels or --record: they have several results");
+}
+
+inline void add_options(CLI::App& app, Options& options) {
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_flag("--help,-h", "print this and exit");
+  app.set_version_flag("--version", QUADRILLE_PROGRAM_VERSION, "print the version and exit");
+  add_target(app, options);
+  add_policies(app, options);
+  add_order(app, options);
+  add_files(app, options);
+  add_figures(app, options);
+  add_records(app, options);
+}
+
+/// The words of the command line, in which --weld has a value: the word behind it if that is an
+/// amount, else 0.
+inline std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) { // CLI11 takes them from the last to the first
+    const std::string word = argv[i];
+    if (word != "--weld")
+      words.push_back(word);
+    else if (!words.empty() && parse_amount(words.back()))
+      words.back() = "--weld=" + words.back();
+    else
+      words.emplace_back("--weld=0");
+  }
+  return words;
+}
+
+} // namespace quadrille_examples
+
+#endif

@@ -1,0 +1,99 @@
+// The program quadrille: reads a mesh, simplifies it and writes it. See doc/manual/tool.md.
+//
+// Exit status: 0 done; 1 the target was not reached, OUT holds how far it went; 2 bad usage or
+// file, or nothing to simplify, OUT is as it was; 130 interrupted, OUT is as it was.
+
+#include "command_line.h"
+#include "interruption.h"
+#include "options.h"
+#include "progress_line.h"
+#include "runs.h"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace {
+
+using namespace quadrille_examples;
+
+/// As many as the machine has, if none are asked for; one where the program was built without
+/// oneTBB.
+unsigned threads_of(const Options& options) {
+#ifdef QUADRILLE_WITH_TBB
+  return options.threads > 0 ? options.threads
+                             : std::clamp(std::thread::hardware_concurrency(), 1U, 1024U);
+#else
+  if (options.threads > 1)
+    throw std::runtime_error("--threads: this program was built without oneTBB, which it needs for "
+                             "more than one");
+  return 1;
+#endif
+}
+
+bool run(Options options, ProgressLine& progress) {
+  require_consistency(options);
+  options.threads = threads_of(options);
+  options.proceed = [&](const quadrille::Status& status) {
+    progress.show(status);
+    return !Interruption::is_asked();
+  };
+  if (!options.report.empty() && !is_standard_output(options.report))
+    require_replaceable(options.report, options.is_forced);
+  const bool writes_gltf = is_gltf(output_extension(options));
+  if (!options.from.empty() && writes_gltf)
+    throw std::runtime_error(options.output + ": a level of a record is not written as glTF");
+  if (!options.from.empty())
+    return run_from_record(options, progress);
+  const bool reads_gltf = is_gltf(extension_of(options.input, options));
+  if (reads_gltf != writes_gltf)
+    throw std::runtime_error(options.input + ": glTF goes to glTF only (.gltf, .glb), and no " +
+                             "other format does");
+  if (!reads_gltf)
+    return run_mesh(options, progress);
+  if (!options.record.empty())
+    throw std::runtime_error(options.input + ": --record is not for glTF");
+  if (options.weld)
+    throw std::runtime_error(options.input + ": --weld is not for glTF, of which vertices at " +
+                             "exactly the same place are one anyway");
+  return run_gltf(options, progress);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  enum ExitStatus { done, target_not_reached, failure };
+  CLI::App app("Simplifies a triangle surface by contracting vertex pairs.", "quadrille");
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(words_of(argc, argv));
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : failure; // --help is an error to CLI11, but not here
+  }
+  Interruption::watch();
+  ProgressLine progress(!options.is_quiet && ::isatty(STDERR_FILENO) == 1);
+  const auto complain = [&](const std::string& complaint) {
+    progress.clear();
+    std::cerr << complaint << '\n';
+  };
+  try {
+    return run(options, progress) ? done : target_not_reached;
+  } catch (const Interrupted&) {
+    complain("interrupted: " + options.output + " is as it was");
+    return Interruption::exit_status();
+  } catch (const std::bad_alloc&) {
+    complain(options.input + ": out of memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return failure;
+}

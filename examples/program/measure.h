@@ -1,0 +1,33 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_MEASURE_H
+#define QUADRILLE_EXAMPLES_PROGRAM_MEASURE_H
+
+/// \file
+/// How far a result is from the input, by measures that share nothing with the engine: --measure.
+
+#include "../mesh_io/indexed_mesh.h"
+
+#include <quadrille/texture_deviation.h>
+
+#include <optional>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// Distances are in the units of the mesh.
+struct Measurement {
+  double area = 0;                     ///< of the result
+  double rms = 0;                      ///< root mean square of both directions
+  double greatest = 0;                 ///< sampled, so a lower bound of the Hausdorff distance
+  double to_input = 0, from_input = 0; ///< the greatest of each direction
+  std::optional<quadrille::TextureDeviation> texture; ///< where both have texture coordinates
+};
+
+/// Nothing where one of the two has no face.
+std::optional<Measurement> measure(const IndexedMesh& input, const IndexedMesh& result);
+
+/// The measurement of several surfaces, each of which is measured by itself: means by area.
+Measurement united(const std::vector<Measurement>& surfaces);
+
+} // namespace quadrille_examples
+
+#endif

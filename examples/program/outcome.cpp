@@ -1,0 +1,202 @@
+#include "outcome.h"
+
+#include <quadrille/topology.h>
+#include <quadrille/version.h>
+
+#include <nlohmann/json.hpp>
+
+#include <langinfo.h>
+
+#include <clocale>
+#include <cstring>
+
+namespace quadrille_examples {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using quadrille::Rejection;
+using quadrille::Report;
+
+/// An arrow, if the terminal's character set has one.
+const char* arrow() {
+  return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0 ? " → " : " -> ";
+}
+
+/// As a part of the diagonal, if there is one.
+std::string distance_text(double distance, double diagonal) {
+  return diagonal > 0 ? percent_text(distance / diagonal) + " of the diagonal"
+                      : two_digits(distance);
+}
+
+std::string bound_text(double bound, double diagonal) {
+  return diagonal > 0 ? percent_text(rounded_up(100 * bound / diagonal) / 100) + " of the diagonal"
+                      : two_digits(rounded_up(bound));
+}
+
+std::string measured_text(const Measurement& measured, double diagonal) {
+  std::string text = ", measured " + distance_text(measured.greatest, diagonal) + " apart, " +
+                     distance_text(measured.rms, diagonal) + " RMS";
+  if (measured.texture)
+    text += ", the texture " + distance_text(measured.texture->rms, diagonal) + " RMS";
+  return text;
+}
+
+std::string line(const Options& options, const Outcome& outcome) {
+  const Report& report = outcome.report;
+  std::string text = options.input + ": " + with_commas(report.faces_before) + arrow() +
+                     with_commas(report.faces_after) + " faces";
+  if (report.faces_before > 0)
+    text += " (" +
+            percent_text(static_cast<double>(report.faces_after) /
+                         static_cast<double>(report.faces_before)) +
+            ")";
+  text += ", " + duration_text(report.seconds.total());
+  if (std::isfinite(report.distance_bound))
+    text += ", within " + bound_text(report.distance_bound, outcome.diagonal);
+  else
+    text += ", error about " + distance_text(report.error, outcome.diagonal);
+  if (outcome.measured)
+    text += measured_text(*outcome.measured, outcome.diagonal);
+  if (report.vanished_parts > 0)
+    text += ", " + with_commas(report.vanished_parts) + " parts vanished";
+  return text;
+}
+
+Json json_of(const Target& target) {
+  Json json = Json::object();
+  if (target.faces)
+    json["faces"] = *target.faces;
+  if (target.ratio || !target.is_given())
+    json["ratio"] = target.ratio.value_or(0.5);
+  if (target.vertices)
+    json["vertices"] = *target.vertices;
+  if (target.error)
+    json[target.error->is_percentage ? "relative_error" : "error"] = target.error->value;
+  return json;
+}
+
+Json json_of(const Measurement& measured) {
+  Json json = {{"rms", measured.rms},
+               {"greatest", measured.greatest},
+               {"greatest_to_input", measured.to_input},
+               {"greatest_from_input", measured.from_input}};
+  if (measured.texture)
+    json["texture"] = {{"rms", measured.texture->rms},
+                       {"greatest", measured.texture->greatest},
+                       {"percentile_99", measured.texture->percentile_99},
+                       {"bleeding", measured.texture->bleeding},
+                       {"flipped", measured.texture->flipped}};
+  return json;
+}
+
+Json before_and_after(std::size_t before, std::size_t after) {
+  return {{"before", before}, {"after", after}};
+}
+
+Json json_of(const Outcome& outcome) {
+  const Report& report = outcome.report;
+  Json rejections = Json::object();
+  for (std::size_t cause = 0; cause < quadrille::rejection_causes; ++cause)
+    if (report.rejections[cause] > 0)
+      rejections[std::string(to_string(static_cast<Rejection>(cause)))] = report.rejections[cause];
+  Json json = {{"output", outcome.file},
+               {"target", json_of(outcome.target)},
+               {"target_met", outcome.is_target_met()},
+               {"stop", to_string(report.stop)},
+               {"faces", before_and_after(report.faces_before, report.faces_after)},
+               {"vertices", before_and_after(report.vertices_before, report.vertices_after)},
+               {"components", before_and_after(report.components_before, report.components_after)},
+               {"contractions", report.contractions},
+               {"non_edge_contractions", report.non_edge_contractions},
+               {"vanished_parts", report.vanished_parts},
+               {"non_manifold_edges", report.non_manifold_edges},
+               {"non_manifold_vertices", report.non_manifold_vertices},
+               {"error", report.error},
+               {"distance_bound", nullptr},
+               {"diagonal", outcome.diagonal},
+               {"rejections", rejections},
+               {"seconds",
+                {{"read", report.seconds.read},
+                 {"prepare", report.seconds.prepare},
+                 {"contract", report.seconds.contract},
+                 {"write", report.seconds.write}}}};
+  if (std::isfinite(report.distance_bound)) // JSON has no infinity
+    json["distance_bound"] = report.distance_bound;
+  if (outcome.measured)
+    json["measured"] = json_of(*outcome.measured);
+  return json;
+}
+
+void write_report(const Options& options, const std::vector<Outcome>& outcomes) {
+  Json json = {{"quadrille", QUADRILLE_PROGRAM_VERSION},
+               {"input", options.input},
+               {"results", Json::array()}};
+  for (const Outcome& outcome : outcomes)
+    json["results"].push_back(json_of(outcome));
+  const auto replace = Json::error_handler_t::replace; // names of files that are not UTF-8
+  replace_file(options.report, json.dump(2, ' ', false, replace) + '\n', options.is_forced);
+}
+
+/// What helps where parts of the surface, each of which keeps some faces, are in the way.
+std::string hint_of_parts(const Options& options, const Report& report) {
+  const std::string parts = with_commas(report.components_after) + " parts are left";
+  if (topology(options) == quadrille::Topology::free)
+    return options.joins_pairs() ? ""
+                                 : parts + ": --pairs joins those that are closer than a distance";
+  std::string text = parts + ", and each keeps some faces: ";
+  if (!options.drops_parts)
+    text += "--drop-parts lets small ones vanish, ";
+  text += "--topology free lets holes close and thin parts become sheets, --pairs also joins parts";
+  if (!options.weld)
+    text += ", and --weld TOLERANCE makes vertices one that only nearly touch";
+  return text;
+}
+
+} // namespace
+
+std::vector<std::string> hints(const Options& options, const Outcome& outcome) {
+  const Report& report = outcome.report;
+  std::vector<std::string> hints;
+  const auto add_if = [&](bool applies, const std::string& hint) {
+    if (applies && !hint.empty())
+      hints.push_back(hint);
+  };
+  const auto refused = [&](Rejection cause) { return with_commas(report.rejected(cause)); };
+  add_if(report.components_after > 1, hint_of_parts(options, report));
+  add_if(topology(options) != quadrille::Topology::free && report.components_after <= 1 &&
+             report.rejected(Rejection::topology) > 0,
+         "topology is kept: --topology free lets holes close and thin parts become sheets");
+  add_if(report.rejected(Rejection::seam) + report.rejected(Rejection::texture) > 0,
+         "borders of materials and labels stay, and seams of textures (" +
+             refused(Rejection::seam) + " contractions refused" +
+             (options.seams ? ")" : "): --seams priced lets seams vanish where that costs little"));
+  add_if(report.rejected(Rejection::constraint) > 0 && options.locks_boundaries,
+         "the boundary is locked (" + refused(Rejection::constraint) +
+             " contractions refused): --boundary WEIGHT lets it move");
+  return hints;
+}
+
+bool tell(const Options& options, const std::vector<Outcome>& outcomes) {
+  bool is_reached = true;
+  std::setlocale(LC_CTYPE, "");
+  if (!options.report.empty())
+    write_report(options, outcomes);
+  for (const Outcome& outcome : outcomes) {
+    if (!options.is_quiet)
+      output_of_figures(options) << line(options, outcome) << std::endl;
+    if (options.is_verbose)
+      output_of_figures(options) << outcome.file << ": " << outcome.report << std::endl;
+    if (outcome.is_target_met())
+      continue;
+    is_reached = false;
+    std::cerr << outcome.file << ": the target was not reached: " << to_string(outcome.report.stop)
+              << '\n';
+    if (!options.is_quiet && outcome.report.stop != quadrille::StopReason::cancelled)
+      for (const std::string& hint : hints(options, outcome))
+        std::cerr << outcome.file << ": " << hint << '\n';
+  }
+  return is_reached;
+}
+
+} // namespace quadrille_examples

@@ -1,0 +1,43 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_OUTCOME_H
+#define QUADRILLE_EXAMPLES_PROGRAM_OUTCOME_H
+
+/// \file
+/// What the program tells of its results: a line for people, hints, and figures as JSON.
+
+#include "../mesh_io.h"
+#include "figures.h"
+#include "measure.h"
+#include "options.h"
+
+#include <quadrille/report.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// A result of a run.
+struct Outcome {
+  std::string file; ///< that it is written to, or a name for it
+  Target target;
+  quadrille::Report report;
+  double diagonal = 0; ///< of the input
+  std::optional<Measurement> measured = {};
+
+  bool is_target_met() const { return target.is_met(report.stop); }
+};
+
+/// What keeps a surface from being simplified further, and what would help.
+std::vector<std::string> hints(const Options& options, const Outcome& outcome);
+
+/// Prints what there is to say, and writes the report that is asked for. False if a target was not
+/// reached.
+bool tell(const Options& options, const std::vector<Outcome>& outcomes);
+
+} // namespace quadrille_examples
+
+#endif

@@ -1,0 +1,200 @@
+#include "../gltf.h"
+#include "../report_sum.h"
+#include "outcome.h"
+#include "run_engine.h"
+#include "runs.h"
+#include "simplify_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+namespace {
+
+using Surfaces = std::vector<GltfSurface>;
+
+void require_fit(const Options& options, const Surfaces& surfaces) {
+  const auto have = [&](AttributeKind kind) {
+    return std::any_of(surfaces.begin(), surfaces.end(),
+                       [&](const GltfSurface& surface) { return surface.has(kind); });
+  };
+  require_fit(options, have(AttributeKind::color), have(AttributeKind::texture));
+  std::size_t faces = 0, vertices = 0;
+  for (const GltfSurface& surface : surfaces) {
+    faces += surface.triangles.size();
+    vertices += surface.points.size();
+  }
+  if (faces == 0)
+    refuse_without_faces(options, vertices);
+}
+
+void print_remarks(const Options& options, GltfMeshes& meshes) {
+  const auto remark = [&](const char* what, std::size_t count) {
+    if (count > 0)
+      print_remark(options, what + (": " + std::to_string(count)));
+  };
+  std::size_t left_out = 0;
+  for (const GltfSurface& surface : meshes.surfaces())
+    left_out += surface.count_left_out();
+  remark(
+      "triangles left out for having two equal corners, or the corners of another one, whichever "
+      "way round",
+      left_out);
+  const auto folder = [](const std::string& file) {
+    return std::filesystem::absolute(file).lexically_normal().parent_path();
+  };
+  if (folder(options.input) != folder(options.output))
+    remark("its images are files, which OUT names as it does, but from another folder",
+           meshes.image_files().size());
+}
+
+/// One after the other, the small ones first: what these cannot contribute, a large one can.
+quadrille::Report simplify_surfaces(Surfaces& surfaces, const Options& options) {
+  std::vector<GltfSurface*> order;
+  std::size_t rest = 0;
+  for (GltfSurface& surface : surfaces) {
+    order.push_back(&surface);
+    rest += surface.triangles.size();
+  }
+  std::stable_sort(order.begin(), order.end(), [](const GltfSurface* a, const GltfSurface* b) {
+    return a->triangles.size() < b->triangles.size();
+  });
+  quadrille::Report sum = report_of_none();
+  for (GltfSurface* const surface : order) {
+    const std::size_t faces = surface->triangles.size();
+    Options share = options;
+    share.target = options.target.share(sum, faces, std::max<std::size_t>(rest, 1));
+    add_report(sum, simplify_channels(*surface, *surface, share));
+    rest -= faces;
+  }
+  if (sum.stop != quadrille::StopReason::cancelled && !quadrille::is_target_reached(sum.stop) &&
+      options.target.is_coarse_enough({.initial_faces = sum.faces_before,
+                                       .initial_vertices = sum.vertices_before,
+                                       .faces = sum.faces_after,
+                                       .vertices = sum.vertices_after}))
+    sum.stop = quadrille::StopReason::target_met;
+  return sum;
+}
+
+/// What can be measured of a surface: positions and the first texture coordinates, by primitives.
+IndexedMesh measurable(const GltfSurface& surface) {
+  IndexedMesh mesh;
+  for (const auto& [x, y, z] : surface.points)
+    mesh.points.emplace_back(x, y, z);
+  mesh.triangles = surface.triangles;
+  for (std::size_t face = 0; face < surface.triangles.size(); ++face) {
+    const std::size_t primitive = surface.primitive_of(face);
+    const auto& attributes = surface.primitives()[primitive].attributes;
+    const auto texture =
+        std::find_if(attributes.begin(), attributes.end(), [](const GltfAttribute& attribute) {
+          return attribute.kind == AttributeKind::texture;
+        });
+    mesh.parts.of_faces.push_back(static_cast<std::uint32_t>(face));
+    mesh.parts.parts.push_back({.material = static_cast<std::uint32_t>(primitive),
+                                .has_textures = texture != attributes.end()});
+    std::array<std::uint32_t, 3>& corners = mesh.corner_textures.triples.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = static_cast<std::uint32_t>(mesh.corner_textures.values.size());
+      std::array<double, 2>& value = mesh.corner_textures.values.emplace_back();
+      if (texture != attributes.end()) {
+        const Element element =
+            surface.corner(face, i)[static_cast<std::size_t>(texture - attributes.begin())];
+        value = {element[0], element[1]};
+      }
+    }
+  }
+  return mesh;
+}
+
+std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result) {
+  std::vector<Measurement> measured;
+  for (std::size_t i = 0; i < input.size(); ++i)
+    if (const auto one = measure(measurable(input[i]), measurable(result[i])))
+      measured.push_back(*one);
+  return measured.empty() ? std::nullopt : std::optional(united(measured));
+}
+
+/// A document on its way to its result.
+class GltfRun {
+public:
+  GltfRun(const Options& options, ProgressLine& progress) : options_(options), progress_(progress) {
+    require_replaceable(options.output, options.is_forced);
+  }
+
+  bool run() {
+    progress_.show_stage("reading");
+    GltfMeshes meshes = GltfMeshes::read(options_.input);
+    progress_.clear();
+    require_fit(options_, meshes.surfaces());
+    print_remarks(options_, meshes);
+    diagonal_ = largest_diagonal(meshes.surfaces());
+    if (options_.levels.empty()) {
+      simplify_to(options_.output, meshes.surfaces(), options_);
+      write(meshes.take());
+    } else {
+      write(meshes.take_with(levels_of(meshes)));
+    }
+    return tell(options_, outcomes_);
+  }
+
+private:
+  void simplify_to(const std::string& name, Surfaces& surfaces, const Options& options) {
+    const Surfaces input = options.measures ? surfaces : Surfaces();
+    const quadrille::Report report =
+        with_errors_of_file(options, [&] { return simplify_surfaces(surfaces, options); });
+    require_not_interrupted(options);
+    outcomes_.push_back({name, options.target, report, diagonal_});
+    if (options.measures) {
+      progress_.show_stage("measuring");
+      outcomes_.back().measured = measure(input, surfaces);
+    }
+  }
+
+  std::vector<Surfaces> levels_of(GltfMeshes& meshes) {
+    meshes.require_fit_for_levels();
+    std::size_t faces = 0;
+    for (const GltfSurface& surface : meshes.surfaces())
+      faces += surface.triangles.size();
+    require_descending(options_.levels, faces);
+    std::vector<Surfaces> levels;
+    for (const AskedLevel& level : options_.levels) {
+      levels.push_back(meshes.surfaces());
+      simplify_to(options_.output + ", level " + level.word, levels.back(),
+                  options_of_level(options_, level));
+    }
+    return levels;
+  }
+
+  void write(const GltfDocument& document) {
+    progress_.show_stage("writing");
+    require_not_interrupted(options_);
+    write_gltf(options_.output, document, output_extension(options_), options_.is_forced);
+    progress_.clear();
+  }
+
+  static double largest_diagonal(const Surfaces& surfaces) {
+    double largest = 0;
+    for (const GltfSurface& surface : surfaces)
+      largest = std::max(largest, diagonal(surface.points, surface.triangles));
+    return largest;
+  }
+
+  const Options& options_;
+  ProgressLine& progress_;
+  double diagonal_ = 0; // of the largest mesh
+  std::vector<Outcome> outcomes_;
+};
+
+} // namespace
+
+bool run_gltf(const Options& options, ProgressLine& progress) {
+  return GltfRun(options, progress).run();
+}
+
+} // namespace quadrille_examples

@@ -1,0 +1,166 @@
+#include "../bounding_box.h"
+#include "outcome.h"
+#include "runs.h"
+#include "simplify_mesh.h"
+
+#include <quadrille/levels.h>
+#include <quadrille/levels_file.h>
+
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+namespace {
+
+/// Whatever of the file the result will not have, and what a user may not expect.
+void print_remarks(const Options& options, const IndexedMesh& mesh) {
+  for (const std::string& remark : mesh.remarks)
+    print_remark(options, remark);
+  if (!mesh.losses.empty())
+    print_remark(options, "not kept: " + mesh.losses.text());
+  const std::size_t open = options.joins_pairs() || options.is_quiet ? 0 : OpenSeams::count(mesh);
+  if (open > 0)
+    print_remark(options,
+                 "boundary edges at the place of another one, along which cracks may open, "
+                 "since the two do not share their vertices (--weld makes them one): " +
+                     std::to_string(open));
+}
+
+/// Has a mesh anything that a record of positions has not?
+bool has_attributes(const IndexedMesh& mesh) {
+  return !mesh.colors.empty() || !mesh.texture_coordinates.empty() ||
+         !mesh.corner_textures.empty() || !mesh.corner_normals.empty() || mesh.parts.differ() ||
+         !mesh.vertex_numbers.empty() || !mesh.face_numbers.empty();
+}
+
+/// The files that a run writes its results to, all of which may be written, else it throws.
+std::vector<std::string> files_of_results(const Options& options) {
+  std::vector<std::string> files;
+  if (options.levels.empty())
+    files.push_back(options.output);
+  else if (is_standard_output(options.output))
+    throw std::runtime_error(options.output + ": --levels writes a file for each level, so OUT " +
+                             "cannot be standard output");
+  for (std::size_t number = 1; number <= options.levels.size(); ++number)
+    files.push_back(file_of_level(options.output, number));
+  for (const std::string& file : files)
+    require_replaceable(file, options.is_forced);
+  return files;
+}
+
+/// May the record be written, and beside the result? Throws if not.
+void require_recordable(const Options& options) {
+  if (is_standard_output(options.record))
+    throw std::runtime_error(options.record + ": a record does not go to standard output");
+  if (options.record == options.output)
+    throw std::runtime_error(options.record + ": the record and OUT are one file");
+  require_replaceable(options.record, options.is_forced);
+}
+
+std::string encoded_levels(const quadrille::Levels& levels) {
+  std::ostringstream file;
+  quadrille::write_levels(file, levels);
+  return std::move(file).str();
+}
+
+/// One mesh on its way to its results.
+class MeshRun {
+public:
+  MeshRun(const Options& options, ProgressLine& progress)
+      : options_(options), progress_(progress), format_(output_format(options)),
+        files_(files_of_results(options)) {
+    if (!options.record.empty())
+      require_recordable(options);
+  }
+
+  bool run() {
+    progress_.show_stage("reading");
+    IndexedMesh mesh = read_mesh(options_.input, format_of(options_.input, options_),
+                                 options_.weld ? Weld::always : Weld::loose_faces,
+                                 options_.weld.value_or(Amount{}));
+    require_fit(options_, mesh);
+    fit_to_format(mesh, format_);
+    progress_.clear();
+    print_remarks(options_, mesh);
+    diagonal_ = diagonal(mesh.points, mesh.triangles);
+    if (!options_.levels.empty())
+      simplify_to_levels(mesh);
+    else if (!options_.record.empty())
+      simplify_recorded(std::move(mesh));
+    else
+      simplify_to(files_.front(), std::move(mesh), options_);
+    write();
+    return tell(options_, outcomes_);
+  }
+
+private:
+  /// A run to one target; `simplify` is what simplifies a mesh.
+  template <class Simplify>
+  void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options,
+                   Simplify simplify) {
+    const std::optional<IndexedMesh> input = options.measures ? std::optional(mesh) : std::nullopt;
+    const quadrille::Report report =
+        with_errors_of_file(options, [&] { return simplify(mesh, options); });
+    require_not_interrupted(options);
+    outcomes_.push_back({file, options.target, report, diagonal_});
+    if (input) {
+      progress_.show_stage("measuring");
+      outcomes_.back().measured = measure(*input, mesh);
+    }
+    contents_.push_back(encoded(file, mesh, format_));
+  }
+  void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {
+    simplify_to(file, std::move(mesh), options,
+                [](IndexedMesh& m, const Options& o) { return simplify_mesh(m, o); });
+  }
+
+  /// Each with all that the mesh has, as a run of its own.
+  void simplify_to_levels(const IndexedMesh& mesh) {
+    require_descending(options_.levels, mesh.triangles.size());
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      simplify_to(files_[i], mesh, options_of_level(options_, options_.levels[i]));
+  }
+
+  void simplify_recorded(IndexedMesh mesh) {
+    if (has_attributes(mesh)) {
+      progress_.clear();
+      print_remark(options_, "the record holds positions only");
+    }
+    quadrille::Levels levels;
+    PositionRecorder recorder(levels);
+    simplify_to(files_.front(), std::move(mesh), options_,
+                [&](IndexedMesh& m, const Options& o) { return simplify_mesh(m, o, recorder); });
+    files_.insert(files_.begin(), options_.record);
+    contents_.insert(contents_.begin(), encoded_levels(levels));
+  }
+
+  /// All or, where something has gone wrong before, nothing.
+  void write() {
+    progress_.show_stage("writing");
+    require_not_interrupted(options_);
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      replace_file(files_[i], contents_[i], options_.is_forced);
+    progress_.clear();
+  }
+
+  const Options& options_;
+  ProgressLine& progress_;
+  const MeshFormat& format_;
+  std::vector<std::string> files_, contents_;
+  double diagonal_ = 0;
+  std::vector<Outcome> outcomes_;
+};
+
+} // namespace
+
+bool run_mesh(const Options& options, ProgressLine& progress) {
+  return MeshRun(options, progress).run();
+}
+
+} // namespace quadrille_examples

@@ -1,0 +1,50 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_RUNS_H
+#define QUADRILLE_EXAMPLES_PROGRAM_RUNS_H
+
+/// \file
+/// The runs that the program does: each reads, simplifies and writes, and returns false if a target
+/// was not reached. They throw std::runtime_error with a line for the user, and Interrupted; files
+/// that are not written then are as they were.
+
+#include "interruption.h"
+#include "options.h"
+#include "progress_line.h"
+
+#include <quadrille/report.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// Of a mesh in any format but glTF: to one result, with a record, or to several levels.
+bool run_mesh(const Options& options, ProgressLine& progress);
+
+/// Of the meshes of a glTF document.
+bool run_gltf(const Options& options, ProgressLine& progress);
+
+/// A level of a record.
+bool run_from_record(const Options& options, ProgressLine& progress);
+
+/// Throws Interrupted if the program was, unless what is there shall be kept.
+inline void require_not_interrupted(const Options& options) {
+  if (Interruption::is_asked() && !options.keeps_partial)
+    throw Interrupted();
+}
+
+/// The options of a run to one of the levels.
+inline Options options_of_level(const Options& options, const AskedLevel& level) {
+  Options result = options;
+  result.target = level.target;
+  return result;
+}
+
+inline void print_remark(const Options& options, const std::string& remark) {
+  if (!options.is_quiet)
+    std::cerr << options.input << ": " << remark << '\n';
+}
+
+} // namespace quadrille_examples
+
+#endif
