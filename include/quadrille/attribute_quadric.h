@@ -44,17 +44,17 @@ enum class Attribute {
 /// Metrics, 1998, sections 3 and 4.
 template <std::size_t N, Attribute A = Attribute::any>
 struct AttributeQuadric {
-  static constexpr std::size_t dimension = 3 + N;
-  using ScaleFree = AttributeQuadric;
-  static constexpr Attribute attribute = A;
-  using Position = Vector<dimension>;
-  using Memory = QuadricForm<dimension>;
+  static constexpr std::size_t dimension = 3 + N; ///< of space, and the attributes
+  using ScaleFree = AttributeQuadric;             ///< as well in any unit: see CostPolicy
+  static constexpr Attribute attribute = A;       ///< where the attributes come from
+  using Position = Vector<dimension>;    ///< a point with its attributes times their weights
+  using Memory = QuadricForm<dimension>; ///< a quadric in all dimensions
 
   double importance = A == Attribute::texture ? 0.2 : 0.02; ///< above 0
   /// Of each attribute, in mesh units a unit of the attribute; by default as above.
   std::optional<Vector<N>> weights = {};
-  double boundary_weight = 100; ///< as in Quadric
-  Weighting weighting = Weighting::by_area;
+  double boundary_weight = 100;             ///< as in Quadric
+  Weighting weighting = Weighting::by_area; ///< as in Quadric
 
   /// The weights for attributes between `low` and `high`, see above.
   Vector<N> attribute_weights(const Vector<N>& low, const Vector<N>& high, double diagonal) const {
@@ -84,6 +84,7 @@ struct AttributeQuadric {
     memory += Memory::plane(e2, -weight);
     return memory;
   }
+  /// All corners of a face get the same plane.
   static constexpr bool face_is_alike_at_corners = true;
 
   /// The line of the boundary edge pq of a face pqr, in space: see Quadric.
@@ -92,6 +93,7 @@ struct AttributeQuadric {
         Quadric::constraint_line(space(p), space(q), space(r), boundary_weight));
   }
 
+  /// The sum of the weighted squared distances of x to the planes that both ends remember.
   double operator()(const auto& pair, const Position& x) const {
     return pair.memory(x - pair.first);
   }
@@ -101,6 +103,7 @@ struct AttributeQuadric {
     return tie_break(pair)(x - pair.first);
   }
 
+  /// The position of least cost with its attributes, if there is one.
   std::optional<Position> minimizer(const auto& pair) const {
     std::optional<Position> x = tie_break(pair).minimizer(pair.memory);
     if (x)

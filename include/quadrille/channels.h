@@ -64,7 +64,7 @@ struct ChannelOptions {
   /// How firmly charts of a texture whose seams are kept hold their borders in the texture, for
   /// each square of an edge's length; at least 0. The same along an edge as off it is 1.
   double border_weight = 10;
-  NewValues new_values = NewValues::optimal;
+  NewValues new_values = NewValues::optimal; ///< what corners have whose values change
   /// Of Colors in sRGB, numbers in [0, 1] or in the whole range of an integral type: they are
   /// averaged as light is, and so are their default weights. Alpha is linear already.
   bool linear_light = false;
@@ -88,8 +88,8 @@ struct ChannelOptions {
 /// Values of a channel of a soup with an index triple for each triangle, as in an OBJ file.
 template <class Values, class Triples>
 struct IndexedValues {
-  Values* values;
-  Triples* triples;
+  Values* values;   ///< any container of them, rewritten with the soup
+  Triples* triples; ///< three indices of values for each triangle
 };
 
 namespace internal {

@@ -32,15 +32,17 @@ namespace quadrille {
 
 /// So many cells along each axis, from 1 to 2⁵². They fill the bounding box.
 struct Grid {
-  std::size_t x, y, z;
+  std::size_t x; ///< cells along the first axis
+  std::size_t y; ///< cells along the second axis
+  std::size_t z; ///< cells along the third axis
 
-  friend bool operator==(const Grid&, const Grid&) = default;
+  friend bool operator==(const Grid&, const Grid&) = default; ///< equal along each axis
 };
 
 /// Cubes with an edge of that length, in the unit of the points, from the lower corner of the
 /// bounding box on.
 struct CellSize {
-  double edge;
+  double edge; ///< above 0 and finite
 };
 
 /// What the cells of cluster_vertices() are. FaceCount{n}: cubes as small as the box can be cut
@@ -55,14 +57,17 @@ enum class ClusterPlacement {
 
 /// What cluster_vertices() did. It prints itself in one line.
 struct ClusterReport {
-  std::size_t faces_before = 0, faces_after = 0;
-  std::size_t vertices_before = 0, vertices_after = 0;
+  std::size_t faces_before = 0;    ///< triangles of the soup
+  std::size_t faces_after = 0;     ///< triangles of the result
+  std::size_t vertices_before = 0; ///< points of the soup
+  std::size_t vertices_after = 0;  ///< points of the result
   /// Triangles that went because one between the same three cells is left.
   std::size_t doubled_faces = 0;
   Grid cells{};   ///< along each axis
   Vector<3> cell; ///< the lengths of its edges: no point has moved by more than its diagonal
 };
 
+/// Prints a report in one line, without an end of line.
 inline std::ostream& operator<<(std::ostream& out, const ClusterReport& report) {
   return out << report.faces_before << " -> " << report.faces_after << " faces, "
              << report.vertices_before << " -> " << report.vertices_after << " vertices, "

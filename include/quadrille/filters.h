@@ -30,8 +30,8 @@ enum class Folds { refused, allowed };
 /// and may turn to any; 180 degrees allows everything.
 class NormalFlip {
 public:
-  using ScaleFree = NormalFlip;
-  static constexpr Rejection cause = Rejection::normal_flip;
+  using ScaleFree = NormalFlip;                              ///< as well in any unit of length
+  static constexpr Rejection cause = Rejection::normal_flip; ///< what refusals count as
 
   /// degrees lies in (0, 180]; throws std::invalid_argument otherwise.
   explicit NormalFlip(double degrees = 90, Folds folds = Folds::refused)
@@ -42,6 +42,7 @@ public:
                                   " degrees are not in (0, 180]");
   }
 
+  /// False where the contraction is to be refused: see FilterPolicy.
   bool allows(const auto& contraction) const {
     if (allows_everything_)
       return true;
@@ -92,8 +93,8 @@ private:
 /// an equilateral one, 0 for one without area.
 class TriangleShape {
 public:
-  using ScaleFree = TriangleShape;
-  static constexpr Rejection cause = Rejection::shape;
+  using ScaleFree = TriangleShape;                     ///< as well in any unit of length
+  static constexpr Rejection cause = Rejection::shape; ///< what refusals count as
 
   /// quality lies in [0, 1]; throws std::invalid_argument otherwise.
   explicit TriangleShape(double quality = 0.05) : quality_(quality) {
@@ -102,6 +103,7 @@ public:
                                   internal::text_of(quality) + " is not in [0, 1]");
   }
 
+  /// False where the contraction is to be refused: see FilterPolicy.
   bool allows(const auto& contraction) const {
     for (const auto& face : contraction.faces()) {
       const double after = quality(face.after, face.second, face.third);
@@ -126,8 +128,8 @@ private:
 /// the two ends has as many already.
 class HighestDegree {
 public:
-  using ScaleFree = HighestDegree;
-  static constexpr Rejection cause = Rejection::degree;
+  using ScaleFree = HighestDegree;                      ///< as well in any unit of length
+  static constexpr Rejection cause = Rejection::degree; ///< what refusals count as
 
   /// degree is at least 3; throws std::invalid_argument otherwise.
   explicit HighestDegree(std::size_t degree = 24) : degree_(degree) {
@@ -136,6 +138,7 @@ public:
                                   " is less than 3");
   }
 
+  /// False where the contraction is to be refused: see FilterPolicy.
   bool allows(const auto& contraction) const {
     const std::size_t after = contraction.faces().size();
     return after <= degree_ || after <= contraction.highest_degree();

@@ -88,13 +88,14 @@ private:
 template <Side side>
 class Hull {
 public:
-  using ScaleFree = Hull;
-  using Guess = OptimalPlacement;
-  static constexpr bool looks_at_star = true;
-  static constexpr bool asks_for_volume = true;
-  static constexpr bool needs_closed_surface = true;
-  static constexpr Rejection cause = Rejection::hull;
+  using ScaleFree = Hull;                             ///< as well in any unit of length
+  using Guess = OptimalPlacement;                     ///< orders pairs until their turn
+  static constexpr bool looks_at_star = true;         ///< the place is settled by the faces around
+  static constexpr bool asks_for_volume = true;       ///< Report tells the volume
+  static constexpr bool needs_closed_surface = true;  ///< others are refused
+  static constexpr Rejection cause = Rejection::hull; ///< what refusals count as
 
+  /// The guess by which pairs are ordered: the position of least cost on any side.
   template <class Cost, class Pair>
   requires HasMinimizer<Cost, Pair>
   auto operator()(const Cost& cost, const Pair& pair) const {
@@ -132,6 +133,7 @@ public:
     return false;
   }
 
+  /// As OptimalPlacement::any_equal.
   template <class Cost, class Pair, class Predicate>
   static bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) {
     return OptimalPlacement::any_equal(cost, pair, x, predicate);
@@ -235,8 +237,8 @@ private:
   };
 };
 
-using OuterHull = Hull<Side::outer>;
-using InnerHull = Hull<Side::inner>;
+using OuterHull = Hull<Side::outer>; ///< its result encloses the input
+using InnerHull = Hull<Side::inner>; ///< its result is enclosed by the input
 
 } // namespace quadrille
 

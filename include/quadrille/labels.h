@@ -25,7 +25,7 @@ namespace quadrille {
 /// condition of a complex with a subcomplex, Vivodtzev, Bonneau and Le Texier 2005.
 template <class Map>
 struct Labels {
-  Map map;
+  Map map; ///< from faces, or indices of triangles, to labels
   /// How firmly borders between labels hold their shape, as Quadric::crease_weight; at least 0. For
   /// costs that know creases.
   double border_weight = 1;

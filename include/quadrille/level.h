@@ -16,22 +16,23 @@ namespace quadrille {
 
 /// The coarsest level whose error is at most a distance in the mesh's units: see Report::error.
 struct ErrorAtMost {
-  double error;
+  double error; ///< at least 0
 };
 /// The coarsest level no point of which is known to be further from the input than a distance in
 /// the mesh's units: see Report::distance_bound. For recordings with a stop policy that asks for
 /// distances, as ErrorLimit.
 struct DistanceAtMost {
-  double distance;
+  double distance; ///< at least 0
 };
 /// The level after so many contractions.
 struct AfterContractions {
-  std::size_t contractions;
+  std::size_t contractions; ///< 0: the input
 };
 
 /// What is known of a level.
 struct LevelInfo {
-  std::size_t faces = 0, vertices = 0;
+  std::size_t faces = 0;        ///< of the level
+  std::size_t vertices = 0;     ///< of the level
   std::size_t contractions = 0; ///< that lead to it
   double error = 0;             ///< as Report::error; rounded up to a float
   /// As Report::distance_bound, or more: it never falls from a level to a coarser one.
@@ -40,7 +41,7 @@ struct LevelInfo {
 
 /// The values of a channel at a level.
 struct LevelChannel {
-  std::size_t components = 0;
+  std::size_t components = 0; ///< how many numbers a value has
   std::vector<double> values; ///< one value after the other
   /// Of each triangle, the values of its corners; empty: a value has the index of its point.
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -49,14 +50,16 @@ struct LevelChannel {
 /// A surface at a level of detail, as a soup. Of two levels of one recording the coarser one has
 /// the first faces and the first vertices of the finer one, by input indices.
 struct Level : LevelInfo {
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<double, 3>> points;           ///< in the mesh's units
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
   /// The attributes that the cost reads, if it reads any; then the channels, in the order of the
   /// call. Values are numbers of the user's unit, not yet rounded to the user's type.
   std::vector<LevelChannel> channels;
-  /// Of each point and triangle, which one of the input it is; of a mesh by the order of
-  /// vertices(mesh) and faces(mesh). So a label or a colour of a face is found.
-  std::vector<std::uint32_t> input_vertices, input_faces;
+  /// Of each point, which one of the input it is; of a mesh by the order of vertices(mesh).
+  std::vector<std::uint32_t> input_vertices;
+  /// Of each triangle, which face of the input it is; of a mesh by the order of faces(mesh). So a
+  /// label or a colour of a face is found.
+  std::vector<std::uint32_t> input_faces;
 };
 
 /// The same level with its points and triangles in the order of the input, as `simplify` leaves
@@ -99,6 +102,7 @@ inline Level in_input_order(const Level& level) {
 /// i, in ascending order.
 class LevelMembers {
 public:
+  /// Of what Levels::images says of a level, and how many vertices that has. Linear time.
   LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices)
       : begin_(vertices + 1, 0) {
     for (std::uint32_t image : images)
@@ -111,7 +115,8 @@ public:
       if (images[v] != not_recorded)
         members_[end[images[v]]++] = v;
   }
-  std::size_t size() const { return begin_.size() - 1; }
+  std::size_t size() const { return begin_.size() - 1; } ///< how many vertices the level has
+  /// The vertices of the input, by number, that have become vertex i.
   std::span<const std::uint32_t> operator[](std::size_t i) const {
     return std::span(members_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }

@@ -19,12 +19,16 @@ namespace quadrille {
 /// of a progressive mesh, or its vertex split. To animate it, move both ends between their places
 /// at the finer level and `after` (a geomorph).
 struct LevelStep {
-  /// The vertex that is left, and the one that becomes it; not_recorded where faces only go.
-  std::uint32_t kept = not_recorded, gone = not_recorded;
-  std::array<double, 3> kept_before = {}, gone_before = {}; ///< where they are at the finer level
-  std::array<double, 3> after = {};                         ///< where the one is that is left
-  /// Faces and vertices at the finer and at the coarser level: the last ones go.
-  std::size_t finer_faces = 0, coarser_faces = 0, finer_vertices = 0, coarser_vertices = 0;
+  /// The vertex that is left; not_recorded where faces only go.
+  std::uint32_t kept = not_recorded;
+  std::uint32_t gone = not_recorded;      ///< the vertex that becomes it
+  std::array<double, 3> kept_before = {}; ///< where the one that is left is at the finer level
+  std::array<double, 3> gone_before = {}; ///< where the one that goes is at the finer level
+  std::array<double, 3> after = {};       ///< where the one is that is left
+  std::size_t finer_faces = 0;            ///< at the finer level; the last ones go
+  std::size_t coarser_faces = 0;          ///< at the coarser level
+  std::size_t finer_vertices = 0;         ///< at the finer level; the last ones go
+  std::size_t coarser_vertices = 0;       ///< at the coarser level
   /// The triangles with a corner that is one of the two at the finer level, and the other at the
   /// coarser one; those that go are among them.
   std::span<const std::uint32_t> changed;
@@ -48,9 +52,11 @@ public:
 
   /// Of the level that it is at.
   LevelInfo info() const { return levels_.info({segment_, contractions_}); }
+  /// Of the level that it is at; there until the next step.
   std::span<const std::array<double, 3>> points() const {
     return std::span(points_).first(track().items_at(contractions_));
   }
+  /// The same, as indices of points.
   std::span<const std::array<std::uint32_t, 3>> triangles() const {
     return std::span(triangles_).first(segment().faces_at(contractions_));
   }
@@ -70,6 +76,7 @@ public:
     });
     return true;
   }
+  /// Undoes the last contraction. False at the finest level.
   bool refine() {
     if (contractions_ == 0) {
       if (segment_ == 0)

@@ -58,6 +58,7 @@ public:
 
   /// The input, and the coarsest level.
   LevelInfo finest() const { return info(begin_of(0)); }
+  /// The last one that was recorded.
   LevelInfo coarsest() const { return info(end_of(segments_.size() - 1)); }
 
   /// A level: the finest with at most that many faces or vertices, or the coarsest within that
@@ -90,9 +91,10 @@ public:
   std::vector<std::uint32_t> images(const LevelInfo& fine, const LevelInfo& coarse) const;
 
   // What a recorder is told: see record.h.
-  void begin(RecordedSurface surface);
+  void begin(RecordedSurface surface); ///< called by `simplify`: see ContractionRecorder
+  /// Called by `simplify` for each contraction.
   void record(const RecordedContraction& contraction) { records_.add(contraction); }
-  void end();
+  void end(); ///< called by `simplify` behind the last one
 
 private:
   using Index = internal::Index;

@@ -63,23 +63,26 @@ class LevelsFile {
   }
 
 public:
+  /// Opens a file and reads its directory, no level.
   explicit LevelsFile(const std::filesystem::path& path) : path_(path) {
     checked([&] { open(); });
   }
 
-  const std::string& comment() const { return directory_.comment; }
-  LevelInfo finest() const { return info_of(directory_.stages.front()); }
-  LevelInfo coarsest() const { return info_of(directory_.stages.back()); }
+  const std::string& comment() const { return directory_.comment; } ///< as LevelsFileOptions says
+  LevelInfo finest() const { return info_of(directory_.stages.front()); }  ///< the input
+  LevelInfo coarsest() const { return info_of(directory_.stages.back()); } ///< the last one
 
-  /// As those of Levels.
+  /// As Levels::at.
   template <class Stop>
   Level at(const Stop& stop) {
     return part(stop, true).at(stop);
   }
+  /// As Levels::info.
   template <class Stop>
   LevelInfo info(const Stop& stop) {
     return part(stop, false).info(stop);
   }
+  /// As Levels::extract.
   template <class Stop, class Points, class Triangles>
   LevelInfo extract(const Stop& stop, Points& points, Triangles& triangles) {
     return part(stop, false).extract(stop, points, triangles);

@@ -28,17 +28,18 @@ namespace quadrille {
 /// Source: Lindstrom and Turk, Fast and Memory Efficient Polygonal Simplification, 1998 (memoryless
 /// costs, volume preservation); Hoppe, New Quadric Metric, 1999, section 5 (the same for quadrics).
 struct MemorylessQuadric {
-  static constexpr std::size_t dimension = 3;
-  using ScaleFree = MemorylessQuadric;
+  static constexpr std::size_t dimension = 3; ///< positions only
+  using ScaleFree = MemorylessQuadric;        ///< as well in any unit: see CostPolicy
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
 
   /// Nothing.
   struct Memory {
-    Memory& operator+=(const Memory&) { return *this; }
+    Memory& operator+=(const Memory&) { return *this; } ///< nothing and nothing is nothing
   };
+  /// Leaves nothing.
   Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
-  static constexpr bool face_is_alike_at_corners = true;
+  static constexpr bool face_is_alike_at_corners = true; ///< nothing is the same at all
 
   /// A pair that has become dearer while it waited, but by no more than this factor, is contracted
   /// all the same: to send it back takes time, and the error is no lower for it.
@@ -60,11 +61,13 @@ struct MemorylessQuadric {
     SymmetricMatrix<3> matrix; ///< of the planes
     Vector<3> doubled_area;    ///< the sum of their doubled area vectors
 
+    /// Takes in what further faces say.
     Current& operator+=(const Current& other) {
       matrix += other.matrix;
       doubled_area += other.doubled_area;
       return *this;
     }
+    /// Takes out what some faces say.
     Current& operator-=(const Current& other) {
       matrix -= other.matrix;
       doubled_area -= other.doubled_area;
@@ -80,9 +83,11 @@ struct MemorylessQuadric {
     return trace > 0 ? current.matrix.determinant() / (trace * trace) : 0;
   }
 
+  /// What a face pqr says now at each of its corners. Nothing for a face without a normal.
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return weighted_face(p, q, r, [](double area) { return emphasis(area); });
   }
+  /// The same with a factor of its own for each face: emphasis(area).
   template <class Emphasis>
   static Current weighted_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
                                Emphasis emphasis) {
@@ -94,6 +99,7 @@ struct MemorylessQuadric {
     return {SymmetricMatrix<3>::outer_product(normal, 0.5 / length * factor), normal};
   }
 
+  /// What the boundary edge pq of a face pqr says now at both of its ends.
   Current current_boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const double weight = boundary_weight * emphasis(squared_length(q - p));
     return {Quadric::constraint_plane(p, q, r, weight).matrix(), {}};
@@ -101,9 +107,9 @@ struct MemorylessQuadric {
 
   /// All of a pair, about its first end: the quadric, and the plane that keeps the volume.
   struct PairCurrent {
-    QuadricForm<3> quadric;
-    Vector<3> normal;  ///< the sum of the doubled area vectors
-    double offset = 0; ///< normal · x = offset keeps the volume
+    QuadricForm<3> quadric; ///< of all planes around the pair
+    Vector<3> normal;       ///< the sum of the doubled area vectors
+    double offset = 0;      ///< normal · x = offset keeps the volume
   };
 
   /// Joins what the two ends say, `to_second` apart, and takes out what they share.
@@ -117,6 +123,7 @@ struct MemorylessQuadric {
             dot(second.doubled_area, to_second)};
   }
 
+  /// The weighted sum of the squared distances of x to the planes around the pair.
   double operator()(const auto& pair, const Vector<3>& x) const {
     return pair.current.quadric(x - pair.first);
   }
@@ -126,6 +133,7 @@ struct MemorylessQuadric {
     return tie_break(pair)(x - pair.first);
   }
 
+  /// The position of least cost among those that keep the volume, if there is one.
   std::optional<Vector<3>> minimizer(const auto& pair) const {
     const PairCurrent& current = pair.current;
     std::optional<Vector<3>> x =
@@ -135,6 +143,7 @@ struct MemorylessQuadric {
     return x;
   }
 
+  /// The square of the root mean square distance to the planes around the pair.
   double squared_error(const auto& pair, double cost) const {
     const double weight = pair.current.quadric.trace();
     return weight > 0 ? cost / weight : 0;

@@ -13,7 +13,7 @@ namespace quadrille {
 
 /// What a pair policy sees: the surface as it is at the beginning, in the mesh's units.
 struct SurfaceView {
-  std::span<const Vector<3>> points;
+  std::span<const Vector<3>> points;                       ///< by the indices that emit takes
   std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
 };
 
@@ -26,8 +26,9 @@ using EmitPair = std::function<void(std::size_t, std::size_t)>;
 struct EdgePairs {
   /// Every edge is a pair at any time, and there is nothing more to select.
   static constexpr bool includes_edges = true;
-  static constexpr bool ignores_indices = true;
+  static constexpr bool ignores_indices = true; ///< points may come in another order
 
+  /// Emits nothing.
   void operator()(const SurfaceView& /*surface*/, const EmitPair& /*emit*/) const {}
 };
 

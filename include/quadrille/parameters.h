@@ -9,10 +9,15 @@
 /// `quadrille::parameters::edge_is_crease_map(creases).vertex_point_map(points)`.
 namespace quadrille::parameters {
 
+/// The tag of edge_is_crease_map().
 enum edge_is_crease_t { edge_is_crease };
+/// The tag of vertex_attribute_map().
 enum vertex_attribute_t { vertex_attribute };
+/// The tag of vertex_quadric_map().
 enum vertex_quadric_t { vertex_quadric };
+/// The tag of vertex_image_map().
 enum vertex_image_t { vertex_image };
+/// The tag of duplicate_output_iterator().
 enum duplicate_output_t { duplicate_output };
 
 /// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
@@ -20,6 +25,7 @@ template <class Map>
 auto edge_is_crease_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, edge_is_crease_t>(map);
 }
+/// The same behind other parameters.
 template <class Map, class Before>
 auto edge_is_crease_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, edge_is_crease_t, Before>(map, before);
@@ -31,6 +37,7 @@ template <class Map>
 auto vertex_attribute_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_attribute_t>(map);
 }
+/// The same behind other parameters.
 template <class Map, class Before>
 auto vertex_attribute_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_attribute_t, Before>(map, before);
@@ -45,6 +52,7 @@ template <class Map>
 auto vertex_quadric_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_quadric_t>(map);
 }
+/// The same behind other parameters.
 template <class Map, class Before>
 auto vertex_quadric_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_quadric_t, Before>(map, before);
@@ -66,6 +74,7 @@ template <class Map>
 auto vertex_image_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_image_t>(map);
 }
+/// The same behind other parameters.
 template <class Map, class Before>
 auto vertex_image_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_image_t, Before>(map, before);
@@ -79,6 +88,7 @@ template <class Iterator>
 auto duplicate_output_iterator(const Iterator& iterator) {
   return CGAL::Named_function_parameters<Iterator, duplicate_output_t>(iterator);
 }
+/// The same behind other parameters.
 template <class Iterator, class Before>
 auto duplicate_output_iterator(const Iterator& iterator, const Before& before) {
   return CGAL::Named_function_parameters<Iterator, duplicate_output_t, Before>(iterator, before);

@@ -9,8 +9,9 @@ namespace quadrille {
 
 /// The position halfway between the two ends of a pair.
 struct MidpointPlacement {
-  using ScaleFree = MidpointPlacement;
+  using ScaleFree = MidpointPlacement; ///< as well in any unit of length
 
+  /// (first + second) / 2, attributes too.
   auto operator()(const auto& /*cost*/, const auto& pair) const {
     return 0.5 * (pair.first + pair.second);
   }
@@ -19,8 +20,9 @@ struct MidpointPlacement {
 /// The cheaper end of a pair, the first if both cost the same. The output's vertices are a subset
 /// of the input's: exact positions, exact attributes.
 struct EndpointPlacement {
-  using ScaleFree = EndpointPlacement;
+  using ScaleFree = EndpointPlacement; ///< as well in any unit of length
 
+  /// One of the ends, as it is.
   auto operator()(const auto& cost, const auto& pair) const {
     return cost(pair, pair.second) < cost(pair, pair.first) ? pair.second : pair.first;
   }
@@ -39,8 +41,9 @@ concept HasMinimizer = requires(const Cost cost, const Pair pair) {
 /// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: where
 /// planes leave directions free, costs of ours choose in these, see Quadric).
 struct OptimalPlacement {
-  using ScaleFree = OptimalPlacement;
+  using ScaleFree = OptimalPlacement; ///< as well in any unit of length
 
+  /// The position of least cost that is in reach.
   template <class Cost, class Pair>
   requires HasMinimizer<Cost, Pair>
   auto operator()(const Cost& cost, const Pair& pair) const {

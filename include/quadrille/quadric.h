@@ -84,14 +84,14 @@ enum class Weighting {
 /// Source: Garland and Heckbert, Surface Simplification Using Quadric Error Metrics, 1997, sections
 /// 4 to 6; area weights and the squared edge length: Garland's thesis, 1999.
 struct Quadric {
-  static constexpr std::size_t dimension = 3;
-  using ScaleFree = Quadric;
-  using Memory = QuadricForm<3>;
+  static constexpr std::size_t dimension = 3; ///< positions only
+  using ScaleFree = Quadric;                  ///< as well in any unit: see CostPolicy
+  using Memory = QuadricForm<3>;              ///< planes, about the vertex
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
   double crease_weight = 100;   ///< the same for each of the two faces of a crease
   double crease_degrees = 180;  ///< an edge is a crease if its normals differ by more; 180: none is
-  Weighting weighting = Weighting::by_area;
+  Weighting weighting = Weighting::by_area; ///< how much each plane counts
 
   /// Throws std::invalid_argument for a weight or an angle that makes no sense.
   void validate() const {
@@ -111,6 +111,7 @@ struct Quadric {
     const double weight = weighting == Weighting::by_area ? std::sqrt(squared) / 2 : 1;
     return Memory::plane(normal, weight / squared);
   }
+  /// All corners of a face get the same plane.
   static constexpr bool face_is_alike_at_corners = true;
 
   /// What the boundary edge pq of a face pqr leaves at both of its ends.
@@ -123,6 +124,7 @@ struct Quadric {
     return constraint_line(p, q, r, crease_weight);
   }
 
+  /// The weighted sum of the squared distances of x to the planes that both ends remember.
   double operator()(const auto& pair, const Vector<3>& x) const {
     return pair.memory(x - pair.first);
   }

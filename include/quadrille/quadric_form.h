@@ -21,9 +21,10 @@ namespace quadrille {
 template <std::size_t N>
 class QuadricForm {
 public:
-  using Position = Vector<N>;
+  using Position = Vector<N>; ///< a displacement from the origin
 
   constexpr QuadricForm() = default;
+  /// xᵀAx + 2gᵀx + c.
   explicit constexpr QuadricForm(const SymmetricMatrix<N>& a, const Position& g = {}, double c = 0)
       : a_(a), g_(g), c_(c) {}
 
@@ -39,24 +40,28 @@ public:
     return form;
   }
 
+  /// Adds a form about the same origin.
   constexpr QuadricForm& operator+=(const QuadricForm& other) {
     a_ += other.a_;
     g_ += other.g_;
     c_ += other.c_;
     return *this;
   }
+  /// Takes away a form about the same origin.
   constexpr QuadricForm& operator-=(const QuadricForm& other) {
     a_ -= other.a_;
     g_ -= other.g_;
     c_ -= other.c_;
     return *this;
   }
+  /// Multiplies all values.
   constexpr QuadricForm& operator*=(double factor) {
     a_ *= factor;
     g_ *= factor;
     c_ *= factor;
     return *this;
   }
+  /// The sum of two forms about the same origin.
   friend constexpr QuadricForm operator+(QuadricForm a, const QuadricForm& b) { return a += b; }
 
   /// Expresses the same function about the point `d`, given relative to the old origin.
@@ -127,7 +132,7 @@ public:
   }
 
   constexpr const SymmetricMatrix<N>& matrix() const { return a_; } ///< A
-  constexpr SymmetricMatrix<N>& matrix() { return a_; }
+  constexpr SymmetricMatrix<N>& matrix() { return a_; }             ///< A, to be changed
   constexpr const Position& gradient() const { return g_; } ///< g, half of the gradient at 0
   constexpr double constant() const { return c_; }          ///< c, the value at 0
   constexpr double trace() const { return a_.trace(); }     ///< of A: the sum of the weights

@@ -19,6 +19,7 @@ namespace quadrille {
 /// `faces(mesh)`, those of a soup by their indices; with SplitVertices, the places of its points in
 /// the order of the first one at each.
 using RecordedIndex = std::uint32_t;
+/// In the place of an index: there is none.
 inline constexpr RecordedIndex not_recorded = ~RecordedIndex{0};
 
 /// A channel of attributes: see channels.h. Values are as a simplification would write them, as
@@ -47,8 +48,8 @@ struct RecordedSurface {
 
 /// What a contraction does to a wedge of a channel that has seams.
 struct RecordedWedge {
-  std::size_t channel; ///< of RecordedSurface::channels
-  RecordedIndex wedge;
+  std::size_t channel;                   ///< of RecordedSurface::channels
+  RecordedIndex wedge;                   ///< of the channel, by its number
   std::span<const RecordedIndex> joined; ///< wedges that have become it
   std::span<const double> values;        ///< afterwards
 };
@@ -56,13 +57,13 @@ struct RecordedWedge {
 /// A contraction. Vertices, faces and wedges that lose their last face, or corner, are gone with
 /// it.
 struct RecordedContraction {
-  /// The vertex that is left, and the one that has become it. Both are not_recorded where faces
-  /// are only removed.
-  RecordedIndex kept = not_recorded, gone = not_recorded;
-  std::span<const double> values; ///< of the one that is left, afterwards: see RecordedSurface
-  double error = 0;               ///< as a distance: see Report::error
-  double distance_bound = 0;      ///< of the faces that it changes, if a stop policy asks for it
-  std::span<const RecordedIndex> removed_faces;
+  /// The vertex that is left; not_recorded where faces are only removed.
+  RecordedIndex kept = not_recorded;
+  RecordedIndex gone = not_recorded; ///< the vertex that has become it; the same
+  std::span<const double> values;    ///< of the one that is left, afterwards: see RecordedSurface
+  double error = 0;                  ///< as a distance: see Report::error
+  double distance_bound = 0;         ///< of the faces that it changes, if a stop policy asks for it
+  std::span<const RecordedIndex> removed_faces; ///< by their numbers, ascending
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };
 
@@ -86,8 +87,9 @@ concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
 /// pass by their costs, as far as the order within each block allows it.
 template <ContractionRecorder R>
 struct RecordInto {
-  R* recorder;
+  R* recorder; ///< not owned
 };
+/// The argument of `simplify` that tells a recorder of all contractions: see RecordInto.
 template <ContractionRecorder R>
 RecordInto<R> record_into(R& recorder) {
   return {&recorder};

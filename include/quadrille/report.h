@@ -12,11 +12,11 @@ namespace quadrille {
 
 /// What a stop policy sees: the surface as it is just before the next contraction.
 struct Status {
-  std::size_t initial_faces = 0;
-  std::size_t initial_vertices = 0;
-  std::size_t faces = 0;
-  std::size_t vertices = 0;
-  std::size_t contractions = 0;
+  std::size_t initial_faces = 0;    ///< of the input, without degenerate and doubled ones
+  std::size_t initial_vertices = 0; ///< of the input, those with faces
+  std::size_t faces = 0;            ///< now
+  std::size_t vertices = 0;         ///< now
+  std::size_t contractions = 0;     ///< so far
   /// The error of the contraction that comes next, as a distance in the mesh's units: see
   /// Report::error.
   double next_error = 0;
@@ -32,6 +32,7 @@ struct Status {
   double progress = 0;
 };
 
+/// Why a simplification has ended.
 enum class StopReason {
   target_met,    ///< the stop policy said so
   target_passed, ///< the same, a face or so beyond an exact count: a pair that meets it was not
@@ -65,8 +66,9 @@ enum class Rejection {
   volume,  ///< no place that keeps the volume: see VolumeKeeping
   filter,  ///< a filter of the user's refused
 };
-inline constexpr std::size_t rejection_causes = 13;
+inline constexpr std::size_t rejection_causes = 13; ///< how many there are
 
+/// In words, as Report prints it.
 constexpr std::string_view to_string(StopReason reason) {
   constexpr std::array<std::string_view, 6> names{"target met",         "target passed",
                                                   "no pair left",       "all pairs rejected",
@@ -74,6 +76,7 @@ constexpr std::string_view to_string(StopReason reason) {
   return names[static_cast<std::size_t>(reason)];
 }
 
+/// The same.
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
       "topology",    "constraint", "normal flip", "shape", "degree", "distance", "position",
@@ -83,13 +86,16 @@ constexpr std::string_view to_string(Rejection cause) {
 
 /// What `simplify` did. It prints itself in one line.
 struct Report {
-  std::size_t faces_before = 0, faces_after = 0;
-  std::size_t vertices_before = 0, vertices_after = 0;
+  std::size_t faces_before = 0;    ///< of the input, with degenerate and doubled ones
+  std::size_t faces_after = 0;     ///< of the result
+  std::size_t vertices_before = 0; ///< of the input, with isolated ones
+  std::size_t vertices_after = 0;  ///< of the result
 
   std::size_t contractions = 0;          ///< pairs of vertices made one
   std::size_t non_edge_contractions = 0; ///< those of them that had no face in common
 
-  std::size_t components_before = 0, components_after = 0; ///< parts that no vertex connects
+  std::size_t components_before = 0;     ///< parts of the input that no vertex connects
+  std::size_t components_after = 0;      ///< the same of the result
   std::size_t vanished_parts = 0;        ///< those that went whole: see Topology::parts_may_vanish
   std::size_t non_manifold_edges = 0;    ///< of the result: edges of three faces or more
   std::size_t non_manifold_vertices = 0; ///< of the result: neither a disc nor half a disc around
@@ -98,7 +104,7 @@ struct Report {
   /// the input, or where topology is free.
   std::size_t doubled_labels = 0;
 
-  StopReason stop = StopReason::no_pair_left;
+  StopReason stop = StopReason::no_pair_left; ///< why it has ended
 
   /// The largest error of any contraction, as a distance in the mesh's units; or the radius of a
   /// part that vanished, if that is larger.
@@ -124,21 +130,29 @@ struct Report {
   /// InnerHull, and with VolumeKeeping where topology is kept and each vertex lies inside of an
   /// oriented surface without borders. Of the result it is that of coordinates before they are
   /// rounded to the mesh's number type.
-  std::optional<double> volume_before, volume_after;
+  std::optional<double> volume_before;
+  std::optional<double> volume_after; ///< the same of the result
 
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
   std::array<std::size_t, rejection_causes> rejections{};
+  /// How many contractions were refused for one cause.
   std::size_t rejected(Rejection cause) const {
     return rejections[static_cast<std::size_t>(cause)];
   }
 
-  /// Seconds spent: reading the mesh, preparing costs and pairs, contracting, writing the mesh.
-  struct {
-    double read = 0, prepare = 0, contract = 0, write = 0;
+  /// How long it took, by the clock.
+  struct Seconds {
+    double read = 0;     ///< the mesh and its attributes
+    double prepare = 0;  ///< costs and pairs
+    double contract = 0; ///< pairs
+    double write = 0;    ///< the result into the mesh
+    /// All of it.
     double total() const { return read + prepare + contract + write; }
-  } seconds;
+  };
+  Seconds seconds; ///< how long it took
 };
 
+/// Prints a report in one line, without an end of line; what is 0 or unknown is left out.
 inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   out << report.faces_before << " -> " << report.faces_after << " faces, " << report.vertices_before
       << " -> " << report.vertices_after << " vertices, " << report.contractions

@@ -19,8 +19,9 @@ namespace quadrille {
 /// borders every contraction removes two faces. Elsewhere a pair that removes one is looked for; it
 /// is taken if it costs at most four times what the next pair in the order does.
 struct FaceCount {
-  std::size_t faces;
+  std::size_t faces; ///< how many are enough
 
+  /// Is it enough?
   bool operator()(const Status& status) const { return status.faces <= faces; }
 
   /// True of a surface that has gone beyond the target: the engine looks for another pair first.
@@ -30,8 +31,9 @@ struct FaceCount {
 /// Stops when `ratio` of the input's faces are left, degenerate and doubled ones not counted, or as
 /// soon as fewer are: no pair is preferred for the sake of a number. ratio lies in [0, 1].
 struct FaceRatio {
-  double ratio = 0.5;
+  double ratio = 0.5; ///< a part of the faces, in [0, 1]
 
+  /// Is it enough?
   bool operator()(const Status& status) const {
     const double target = ratio * static_cast<double>(status.initial_faces);
     return status.faces <= static_cast<std::size_t>(std::llround(target));
@@ -47,9 +49,11 @@ struct FaceRatio {
 
 /// Stops at `vertices` vertices.
 struct VertexCount {
-  std::size_t vertices;
+  std::size_t vertices; ///< how many are enough
 
+  /// Is it enough?
   bool operator()(const Status& status) const { return status.vertices <= vertices; }
+  /// Is the surface beyond the target and not just at it? See StopPolicy.
   bool is_passed(const Status& status) const { return status.vertices < vertices; }
 };
 
@@ -83,8 +87,10 @@ public:
     return limit;
   }
 
+  /// Looks at Status::next_distance: see StopPolicy.
   static constexpr bool asks_for_distance = true;
 
+  /// Is it enough?
   bool operator()(const Status& status) const {
     return status.next_distance > (is_relative_ ? distance_ * status.diagonal : distance_);
   }
@@ -106,17 +112,21 @@ private:
 template <class... Stops>
 class AnyOf {
 public:
+  /// Looks at Status::next_distance: see StopPolicy.
   static constexpr bool asks_for_distance = (internal::asks_for_distance<Stops> || ...);
 
-  explicit AnyOf(Stops... stops) : stops_(std::move(stops)...) {}
+  explicit AnyOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type
 
+  /// Is it enough?
   bool operator()(const Status& status) const {
     return std::apply([&](const auto&... stop) -> bool { return (stop(status) || ...); }, stops_);
   }
+  /// Is the surface beyond the target and not just at it? See StopPolicy.
   bool is_passed(const Status& status) const {
     return std::apply(
         [&](const auto&... stop) { return (internal::is_passed(stop, status) || ...); }, stops_);
   }
+  /// Throws what the policies throw that make no sense.
   void validate() const {
     std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);
   }
@@ -129,17 +139,21 @@ private:
 template <class... Stops>
 class AllOf {
 public:
+  /// Looks at Status::next_distance: see StopPolicy.
   static constexpr bool asks_for_distance = (internal::asks_for_distance<Stops> || ...);
 
-  explicit AllOf(Stops... stops) : stops_(std::move(stops)...) {}
+  explicit AllOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type
 
+  /// Is it enough?
   bool operator()(const Status& status) const {
     return std::apply([&](const auto&... stop) -> bool { return (stop(status) && ...); }, stops_);
   }
+  /// Is the surface beyond the target and not just at it? See StopPolicy.
   bool is_passed(const Status& status) const {
     return std::apply(
         [&](const auto&... stop) { return (internal::is_passed(stop, status) && ...); }, stops_);
   }
+  /// Throws what the policies throw that make no sense.
   void validate() const {
     std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);
   }

@@ -29,22 +29,26 @@ public:
     return i < j ? entries_[at(j, i)] : entries_[at(i, j)];
   }
 
+  /// The sum, entry by entry.
   constexpr SymmetricMatrix& operator+=(const SymmetricMatrix& other) {
     for (std::size_t k = 0; k < entries_.size(); ++k)
       entries_[k] += other.entries_[k];
     return *this;
   }
+  /// The difference, entry by entry.
   constexpr SymmetricMatrix& operator-=(const SymmetricMatrix& other) {
     for (std::size_t k = 0; k < entries_.size(); ++k)
       entries_[k] -= other.entries_[k];
     return *this;
   }
+  /// The sum, entry by entry.
   friend constexpr SymmetricMatrix operator+(const SymmetricMatrix& a, const SymmetricMatrix& b) {
     SymmetricMatrix sum;
     for (std::size_t k = 0; k < sum.entries_.size(); ++k)
       sum.entries_[k] = a.entries_[k] + b.entries_[k];
     return sum;
   }
+  /// Multiplies each entry.
   constexpr SymmetricMatrix& operator*=(double factor) {
     for (double& entry : entries_)
       entry *= factor;
@@ -57,10 +61,12 @@ public:
       entries_[at(i, i)] += value;
   }
 
+  /// Sets the entries (i, j) and (j, i).
   constexpr void set(std::size_t i, std::size_t j, double value) {
     entries_[i < j ? at(j, i) : at(i, j)] = value;
   }
 
+  /// The sum of the diagonal, which is that of the eigenvalues.
   constexpr double trace() const {
     double sum = entries_[0];
     for (std::size_t i = 1; i < N; ++i)
@@ -68,11 +74,13 @@ public:
     return sum;
   }
 
+  /// The product of the eigenvalues.
   constexpr double determinant() const requires(N == 3) {
     const auto& [a, b, c, d, e, f] = entries_; // a; b c; d e f
     return a * (c * f - e * e) - b * (b * f - d * e) + d * (b * e - c * d);
   }
 
+  /// The product with a vector.
   friend constexpr Vector<N> operator*(const SymmetricMatrix& m, const Vector<N>& x) {
     Vector<N> product;
     for (std::size_t i = 0; i < N; ++i) {
@@ -100,6 +108,7 @@ private:
 template <std::size_t N>
 class Factorization {
 public:
+  /// Factorises A, O(N³). `least_relative` is the part of the trace that a pivot has to be above.
   explicit constexpr Factorization(const SymmetricMatrix<N>& a,
                                    double least_relative = least_relative_pivot) {
     const double least_pivot = least_relative * a.trace();
@@ -120,6 +129,7 @@ public:
     is_singular_ = false;
   }
 
+  /// Is a pivot too small? Then nothing can be solved.
   constexpr bool is_singular() const { return is_singular_; }
 
   /// A⁻¹b, for a matrix that is not singular.
@@ -135,7 +145,7 @@ public:
     return x;
   }
 
-  static constexpr double least_relative_pivot = 1e-12;
+  static constexpr double least_relative_pivot = 1e-12; ///< of the trace
 
 private:
   std::array<std::array<double, N>, N> l_{}; // below the diagonal
@@ -148,6 +158,7 @@ private:
 template <>
 class Factorization<3> {
 public:
+  /// Factorises A, O(N³). `least_relative` is the part of the trace that a pivot has to be above.
   explicit constexpr Factorization(const SymmetricMatrix<3>& a,
                                    double least_relative = least_relative_pivot) {
     const double least_pivot = least_relative * a.trace();
@@ -170,8 +181,10 @@ public:
     is_singular_ = false;
   }
 
+  /// Is a pivot too small? Then nothing can be solved.
   constexpr bool is_singular() const { return is_singular_; }
 
+  /// x with Ax = b, if A is not singular.
   constexpr Vector<3> solve(const Vector<3>& b) const {
     const double y0 = b[0];
     const double y1 = b[1] - l10_ * y0;
@@ -181,7 +194,7 @@ public:
     return {{y0 * inverse0_ - l10_ * x1 - l20_ * x2, x1, x2}};
   }
 
-  static constexpr double least_relative_pivot = 1e-12;
+  static constexpr double least_relative_pivot = 1e-12; ///< of the trace
 
 private:
   double l10_ = 0, l20_ = 0, l21_ = 0;

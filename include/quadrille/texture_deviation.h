@@ -24,16 +24,17 @@ namespace quadrille {
 /// Triangles with texture coordinates at their corners, as in an OBJ file: three indices of points
 /// and three of coordinates each.
 struct TexturedSoup {
-  std::vector<Vector<3>> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<Vector<2>> coordinates;
+  std::vector<Vector<3>> points;                                ///< in space
+  std::vector<std::array<std::size_t, 3>> triangles;            ///< indices of points
+  std::vector<Vector<2>> coordinates;                           ///< in the texture
   std::vector<std::array<std::size_t, 3>> coordinate_triangles; ///< one for each triangle
   std::vector<std::size_t> labels; ///< of each triangle, as its material; empty: all the same
 };
 
 /// What texture_deviation() finds. Lengths are in the unit of the points.
 struct TextureDeviation {
-  double rms = 0, greatest = 0;
+  double rms = 0;           ///< root mean square, over all samples that do not bleed
+  double greatest = 0;      ///< over the same
   double percentile_99 = 0; ///< 99 % of the area have no more
   double bleeding = 0;      ///< which part of the area shows what is in no triangle of the original
   double flipped = 0;       ///< which part of the area is turned over in the texture

@@ -27,40 +27,48 @@ namespace quadrille {
 /// As with MemorylessQuadric the error in Status and Report is that of single contractions; a loss
 /// counts in it as in the cost. Boundaries are what MemorylessQuadric makes of them.
 struct ThinFeatureQuadric : MemorylessQuadric {
-  using ScaleFree = ThinFeatureQuadric;
+  using ScaleFree = ThinFeatureQuadric; ///< as well in any unit: see CostPolicy
 
   double loss_weight = 3;       ///< at least 0
   double loss_tolerance = 0.15; ///< at least 0; more: only larger losses count
 
-  static constexpr double tolerated_rise = 1; ///< with more, some legs are lost
-  static constexpr double tolerated_fall = 0.5;
+  static constexpr double tolerated_rise = 1;   ///< with more, some legs are lost
+  static constexpr double tolerated_fall = 0.5; ///< as in MemorylessQuadric
 
+  /// What a vertex remembers of its input faces.
   struct Memory {
-    QuadricForm<3> planes;
-    double before = 0; ///< of a pair: what the planes cost at its two ends
+    QuadricForm<3> planes; ///< about the vertex
+    double before = 0;     ///< of a pair: what the planes cost at its two ends
 
+    /// Joins what two vertices remember, about one origin.
     Memory& operator+=(const Memory& other) {
       planes += other.planes;
       return *this;
     }
-    void move_origin(const Vector<3>& d) { planes.move_origin(d); }
+    void move_origin(const Vector<3>& d) { planes.move_origin(d); } ///< as QuadricForm::move_origin
+    /// As QuadricForm::sum_about_first, and what both cost where they are.
     static Memory sum_about_first(const Memory& first, const Memory& second, const Vector<3>& d) {
       return {QuadricForm<3>::sum_about_first(first.planes, second.planes, d),
               first.planes.constant() + second.planes.constant()};
     }
   };
+  /// The plane of an input face, weighted with its area.
   Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return {Quadric{}.face(p, q, r)};
   }
 
+  /// How much a face counts for attributes.
   static double channel_weight(double area) { return area; }
+  /// As in MemorylessQuadric, by plain areas.
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return weighted_face(p, q, r, [](double) { return 1.0; });
   }
+  /// As in MemorylessQuadric, by plain squares.
   Current current_boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return {Quadric::constraint_plane(p, q, r, boundary_weight).matrix(), {}};
   }
 
+  /// The cost of MemorylessQuadric by plain areas, and that of the loss.
   double operator()(const auto& pair, const Vector<3>& x) const {
     const QuadricForm<3>& planes = pair.memory.planes;
     return MemorylessQuadric::operator()(pair, x) +

@@ -30,8 +30,8 @@ namespace quadrille {
 /// Source: Garland and Heckbert 1997, section 3.2.
 class ThresholdPairs {
 public:
-  static constexpr bool includes_edges = true;
-  static constexpr bool ignores_indices = true;
+  static constexpr bool includes_edges = true;  ///< edges are pairs, too
+  static constexpr bool ignores_indices = true; ///< points may come in another order
 
   /// t is in the mesh's units, at least 0 and finite. A vertex can have O(n) others within t, so
   /// a number of pairs above `max_pairs_per_vertex` times that of vertices is refused.

@@ -13,32 +13,40 @@ namespace quadrille {
 /// An aggregate of doubles; components are read and written with `v[i]`.
 template <std::size_t N>
 struct Vector {
-  std::array<double, N> coordinates{};
+  std::array<double, N> coordinates{}; ///< x, y, z; attributes behind them
 
-  constexpr double& operator[](std::size_t i) { return coordinates[i]; }
+  constexpr double& operator[](std::size_t i) { return coordinates[i]; } ///< coordinate i, from 0
+  /// Coordinate i, from 0.
   constexpr double operator[](std::size_t i) const { return coordinates[i]; }
 
+  /// The sum, coordinate by coordinate.
   constexpr Vector& operator+=(const Vector& other) {
     for (std::size_t i = 0; i < N; ++i)
       coordinates[i] += other[i];
     return *this;
   }
+  /// The difference, coordinate by coordinate.
   constexpr Vector& operator-=(const Vector& other) {
     for (std::size_t i = 0; i < N; ++i)
       coordinates[i] -= other[i];
     return *this;
   }
+  /// Multiplies each coordinate.
   constexpr Vector& operator*=(double factor) {
     for (std::size_t i = 0; i < N; ++i)
       coordinates[i] *= factor;
     return *this;
   }
-  friend constexpr Vector operator+(Vector a, const Vector& b) { return a += b; }
+  friend constexpr Vector operator+(Vector a, const Vector& b) { return a += b; } ///< the sum
+  /// The difference.
   friend constexpr Vector operator-(Vector a, const Vector& b) { return a -= b; }
+  /// The multiple.
   friend constexpr Vector operator*(double factor, Vector a) { return a *= factor; }
+  /// To the last bit, but that 0 is −0.
   friend constexpr bool operator==(const Vector&, const Vector&) = default;
 };
 
+/// The scalar product.
 template <std::size_t N>
 QUADRILLE_ALWAYS_INLINE constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
   static_assert(N > 0);
@@ -48,16 +56,19 @@ QUADRILLE_ALWAYS_INLINE constexpr double dot(const Vector<N>& a, const Vector<N>
   return sum;
 }
 
+/// The square of the length.
 template <std::size_t N>
 QUADRILLE_ALWAYS_INLINE constexpr double squared_length(const Vector<N>& a) {
   return dot(a, a);
 }
 
+/// The square of the distance.
 template <std::size_t N>
 QUADRILLE_ALWAYS_INLINE constexpr double squared_distance(const Vector<N>& a, const Vector<N>& b) {
   return squared_length(a - b);
 }
 
+/// The vector product.
 constexpr Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
@@ -81,6 +92,7 @@ QUADRILLE_ALWAYS_INLINE constexpr Vector<3> normal_vector(const Vector<3>& p, co
   return squared_length(normal) > 0x1p-102 * sizes * edges ? normal : Vector<3>{};
 }
 
+/// Is each coordinate finite?
 template <std::size_t N>
 bool is_finite(const Vector<N>& a) {
   double sum = 0;

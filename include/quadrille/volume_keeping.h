@@ -28,16 +28,17 @@ namespace quadrille {
 /// Source: Lindstrom and Turk, Fast and Memory Efficient Polygonal Simplification, 1998, section 4.
 template <class Placement>
 struct VolumeKeeping {
-  using ScaleFree = VolumeKeeping;
-  using Guess = Placement;
+  using ScaleFree = VolumeKeeping; ///< as well in any unit of length
+  using Guess = Placement;         ///< orders pairs until their turn
   static_assert(internal::is_scale_free<Placement>,
                 "VolumeKeeping needs a placement that is scale-free: see <quadrille/concepts.h>.");
-  static constexpr bool looks_at_star = true;
-  static constexpr bool asks_for_volume = true;
-  static constexpr Rejection cause = Rejection::volume;
+  static constexpr bool looks_at_star = true;   ///< the place is settled by the faces around
+  static constexpr bool asks_for_volume = true; ///< Report tells the volume
+  static constexpr Rejection cause = Rejection::volume; ///< what refusals count as
 
-  Placement placement = {};
+  Placement placement = {}; ///< whose position is moved
 
+  /// The guess by which pairs are ordered: where the wrapped placement goes.
   auto operator()(const auto& cost, const auto& pair) const { return placement(cost, pair); }
 
   /// Where the wrapped placement would go, but on the plane.
@@ -68,6 +69,7 @@ struct VolumeKeeping {
     return std::abs(plane.change(space(x) - space(pair.first))) <= plane.rounding();
   }
 
+  /// As that of the wrapped placement.
   template <class Cost, class Pair, class Predicate>
   requires requires(const Placement& p, const Cost& cost, const Pair& pair, Predicate predicate) {
     p.any_equal(cost, pair, pair.first, predicate);
