@@ -8,7 +8,7 @@ export LC_ALL=C
 cd -- "$(dirname -- "$0")/.."
 sh .ci/install_packages.sh cmake g++ clang libc++-dev ninja-build libcgal-dev libcgal-demo \
   libboost-dev catch2 libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev \
-  libmeshoptimizer-dev nlohmann-json3-dev libzstd-dev gnuplot-nox help2man bash-completion \
+  libmeshoptimizer-dev nlohmann-json3-dev libzstd-dev gnuplot-nox doxygen help2man bash-completion \
   dpkg-dev file
 
 target=all

@@ -8,6 +8,7 @@ BEGIN {
     if (split(line, words, " ") > 1 && words[1] == "headers")
       for (i = 3; i in words; ++i)
         module[words[i]] = words[2]
+  find_names()
   if (!(header in module)) {
     print "doc/reference/modules.dox: names no module for " header > "/dev/stderr"
     print "/** \\ref there_is_no_module_for_" header " */"
@@ -37,6 +38,21 @@ is_hidden                       { print ""; next }
   if (pending != "")
     print is_hidden || is_guide ? "" : pending
   pending = ""
-  print is_hidden || is_guide ? "" : $0
+  if (/^ *\/\/\/ ```/)
+    is_code = !is_code
+  print is_hidden || is_guide ? "" : /^ *\/\/\/ / && !is_code ? named($0) : $0
+}
+
+# A comment with references where doxygen makes none: to concepts, and from them.
+function named(line,    result, word) {
+  while (match(line, /[A-Za-z_:`]+/)) {
+    word = substr(line, RSTART, RLENGTH)
+    result = result substr(line, 1, RSTART - 1)
+    line = substr(line, RSTART + RLENGTH)
+    if (kind[word] == "concept" || (kind[word] != "" && header == "concepts.h"))
+      word = "@ref quadrille::" word " \"" word "\""
+    result = result word
+  }
+  return result line
 }
 END { if (pending != "") print pending }

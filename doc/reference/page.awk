@@ -7,6 +7,7 @@ BEGIN {
   folder = path
   if (!sub(/\/[^\/]*$/, "", folder))
     folder = "."
+  find_names()
   lists_pages = path == "doc/manual/README.md" || path == "doc/decisions/README.md"
 }
 
@@ -59,25 +60,27 @@ function target_of(target,    file, anchor) {
   return "source/" file ".txt"
 }
 
-# A line with its links rewritten, but for those in code.
-function linked(line,    result, n, parts, i, part) {
+# A line with its links rewritten, but for those in code, and public names in code made links, but for
+# those in links.
+function linked(line,    result, n, parts, i) {
   n = split(line, parts, "`")
-  for (i = 1; i <= n; ++i) {
-    part = parts[i]
-    if (i > 1)
-      result = result "`"
-    if (i % 2 == 1 || i == n)
-      part = linked_part(part)
-    result = result part
-  }
+  result = linked_part(parts[1])
+  for (i = 2; i <= n; ++i)
+    if (i % 2 == 1)
+      result = result linked_part(parts[i])
+    else if (i < n && parts[i] in kind && parts[i - 1] !~ /\[[^]]*$/)
+      result = result "@ref quadrille::" parts[i] " \"" parts[i] "\""
+    else
+      result = result "`" parts[i] (i < n ? "`" : "")
   return result
 }
-function linked_part(part,    result, target, text) {
+function linked_part(part,    result, source, target, text) {
   while (match(part, /\]\([^)]*\)/)) {
-    target = target_of(substr(part, RSTART + 2, RLENGTH - 3))
+    source = substr(part, RSTART + 2, RLENGTH - 3)
+    target = target_of(source)
     text = substr(part, 1, RSTART - 1)
     part = substr(part, RSTART + RLENGTH)
-    if (lists_pages && target ~ /^@ref page_/ && match(text, /\[[^\[]*$/))
+    if (lists_pages && source !~ /\// && target ~ /^@ref page_/ && match(text, /\[[^\[]*$/))
       result = result substr(text, 1, RSTART - 1) "@sub" "page " substr(target, 6) " \"" substr(text, RSTART + 1) "\""
     else
       result = result text "](" target ")"

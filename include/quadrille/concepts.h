@@ -30,27 +30,37 @@ namespace quadrille {
 
 /// **Cost**: what does a vertex remember of the surface, and what does a target position cost?
 ///
-/// Checked: `C::dimension`, 3 plus the number of attributes (which are of the kind
-/// `C::attribute`, Attribute::any without it); `C::Memory`, a semiregular type with
-/// +=; `cost.face(p, q, r)`, what a face leaves at its corner p; `cost(pair, x)`, the cost of
-/// contracting a pair to x, where `pair.first`, `pair.second` are the positions of its ends and
-/// `pair.memory` is the sum of what both remember.
+/// **Refines** `std::copy_constructible`.
 ///
-/// Not checked: a cost is at least 0 and depends on nothing but its arguments.
+/// **Has models** Quadric, MemorylessQuadric, ThinFeatureQuadric, AttributeQuadric, EdgeLength.
 ///
-/// Used where there, each by itself: `memory.move_origin(d)`, if what is remembered is kept about
-/// its vertex (`pair.memory` is then about `pair.first`); `cost.minimizer(pair)`, an optional
-/// position of least cost, which OptimalPlacement needs; `cost.boundary(p, q, r)`, what the
-/// boundary edge pq of the face pqr leaves at p; `cost.crease(p, q, r)` with `cost.crease_degrees`,
-/// the same for a crease; `cost.squared_error(pair, value)`, a cost as the square of a distance,
-/// for Status and Report (without it that is the cost itself); `cost.tie_break(pair, x)`, what is
-/// added to a cost in the order of pairs only, to tell those of equal costs apart: far below any
-/// cost that matters; `cost.validate()`, which throws if
-/// the policy makes no sense; `C::face_is_alike_at_corners`, true if face(p, q, r) leaves the same
-/// at q and r; `C::Current` and what goes with it, for a look at the surface as it is now: see
-/// MemorylessQuadric.
+/// **Requirements**, for a constant `cost` of the type `C`:
 ///
-/// The least model:
+/// - `C::dimension`: 3 plus the number of attributes, which are of the kind `C::attribute`, or
+///   Attribute::any without it.
+/// - `C::Memory`: what a vertex remembers, a semiregular type with `+=`.
+/// - `cost.face(p, q, r)`: the Memory that a face of the input leaves at its corner p.
+/// - `cost(pair, x)`: what it costs to contract a pair to x, a number. `pair.first` and
+///   `pair.second` are the positions of its ends, `pair.memory` is the sum of what both remember.
+/// - Not checked: a cost is at least 0 and depends on nothing but its arguments.
+///
+/// **Used where there**, each by itself:
+///
+/// - `memory.move_origin(d)`: what is remembered is kept about its vertex; `pair.memory` is then
+///   about `pair.first`.
+/// - `cost.minimizer(pair)`: an optional position of least cost, which OptimalPlacement needs.
+/// - `cost.boundary(p, q, r)`: the Memory that the boundary edge pq of the face pqr leaves at p.
+/// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease.
+/// - `cost.squared_error(pair, value)`: a cost as the square of a distance, for Status and Report;
+///   without it that is the cost itself.
+/// - `cost.tie_break(pair, x)`: what is added to a cost in the order of pairs only, to tell those
+///   of equal costs apart, far below any cost that matters.
+/// - `cost.validate()`: throws if the policy makes no sense.
+/// - `C::face_is_alike_at_corners`: true if face(p, q, r) leaves the same at q and r.
+/// - `C::Current` and what goes with it: a look at the surface as it is now, see MemorylessQuadric.
+/// - `C::ScaleFree`: the cost does as well in any unit of length, see concepts.h.
+///
+/// **The least model**:
 /// ```cpp
 /// struct Distance {  // how far the two ends have to go
 ///   static constexpr std::size_t dimension = 3;
@@ -61,7 +71,6 @@ namespace quadrille {
 ///   }
 /// };
 /// ```
-/// Models: Quadric, MemorylessQuadric, ThinFeatureQuadric, AttributeQuadric<N>, EdgeLength.
 template <class C>
 concept CostPolicy = std::copy_constructible<C> && requires {
   requires C::dimension >= 3;
@@ -76,33 +85,42 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 
 /// **Placement**: where does the contracted vertex go?
 ///
-/// Checked: `placement(cost, pair)` gives a position. `pair.first` and `pair.second` are the ends,
-/// `pair.squared_reach` is how far their farthest neighbour is, squared; `cost(pair, x)` tells what
-/// a position costs and, where the cost has one, `cost.minimizer(pair)` an optional position of
-/// least cost; `pair.memory` is there if the cost is not ScaleFree, or the placement itself is. Not
-/// checked: the position is finite (one that is not is refused and counted as Rejection::position).
+/// **Refines** `std::copy_constructible`.
 ///
-/// Used where there: `placement.any_equal(cost, pair, x, predicate)`, which tries other positions
-/// that cost what x does, where filters refuse x: see OptimalPlacement.
+/// **Has models** OptimalPlacement, EndpointPlacement, MidpointPlacement, VolumeKeeping, OuterHull,
+/// InnerHull.
 ///
-/// Also used, in a scale-free placement that says `static constexpr bool looks_at_star = true`:
-/// `placement.settle(cost, pair, star)`, an optional position once the faces around the pair are
-/// known, all of them: `star.for_each_face(visit)` calls visit(p, q, r) with the corners of each;
-/// `placement.admits(pair, star, x)`, the last word on each position that is tried, and
-/// `P::cause`, the Rejection that counts where it says no or there is none;
-/// `placement.any_further(cost, pair, star, predicate)`, which tries others then; `P::Guess`, a
-/// placement by which pairs are ordered until their turn, `P::rise_of_guess`, what to multiply its
-/// costs with. The call itself, `placement(cost, pair)`, is that guess.
+/// **Requirements**, for a constant `placement`:
 ///
-/// The least model:
+/// - `placement(cost, pair)`: a position, a Vector of the cost's dimension. `pair.first` and
+///   `pair.second` are the ends, `pair.squared_reach` is how far their farthest neighbour is,
+///   squared; `cost(pair, x)` tells what a position costs and, where the cost has one,
+///   `cost.minimizer(pair)` an optional position of least cost; `pair.memory` is there if the cost
+///   is not ScaleFree, or the placement itself is.
+/// - Not checked: the position is finite. One that is not is refused, as Rejection::position.
+///
+/// **Used where there**:
+///
+/// - `placement.any_equal(cost, pair, x, predicate)`: tries other positions that cost what x does,
+///   where filters refuse x: see OptimalPlacement.
+/// - `P::ScaleFree`: the placement does as well in any unit of length, see concepts.h.
+///
+/// **Also used**, in a scale-free placement that says `static constexpr bool looks_at_star = true`:
+///
+/// - `placement.settle(cost, pair, star)`: an optional position once the faces around the pair are
+///   known, all of them: `star.for_each_face(visit)` calls visit(p, q, r) with the corners of each.
+/// - `placement.admits(pair, star, x)`: the last word on each position that is tried.
+/// - `P::cause`: the Rejection that counts where it says no, or where there is no position.
+/// - `placement.any_further(cost, pair, star, predicate)`: tries others then.
+/// - `P::Guess`: a placement by which pairs are ordered until their turn, and `P::rise_of_guess`,
+///   what to multiply its costs with. The call itself, `placement(cost, pair)`, is that guess.
+///
+/// **The least model**:
 /// ```cpp
 /// struct First {
 ///   auto operator()(const auto& /*cost*/, const auto& pair) const { return pair.first; }
 /// };
 /// ```
-///
-/// Models: OptimalPlacement, EndpointPlacement, MidpointPlacement, VolumeKeeping, OuterHull,
-/// InnerHull.
 template <class P, class Cost>
 concept PlacementPolicy = std::copy_constructible<P> &&
     requires(const P placement, const typename internal::SeenByPlacement<P, Cost>::Costs cost,
@@ -112,16 +130,30 @@ concept PlacementPolicy = std::copy_constructible<P> &&
 
 /// **Pairs**: which pairs of vertices may ever be contracted?
 ///
-/// Checked: `pairs(surface, emit)` is a call that returns nothing; `surface` is a SurfaceView,
-/// `emit`, an EmitPair, selects a pair: `emit(i, j)`. With `static constexpr bool includes_edges =
-/// true` in the policy every edge is a pair as well, now and later; without it only the emitted
-/// pairs and what becomes of them are. With `static constexpr bool ignores_indices = true` the
-/// points of a large surface may come in another order than the user's. Not checked: the indices
-/// are those of vertices (std::out_of_range otherwise).
+/// **Refines** `std::copy_constructible`.
 ///
-/// The least model: `struct None { void operator()(const SurfaceView&, auto&&) const {} };`
+/// **Has models** EdgePairs, ThresholdPairs.
 ///
-/// Models: EdgePairs, ThresholdPairs.
+/// **Requirements**, for a constant `pairs`:
+///
+/// - `pairs(surface, emit)`: selects pairs by calls `emit(i, j)`, and returns nothing. `surface` is
+///   a SurfaceView, `emit` an EmitPair.
+/// - Not checked: i and j are indices of points of the view. Others make std::out_of_range.
+///
+/// **Used where there**:
+///
+/// - `static constexpr bool includes_edges = true`: every edge is a pair as well, now and later.
+///   Without it only the emitted pairs and what becomes of them are.
+/// - `static constexpr bool ignores_indices = true`: the points of a large surface may come in
+///   another order than the user's.
+/// - `pairs.validate()`: throws if the policy makes no sense.
+///
+/// **The least model**:
+/// ```cpp
+/// struct None {
+///   void operator()(const SurfaceView&, auto&&) const {}
+/// };
+/// ```
 template <class P>
 concept PairPolicy = std::copy_constructible<P> &&
     requires(const P pairs, const SurfaceView surface, const EmitPair emit) {
@@ -130,16 +162,24 @@ concept PairPolicy = std::copy_constructible<P> &&
 
 /// **Stop**: is this enough? Asked before each contraction.
 ///
-/// Checked: `stop(status)` gives a bool; `status` is a Status. Not checked: it stays true.
+/// **Refines** `std::copy_constructible`.
 ///
-/// Used where there: `S::asks_for_distance`, true for a look at Status::next_distance: a pair that
-/// only this makes the stop policy stop at is refused, and the search goes on.
-/// `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it? The
-/// engine then looks for a pair that meets the target exactly.
+/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, AnyOf, AllOf.
 ///
-/// The least model is a lambda: `[](const Status& status) { return status.faces < 1000; }`
+/// **Requirements**, for a constant `stop`:
 ///
-/// Models: FaceCount, FaceRatio, VertexCount, ErrorLimit, AnyOf, AllOf.
+/// - `stop(status)`: a bool; `status` is a Status.
+/// - Not checked: once it is true it stays so.
+///
+/// **Used where there**:
+///
+/// - `S::asks_for_distance`, true for a look at Status::next_distance: a pair that only this makes
+///   the stop policy stop at is refused, and the search goes on.
+/// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
+///   The engine then looks for a pair that meets the target exactly.
+/// - `stop.validate()`: throws if the policy makes no sense.
+///
+/// **The least model** is a lambda: `[](const Status& status) { return status.faces < 1000; }`
 template <class S>
 concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const Status status) {
   { stop(status) } -> std::convertible_to<bool>;
@@ -148,14 +188,29 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 /// **Filter**: may this contraction be done? Asked just before it; any number of filters work
 /// together.
 ///
-/// Checked: `filter.allows(contraction)` gives a bool. `contraction.faces()` are the faces that
-/// change, each with its moving corner `before` and `after` and its others, `second` and `third`;
-/// `contraction.target()` is the new position; `contraction.makes_fold()` tells whether a face
-/// would come to lie over a neighbour.
+/// **Refines** `std::copy_constructible`.
 ///
-/// The least model: `struct All { bool allows(const auto&) const { return true; } };`
+/// **Has models** NormalFlip, TriangleShape, HighestDegree.
 ///
-/// Models: NormalFlip, TriangleShape, HighestDegree.
+/// **Requirements**, for a constant `filter`:
+///
+/// - `filter.allows(contraction)`: a bool. `contraction.faces()` are the faces that change, each
+///   with its moving corner `before` and `after` and its others, `second` and `third`;
+///   `contraction.target()` is the new position; `contraction.highest_degree()` is that of the
+///   pair's ends, in faces; `contraction.makes_fold()` tells whether a face would come to lie over a
+///   neighbour.
+///
+/// **Used where there**:
+///
+/// - `F::cause`: the Rejection that counts where it says no; Rejection::filter without it.
+/// - `F::ScaleFree`: the filter does as well in any unit of length, see concepts.h.
+///
+/// **The least model**:
+/// ```cpp
+/// struct All {
+///   bool allows(const auto&) const { return true; }
+/// };
+/// ```
 template <class F, class Cost>
 concept FilterPolicy = std::copy_constructible<F> &&
     requires(const F filter,

@@ -67,10 +67,17 @@ struct RecordedContraction {
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };
 
-/// **ContractionRecorder**: `recorder.begin(surface)` before the first contraction, with a surface
-/// of its own; `recorder.record(contraction)` for each in order; `recorder.end()` behind the last,
-/// before the mesh is changed. What a contraction refers to is there during the call only. If one
-/// of them throws, the mesh stays as it was.
+/// **Recorder**: what is told of all contractions? If one of its calls throws, the mesh stays as it
+/// was.
+///
+/// **Has models** Levels.
+///
+/// **Requirements**, for a `recorder`:
+///
+/// - `recorder.begin(surface)`: before the first contraction, with a RecordedSurface of its own.
+/// - `recorder.record(contraction)`: each RecordedContraction in order. What it refers to is there
+///   during the call only.
+/// - `recorder.end()`: behind the last one, before the mesh is changed.
 template <class R>
 concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
                                        const RecordedContraction& contraction) {

@@ -29,7 +29,13 @@ struct Visitor {
   bool proceed(const Status& /*status*/) const { return true; }
 };
 
-/// **Visitor**: `visitor.proceed(status)` gives a bool; it need not be const.
+/// **Visitor**: what is told of a simplification, and may cancel it?
+///
+/// **Has models** Visitor.
+///
+/// **Requirements**, for a `visitor`, which need not be constant:
+///
+/// - `visitor.proceed(status)`: a bool; `status` is a Status. When it is called: see Visitor.
 template <class V>
 concept VisitorPolicy = requires(V& visitor, const Status status) {
   { visitor.proceed(status) } -> std::convertible_to<bool>;
