@@ -197,8 +197,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 /// - `filter.allows(contraction)`: a bool. `contraction.faces()` are the faces that change, each
 ///   with its moving corner `before` and `after` and its others, `second` and `third`;
 ///   `contraction.target()` is the new position; `contraction.highest_degree()` is that of the
-///   pair's ends, in faces; `contraction.makes_fold()` tells whether a face would come to lie over a
-///   neighbour.
+///   pair's ends, in faces; `contraction.makes_fold()` tells whether a face would come to lie over
+///   a neighbour.
 ///
 /// **Used where there**:
 ///
