@@ -6,7 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iostream>
 #include <quadrille/cluster.h>
+#include <quadrille/distance.h>
 #include <quadrille/hull.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>

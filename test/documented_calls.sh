@@ -10,7 +10,7 @@ trap 'rm -rf "$blocks"' EXIT
 
 find "$repository/README.md" "$repository/doc" -name '*.md' | sort | while read -r document; do
   awk -v document="$document" '
-    /^<!-- file: .* -->$/      { is_file = 1; next }
+    /^<!-- (file|part): .* -->$/ { is_file = 1; next }
     /^```cpp$/ && !is_file     { print "{\n#line " FNR + 1 " \"" document "\""; inside = 1; next }
     /^```$/ && inside          { print "}"; inside = 0 }
     inside                     { print }

@@ -90,7 +90,7 @@ function linked_part(part,    result, source, target, text) {
 
 /^ *```/ { code = !code }
 code || /^ *```/ { print; next }
-/^<!-- file: / { print ""; next }
+/^<!-- .* -->$/ { print ""; next }
 /^# / && !titled { titled = 1; print $0 " {#" (path == "README.md" ? "mainpage" : page(path)) "}"; next }
 /^##+ / { heading = $0; sub(/^#+ /, "", heading); print $0 " {#" page(path) "_" slug(heading) "}"; next }
 { print linked($0) }
