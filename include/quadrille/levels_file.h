@@ -6,6 +6,7 @@
 #include <quadrille/internal/levels/levels_file_writer.h>
 #include <quadrille/internal/levels/segment_bytes.h>
 #include <quadrille/levels.h>
+#include <quadrille/levels_file_options.h>
 
 #include <algorithm>
 #include <array>

@@ -6,26 +6,13 @@
 #include <quadrille/internal/levels/level_directory.h>
 #include <quadrille/internal/levels/segment_bytes.h>
 #include <quadrille/levels.h>
+#include <quadrille/levels_file_options.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <ios>
 #include <ostream>
-#include <string>
 #include <vector>
-
-namespace quadrille {
-
-/// How levels are written.
-struct LevelsFileOptions {
-  /// About half as many bytes.
-  bool is_compressed = internal::has_zstd;
-  /// Rounds coordinates and attributes to floats, as for a mesh of floats they are anyway.
-  bool rounds_to_floats = false;
-  std::string comment = {}; ///< anything: how the levels were made
-};
-
-} // namespace quadrille
 
 namespace quadrille::internal {
 
