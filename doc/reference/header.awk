@@ -40,7 +40,8 @@ is_hidden                       { print ""; next }
   pending = ""
   if (/^ *\/\/\/ ```/)
     is_code = !is_code
-  print is_hidden || is_guide ? "" : /^ *\/\/\/ / && !is_code ? named($0) : $0
+  comment = index($0, "///")
+  print is_hidden || is_guide ? "" : comment && !is_code ? substr($0, 1, comment - 1) named(substr($0, comment)) : $0
 }
 
 # A comment with references where doxygen makes none: to concepts, and from them.

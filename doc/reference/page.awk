@@ -68,6 +68,8 @@ function linked(line,    result, n, parts, i) {
   for (i = 2; i <= n; ++i)
     if (i % 2 == 1)
       result = result linked_part(parts[i])
+    else if (i < n && parts[i - 1] ~ /\[$/ && parts[i + 1] ~ /^\]\(/)
+      result = result parts[i] # doxygen shows the marks of code in the text of a link
     else if (i < n && parts[i] in kind && parts[i - 1] !~ /\[[^]]*$/)
       result = result "@ref quadrille::" parts[i] " \"" parts[i] "\""
     else
