@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>
@@ -13,8 +14,10 @@
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
+#include <span>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;

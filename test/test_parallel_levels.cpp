@@ -11,19 +11,31 @@
 #include <catch2/catch.hpp>
 
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 using namespace quadrille;
 using namespace test;
 
-TEST_CASE("any number of threads tells the same contractions in the same order") {
+namespace {
+
+struct RefusalLog : Log {
+  std::vector<std::tuple<RecordedIndex, RecordedIndex, Rejection, double>> refusals;
+  void refuse(const RecordedRefusal& refusal) {
+    refusals.emplace_back(refusal.first, refusal.second, refusal.cause, refusal.error);
+  }
+};
+
+} // namespace
+
+TEST_CASE("any number of threads tells the same contractions and refusals in the same order") {
   for (const Soup& soup :
        {shuffled(with_noise(sphere(5), 3, 0.002), 11), with_holes(grid(120, 90), 7, 9)})
     for (const Topology topology : {Topology::kept, Topology::free}) {
-      Log of_one;
+      RefusalLog of_one;
       for (const unsigned threads : {1U, 2U, 4U}) {
         CAPTURE(threads);
-        Log log;
+        RefusalLog log;
         PointSoup points(soup);
         simplify<MemorylessQuadric, OptimalPlacement>(
             points.points, points.triangles, FaceRatio{0.02}, topology,
@@ -32,6 +44,8 @@ TEST_CASE("any number of threads tells the same contractions in the same order")
         if (threads == 1)
           of_one = log;
         CHECK((log == of_one));
+        CHECK(log.refusals.size() > 20);
+        CHECK(log.refusals == of_one.refusals);
       }
       Replay replay(of_one);
       bool is_right = true;

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -54,11 +55,18 @@ void check_calls(const std::vector<Status>& seen, const Report& report) {
   CHECK(seen.front().faces == report.faces_before);
   CHECK(seen[2].contractions == 0); // it is called while the surface is prepared
   CHECK(seen[2].progress == 0);
+  CHECK(seen[2].stage == Stage::prepare);
+  const auto begun = std::find_if(seen.begin(), seen.end(), [](const Status& status) {
+    return status.stage == Stage::contract;
+  });
+  CHECK(begun->contractions == 0); // told before the first contraction
   CHECK(seen.back().progress == 1);
   CHECK(seen.back().faces == report.faces_after);
   CHECK(seen.back().contractions == report.contractions);
   for (std::size_t i = 1; i < seen.size(); ++i) {
     CHECK(seen[i].progress >= seen[i - 1].progress);
+    CHECK(seen[i].stage >= seen[i - 1].stage);
+    CHECK((seen[i].stage == Stage::write) == (i + 1 == seen.size()));
     CHECK((seen[i].progress < 1 || i + 1 == seen.size()));
   }
   const Status& middle = seen[seen.size() / 2];

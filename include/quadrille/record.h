@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_RECORD_H
 #define QUADRILLE_RECORD_H
 
+#include <quadrille/report.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +69,14 @@ struct RecordedContraction {
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };
 
+/// A pair that has been refused; it may come again, when something has changed beside it.
+struct RecordedRefusal {
+  /// The ends. Both are not_recorded for a part that may not vanish.
+  RecordedIndex first = not_recorded, second = not_recorded;
+  Rejection cause; ///< why
+  double error; ///< of the contraction, had it been done, as a distance: see Report::error
+};
+
 /// **Recorder**: what is told of all contractions? If one of its calls throws, the mesh stays as it
 /// was.
 ///
@@ -78,6 +88,11 @@ struct RecordedContraction {
 /// - `recorder.record(contraction)`: each RecordedContraction in order. What it refers to is there
 ///   during the call only.
 /// - `recorder.end()`: behind the last one, before the mesh is changed.
+///
+/// Used where there:
+///
+/// - `recorder.refuse(refusal)`: each RecordedRefusal that Report counts.
+/// - `recorder.stop(reason)`: a StopReason, just before the end.
 template <class R>
 concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
                                        const RecordedContraction& contraction) {
@@ -91,7 +106,8 @@ concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
 ///
 /// RelaxedOrder contracts in many places at a time. Its contractions are told in an order in which
 /// they could have been done one by one, which is the same for any number of threads: those of a
-/// pass by their costs, as far as the order within each block allows it.
+/// pass by their costs, as far as the order within each block allows it. Behind those of a stage of
+/// a pass come its refusals, by block, and as they were in each.
 template <ContractionRecorder R>
 struct RecordInto {
   R* recorder; ///< not owned

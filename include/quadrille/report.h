@@ -10,6 +10,14 @@
 
 namespace quadrille {
 
+/// What a simplification is at, by the names of Report::seconds. Nobody is told of anything while
+/// the surface is read.
+enum class Stage {
+  prepare,  ///< the surface has been read; what costs need of it is computed, then pairs are costed
+  contract, ///< pairs are contracted, or refused
+  write     ///< nothing more is contracted, and the surface is about to be rewritten
+};
+
 /// What a stop policy sees: the surface as it is just before the next contraction.
 struct Status {
   std::size_t initial_faces = 0;    ///< of the input, without degenerate and doubled ones
@@ -30,6 +38,7 @@ struct Status {
   /// What a visitor sees: about which part of the contractions has been done, as far as the stop
   /// policy tells beforehand; 0 while the surface is prepared, 1 at the last call only.
   double progress = 0;
+  Stage stage = Stage::prepare; ///< what a visitor sees
 };
 
 /// Why a simplification has ended.
@@ -67,6 +76,11 @@ enum class Rejection {
   filter,  ///< a filter of the user's refused
 };
 inline constexpr std::size_t rejection_causes = 13; ///< how many there are
+
+constexpr std::string_view to_string(Stage stage) {
+  constexpr std::array<std::string_view, 3> names{"prepare", "contract", "write"};
+  return names[static_cast<std::size_t>(stage)];
+}
 
 /// In words, as Report prints it.
 constexpr std::string_view to_string(StopReason reason) {

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/buffers.h>
 #include <quadrille/concepts.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
@@ -121,6 +122,40 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(points, triangles, policies, carried, named);
+  } else {
+    return internal::refuse<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
+  }
+}
+
+/// Simplifies a soup whose numbers lie one after the other, in a matrix, or in the vertices of a
+/// renderer, in place.
+///
+/// - points: a container of floating-point numbers, x y z x y z …, as std::vector<float>; an Eigen
+///   matrix of a row for each and three columns, as Eigen::MatrixXd; a std::span of such numbers; a
+///   VertexAttribute (see buffers.h); or a container as above
+/// - triangles: a container of integers, three for each, as std::vector<std::uint32_t>; a matrix of
+///   such rows, as Eigen::MatrixXi; a std::span; or a container as above
+///
+/// Containers and matrices get the size of the result. Spans and VertexAttributes cannot: what is
+/// left is at their beginning, Report::vertices_after points and Report::faces_after triangles;
+/// what lies behind it is unspecified. There is no point_map. The result has the same bits as that
+/// of std::array<float, 3>; otherwise as above.
+///
+/// Throws also std::invalid_argument for numbers that are not three for each point or triangle, and
+/// for a matrix of other than three columns.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::BufferedSoup<std::remove_reference_t<Points>,
+                                std::remove_reference_t<Triangles>> &&
+    internal::is_changeable<Points> && internal::is_changeable<Triangles>
+        Report simplify(Points&& points, Triangles&& triangles, const Arguments&... arguments) {
+  auto&& rows_of_points = internal::as_rows(points, "point");
+  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
+  if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
+    const auto named = internal::pick_named(arguments...);
+    return internal::simplify_soup(rows_of_points, rows_of_triangles, policies, carried, named);
   } else {
     return internal::refuse<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
   }

@@ -15,13 +15,16 @@ namespace quadrille {
 struct Visitor {
   /// Called by the thread that has called `simplify`:
   ///
-  /// - when the surface has been read: no contractions, Status::progress 0
+  /// - when the surface has been read: no contractions, Status::progress 0, Stage::prepare
   /// - while it is prepared, several times, and where pairs are costed for the queue once for
   ///   65,536 vertices: the same
+  /// - before the first pair is looked at: the same, but Stage::contract from here on
   /// - every few hundred pairs that are looked at, contracted or not, and after each pass of
   ///   RelaxedOrder
   /// - at the end, unless it has cancelled, just before the surface is rewritten: Status::progress
-  ///   1. What it returns then has no effect.
+  ///   1, Stage::write. What it returns then has no effect.
+  ///
+  /// What becomes of each pair is told to a recorder instead: see record.h.
   ///
   /// Returning false ends the simplification with StopReason::cancelled: before the first
   /// contraction with the surface as it was, later with what has been done until then. So that

@@ -50,9 +50,8 @@ public:
       surface.positions.push_back(read_position(v));
       require_finite(surface.positions.back(), v);
     }
-    for (const auto& triangle : triangles_)
-      surface.triangles.push_back(
-          read_triangle(triangle, surface.triangles.size(), surface.positions.size()));
+    for (std::size_t face = 0; face < std::ranges::size(triangles_); ++face)
+      surface.triangles.push_back(read_triangle(triangles_[face], face, surface.positions.size()));
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
     if constexpr (dimension == 3)
@@ -73,7 +72,7 @@ public:
   /// soup stays as it was. Calls tell as Teller says.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
-    Points points = empty_like(points_);
+    auto points = empty_like(points_);
     const Array<Index> inputs = result.input_vertices();
     const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
     const Array<Index> new_index = places(vertices, vertices.size());
@@ -83,7 +82,7 @@ public:
     }
     if constexpr (Tell::asks_for_images)
       tell_images(result, places(inputs, result.input_vertex_count()), new_index, tell);
-    Triangles triangles = empty_like(triangles_);
+    auto triangles = empty_like(triangles_);
     const Array<Index> input_faces = result.input_faces();
     const Array<Index> faces = in_order(input_faces, result.input_face_count());
     for (Index face : faces)
@@ -91,18 +90,24 @@ public:
           triangles_[input_faces[face]],
           [&, corners = result.corners(face)](std::size_t i) { return new_index[corners[i]]; }));
     auto channels = channels_.rewritten(result, faces);
+    const auto values = channels_.values(result, vertices, inputs);
+    const auto attributes = attributes_left(result, vertices, inputs);
     Undo undo;
     try {
       move_points(result, vertices, points, undo);
-      write_attributes(result, vertices, inputs, undo);
-      labels_.write(faces, input_faces);
-      channels_.write(result, vertices, inputs);
+      put_in_place(
+          points_, points, [&](std::size_t i) { return inputs[vertices[i]]; }, triangles_,
+          triangles,
+          [&] {
+            write_attributes(attributes, undo);
+            labels_.write(faces, input_faces);
+            channels_.write(values);
+          },
+          [&] { undo.values(*this); });
     } catch (...) {
-      undo.run(*this, points);
+      undo.positions(*this, points);
       throw;
     }
-    std::swap(points_, points);
-    std::swap(triangles_, triangles);
     channels_.swap(channels);
     return 0;
   }
@@ -113,9 +118,12 @@ private:
     std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
     std::vector<AttributeValue<Attributes>> attributes;
 
-    void run(SoupAdapter& adapter, Points& new_points) const {
+    template <class NewPoints>
+    void positions(SoupAdapter& adapter, NewPoints& new_points) const {
       for (const auto& [i, p] : points)
         put(adapter.map_, new_points[i], p);
+    }
+    void values(SoupAdapter& adapter) const {
       if constexpr (Attributes::size > 0)
         for (std::size_t i = 0; i < attributes.size(); ++i)
           adapter.attributes_.put_raw(i, attributes[i]);
@@ -143,8 +151,9 @@ private:
       return position;
   }
 
-  template <class Result>
-  void move_points(const Result& result, const Array<Index>& vertices, Points& points, Undo& undo) {
+  template <class Result, class NewPoints>
+  void move_points(const Result& result, const Array<Index>& vertices, NewPoints& points,
+                   Undo& undo) {
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (result.is_moved(vertices[i])) {
         undo.points.emplace_back(i, get(map_, points[i]));
@@ -152,17 +161,24 @@ private:
       }
   }
 
-  // A new index is never above the old one, so going up nothing is overwritten that is still
-  // needed.
+  // The attributes of the new points.
   template <class Result>
-  void write_attributes(const Result& result, const Array<Index>& vertices,
-                        const Array<Index>& inputs, Undo& undo) {
+  auto attributes_left(const Result& result, const Array<Index>& vertices,
+                       const Array<Index>& inputs) const {
+    std::vector<AttributeValue<Attributes>> left;
     if constexpr (Attributes::size > 0)
-      for (std::size_t i = 0; i < vertices.size(); ++i) {
+      for (Index v : vertices) {
+        const auto old = attributes_.raw(std::size_t{inputs[v]});
+        left.push_back(
+            result.is_moved(v) ? attributes_.changed(old, attributes_of(result.position(v))) : old);
+      }
+    return left;
+  }
+  void write_attributes(const std::vector<AttributeValue<Attributes>>& attributes, Undo& undo) {
+    if constexpr (Attributes::size > 0)
+      for (std::size_t i = 0; i < attributes.size(); ++i) {
         undo.attributes.push_back(attributes_.raw(i));
-        attributes_.put_raw(i, attributes_.raw(std::size_t{inputs[vertices[i]]}));
-        if (result.is_moved(vertices[i]))
-          attributes_.write(i, attributes_of(result.position(vertices[i])));
+        attributes_.put_raw(i, attributes[i]);
       }
   }
 

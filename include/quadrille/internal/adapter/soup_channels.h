@@ -69,37 +69,32 @@ public:
     (Indices());
   }
 
-  /// Writes the values of points to maps. `vertices` are numbers of the result, in the order in
-  /// which they are written, and `inputs` the points that they were. If anything throws, undo()
-  /// puts back what there was.
+  /// The values that points will have, of each channel that is a map over them. `vertices` are
+  /// numbers of the result, in the order in which they are written, and `inputs` the points that
+  /// they were.
   template <class Result>
-  void write(const Result& result, const Array<Index>& vertices, const Array<Index>& inputs) {
-    for_each_channel(maps_, [&](auto& map, std::size_t c) {
-      if constexpr (!is_indexed<SourceOf<decltype(map)>>)
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
-          // A new index is never above the old one, so nothing is overwritten that is needed.
-          const auto old = map.raw(std::size_t{inputs[vertices[i]]});
-          map.overwrite(
-              i,
-              map.changed(result, numbers_[c], result.first_wedge(vertices[i]), old).value_or(old));
-        }
-    });
+  auto values(const Result& result, const Array<Index>& vertices,
+              const Array<Index>& inputs) const {
+    return values_of_all(
+        result, vertices.size(), [&](std::size_t i) { return inputs[vertices[i]]; },
+        [&](std::size_t, std::size_t i) { return result.first_wedge(vertices[i]); });
   }
   /// The same for points that are split.
   template <class Result>
-  void write_split(const Result& result, const SplitPoints& points) {
-    for_each_channel(maps_, [&](auto& map, std::size_t c) {
-      if constexpr (!is_indexed<SourceOf<decltype(map)>>) {
-        std::vector<typename std::remove_cvref_t<decltype(map)>::Value> values;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-          const auto old = map.raw(std::size_t{points.origin(i)});
-          const Index wedge = result.wedge(numbers_[c], points.face(i), points.corner(i));
-          values.push_back(map.changed(result, numbers_[c], wedge, old).value_or(old));
-        }
-        for (std::size_t i = 0; i < points.size(); ++i)
-          map.overwrite(i, values[i]);
-      }
-    });
+  auto values(const Result& result, const SplitPoints& points) const {
+    return values_of_all(
+        result, points.size(), [&](std::size_t i) { return points.origin(i); },
+        [&](std::size_t c, std::size_t i) {
+          return result.wedge(c, points.face(i), points.corner(i));
+        });
+  }
+  /// Writes them to the maps. If anything throws, undo() puts back what there was.
+  template <class Values>
+  void write(const Values& values) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (this->write(std::get<I>(maps_), std::get<I>(values)), ...);
+    }
+    (Indices());
   }
   /// Which channels are maps over points.
   std::vector<std::size_t> of_points() {
@@ -138,6 +133,37 @@ private:
   }
 
   struct Nothing {};
+
+  template <class Result, class Origin, class Wedge>
+  auto values_of_all(const Result& result, std::size_t count, Origin origin, Wedge wedge) const {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return std::make_tuple(
+          values_of(std::get<I>(maps_), numbers_[I], result, count, origin, wedge)...);
+    }
+    (Indices());
+  }
+  template <class Map, class Result, class Origin, class Wedge>
+  static auto values_of([[maybe_unused]] const Map& map, [[maybe_unused]] std::size_t c,
+                        const Result& result, std::size_t count, Origin origin, Wedge wedge) {
+    if constexpr (is_indexed<typename Map::Source>) {
+      return Nothing{};
+    } else {
+      std::vector<typename Map::Value> values;
+      values.reserve(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto old = map.raw(std::size_t{origin(i)});
+        values.push_back(map.changed(result, c, wedge(c, i), old).value_or(old));
+      }
+      return values;
+    }
+  }
+  template <class Map, class Values>
+  static void write([[maybe_unused]] Map& map, [[maybe_unused]] const Values& values) {
+    if constexpr (!is_indexed<typename Map::Source>)
+      for (std::size_t i = 0; i < values.size(); ++i)
+        map.overwrite(i, values[i]);
+  }
+
   template <class Result, class Map>
   static auto rewritten(const Result& result, const Array<Index>& faces, std::size_t c,
                         const Map& map) {

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ADAPTER_SOUP_PARTS_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/read_indices.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -12,6 +13,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,27 @@ inline Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {
   Array<Index> order = places(inputs, count);
   std::erase(order, none);
   return order;
+}
+
+/// Puts points and triangles that have been built in the place of those of a soup, and calls
+/// write() in between: maps that it writes to may lie among the points, so these come first. If it
+/// throws, undo() puts back what it has written, and the soup is as it was. `origin(i)` is the
+/// point of the input that is point i now.
+template <class Points, class NewPoints, class Origin, class Triangles, class NewTriangles,
+          class Write, class Undo>
+void put_in_place(Points& points, NewPoints& new_points, Origin origin, Triangles& triangles,
+                  NewTriangles& new_triangles, Write write, Undo undo) {
+  auto&& points_left = replacement(points, new_points, origin);
+  auto&& triangles_left = replacement(triangles, new_triangles, std::identity());
+  swap_in(points, points_left);
+  try {
+    write();
+  } catch (...) {
+    undo();
+    swap_in(points, points_left);
+    throw;
+  }
+  swap_in(triangles, triangles_left);
 }
 
 /// The labels of a soup's triangles.

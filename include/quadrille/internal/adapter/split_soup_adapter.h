@@ -45,8 +45,8 @@ public:
     surface.has_duplicate_faces = true;
     weld(surface);
     Array<TriangleComplex::Triangle> corners(workspace_);
-    for (const auto& triangle : triangles_) {
-      corners.push_back(read_triangle(triangle, corners.size(), vertex_of_.size()));
+    for (std::size_t face = 0; face < std::ranges::size(triangles_); ++face) {
+      corners.push_back(read_triangle(triangles_[face], face, vertex_of_.size()));
       const auto [a, b, c] = corners.back();
       surface.triangles.push_back({vertex_of_[a], vertex_of_[b], vertex_of_[c]});
     }
@@ -77,30 +77,35 @@ public:
       throw std::length_error("quadrille::simplify: split vertices would become more, " +
                               std::to_string(split.size()) + " of " +
                               std::to_string(vertex_of_.size()));
-    Points points = empty_like(points_);
+    auto points = empty_like(points_);
     for (std::size_t i = 0; i < split.size(); ++i) {
       points.push_back(points_[split.origin(i)]);
       tell.vertex(i, split.vertex(i), result);
     }
-    Triangles triangles = empty_like(triangles_);
+    auto triangles = empty_like(triangles_);
     for (std::size_t f = 0; f < faces.size(); ++f)
       triangles.push_back(renumbered(triangles_[inputs[faces[f]]],
                                      [&](std::size_t i) { return split.number(f, i); }));
     auto channels = channels_.rewritten(result, faces);
+    const auto values = channels_.values(result, split);
     std::vector<std::pair<std::size_t, Point>> overwritten;
     try {
       move_points(result, split, points, overwritten);
-      labels_.write(faces, inputs);
-      channels_.write_split(result, split);
+      put_in_place(
+          points_, points, [&](std::size_t i) { return split.origin(i); }, triangles_, triangles,
+          [&] {
+            labels_.write(faces, inputs);
+            channels_.write(values);
+          },
+          [&] {
+            labels_.undo();
+            channels_.undo();
+          });
     } catch (...) {
       for (const auto& [i, p] : overwritten)
         put(map_, points[i], p);
-      labels_.undo();
-      channels_.undo();
       throw;
     }
-    std::swap(points_, points);
-    std::swap(triangles_, triangles);
     channels_.swap(channels);
     return 0;
   }
@@ -109,8 +114,8 @@ private:
   // Points at one place are one vertex, which has the number of the first among the vertices.
   void weld(SurfaceInput<3>& surface) {
     Array<Vector<3>> places(workspace_);
-    for (const auto& point : points_) {
-      places.push_back(position_of(get(map_, point)));
+    for (std::size_t i = 0; i < std::ranges::size(points_); ++i) {
+      places.push_back(position_of(get(map_, points_[i])));
       require_finite(places.back(), places.size() - 1);
     }
     Array<Index> order(places.size(), workspace_);
@@ -134,8 +139,8 @@ private:
       }
   }
 
-  template <class Result>
-  void move_points(const Result& result, const SplitPoints& split, Points& points,
+  template <class Result, class NewPoints>
+  void move_points(const Result& result, const SplitPoints& split, NewPoints& points,
                    std::vector<std::pair<std::size_t, Point>>& overwritten) {
     for (std::size_t i = 0; i < split.size(); ++i) {
       const Vector<3> position = result.position(split.vertex(i));

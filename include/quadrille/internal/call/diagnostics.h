@@ -73,6 +73,12 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
 void simplify(const Points&, const Triangles&, // what is constant or temporary cannot be simplified
               const Arguments&...) = delete;
 
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::ConstantBuffers<Points, Triangles>
+void simplify(const Points&, const Triangles&, // what is constant or temporary cannot be simplified
+              const Arguments&...) = delete;
+
 } // namespace quadrille
 
 #endif // QUADRILLE_INTERNAL_CALL_DIAGNOSTICS_H

@@ -5,7 +5,9 @@
 #include <quadrille/internal/adapter/face_graph_adapter.h>
 #include <quadrille/internal/adapter/label_numbers.h>
 #include <quadrille/internal/adapter/soup_adapter.h>
+#include <quadrille/internal/adapter/soup_rows.h>
 #include <quadrille/internal/adapter/split_soup_adapter.h>
+#include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/call/run.h>
@@ -54,10 +56,21 @@ concept ReadableGraph = requires(const G& g) {
 };
 
 template <class P>
-concept PointContainer =
-    std::ranges::random_access_range<P> && !FaceGraph<P> && requires(P & points) {
+concept PointContainer = std::ranges::random_access_range<P> && !FaceGraph<P> && !RowsOfPoints<P> &&
+                         requires(P & points) {
   points.push_back(points[0]);
 };
+
+/// Points and triangles of which at least one is no container of such: see buffers.h.
+template <class Points, class Triangles>
+concept BufferedSoup = (RowsOfPoints<Points> &&
+                        (RowsOfTriangles<Triangles> || TriangleContainer<Triangles>)) ||
+                       (RowsOfTriangles<Triangles> && PointContainer<Points>);
+
+/// The same, constant, unless it refers to what is changed, as spans do.
+template <class Points, class Triangles>
+concept ConstantBuffers = BufferedSoup<Points, Triangles> &&
+    !(is_changeable<const Points&> && is_changeable<const Triangles&>);
 
 /// Fixes the vertices that are constrained, if any are.
 template <class Reader, class Input, class NamedParameters>
@@ -144,7 +157,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
-  using Point = std::ranges::range_value_t<Points>;
+  using Point = ElementOf<Points>;
   const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
   const auto creases = get_parameter(named, parameters::edge_is_crease);
   static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)>,

@@ -65,7 +65,7 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
     return StopReason::cancelled;
   if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
     report.seconds.prepare = watch.lap();
-    if (!RelaxedPasses<Policies>(surface).run())
+    if (!surface.progress().begin_contracting() || !RelaxedPasses<Policies>(surface).run())
       return StopReason::cancelled;
     if (surface.progress().is_enough())
       return surface.target_rules().reason_of_stop(surface.status());
@@ -88,7 +88,7 @@ simplify_input(Input input, const Box& box, const Policies& policies, bool keeps
   report.volume_after = volume(surface);
   if (surface.progress().is_cancelled() && !surface.progress().has_begun())
     return std::nullopt;
-  surface.recording().end();
+  surface.recording().end(report.stop);
   return std::move(surface).finish(keeps_memories, report);
 }
 

@@ -26,6 +26,11 @@ public:
   void expect(std::size_t contractions) { expected_contractions_ = contractions; }
 
   const Status& status() const { return status_; }
+  /// Pairs are contracted from here on. False if the visitor cancels.
+  bool begin_contracting() {
+    stage_ = Stage::contract;
+    return proceed();
+  }
   /// Has anything been contracted, or vanished?
   bool has_begun() const { return status_.vertices < status_.initial_vertices; }
 
@@ -50,9 +55,11 @@ public:
   bool is_enough() const { return policies_.stop(status_); }
 
   /// Asks the visitor, which may cancel the simplification, and does until now.
-  bool proceed() { return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(part_done())); }
+  bool proceed() {
+    return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(part_done(), stage_));
+  }
   /// Tells it that nothing more is to come.
-  void tell_end() const { ask_visitor(1); }
+  void tell_end() const { ask_visitor(1, Stage::write); }
   bool is_cancelled() const { return is_cancelled_; }
 
   void tell(Report& report) const {
@@ -67,10 +74,11 @@ public:
   }
 
 private:
-  bool ask_visitor([[maybe_unused]] double progress) const {
+  bool ask_visitor([[maybe_unused]] double progress, [[maybe_unused]] Stage stage) const {
     if constexpr (has_visitor) {
       Status now = status_;
       now.progress = progress;
+      now.stage = stage;
       return policies_.visitor.proceed(now);
     } else {
       return true;
@@ -89,6 +97,7 @@ private:
   Status status_;
   Tally total_;
   std::size_t expected_contractions_ = 0;
+  Stage stage_ = Stage::prepare;
   bool is_cancelled_ = false;
 };
 

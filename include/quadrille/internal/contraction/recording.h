@@ -7,6 +7,7 @@
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
+#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/policy/policies.h>
@@ -14,6 +15,7 @@
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/record.h>
+#include <quadrille/report.h>
 
 #include <algorithm>
 #include <array>
@@ -121,9 +123,13 @@ public:
     policies_.recorder.record(removal);
   }
 
-  /// The contractions of a thread belong to a block of a pass from here on.
+  /// The input index of a vertex; `none` of none.
+  Index input_vertex(Index v) const { return v == none ? none : numbering_.vertices[v]; }
+
+  /// What a thread does and refuses belongs to a block of a pass from here on.
   static void begin_block(std::size_t number, Scratch& scratch) {
     scratch.recorded.begin_block(number);
+    scratch.refusals.begin_block(number);
   }
   /// Tells of the contractions that blocks have done, in the order of their costs, as far as the
   /// order within each block allows it: ties by block.
@@ -135,6 +141,8 @@ public:
     for (const Place& place : in_order_of_cost(std::move(places)))
       policies_.recorder.record(
           scratches_[place.thread].recorded.list.contraction(place.number, wedges));
+    if constexpr (Policies::hears_refusals)
+      tell_refusals(policies_.recorder, scratches_);
     for (Scratch& scratch : scratches_) {
       scratch.recorded.list = empty_list();
       scratch.recorded.costs.clear();
@@ -142,7 +150,7 @@ public:
     }
   }
 
-  void end() { policies_.recorder.end(); }
+  void end(StopReason reason) { policies_.recorder.end(reason); }
 
 private:
   using Corners = std::array<Index, 3>;
@@ -279,7 +287,7 @@ struct NoRecording {
   static void begin() {}
   static void begin_block(std::size_t, Scratch&) {}
   static void end_stage() {}
-  static void end() {}
+  static void end(StopReason) {}
 };
 
 template <class Policies>

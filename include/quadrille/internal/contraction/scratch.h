@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
+#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
 #include <quadrille/internal/pairs/pair_tools.h>
@@ -51,6 +52,7 @@ struct Scratch : PairTools {
   Tally tally;
   std::vector<Index> duplicates; // faces that the contraction at hand has removed as such
   RecordBuffer recorded;
+  Refusals refusals; // where a recorder wants to know
 };
 
 } // namespace quadrille::internal

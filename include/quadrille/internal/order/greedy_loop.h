@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/order/cost_refresh.h>
@@ -70,7 +71,7 @@ private:
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   StopReason contract_pairs() {
-    if (surface_.progress().is_cancelled())
+    if (!surface_.progress().begin_contracting())
       return StopReason::cancelled;
     while (const std::optional<QueuedPair> next = next_pair()) {
       if (is_cancelled())
@@ -202,7 +203,7 @@ private:
   }
 
   void refuse(const QueuedPair& pair, Rejection cause) {
-    scratch_.tally.reject(cause);
+    internal::refuse(surface_, {pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
     waiting_.add(pair);

@@ -5,6 +5,7 @@
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
+#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/block_stars.h>
 #include <quadrille/internal/order/pass_plan.h>
@@ -15,6 +16,7 @@
 #include <quadrille/report.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <limits>
@@ -233,15 +235,16 @@ private:
 
   // Contracts a pair unless it is refused.
   void contract(const Proposal& proposal, const GatheredStar& star) {
-    Candidate candidate = surface_.evaluator().evaluate(proposal.first, proposal.second);
+    const std::array ends{proposal.first, proposal.second};
+    Candidate candidate = surface_.evaluator().evaluate(ends[0], ends[1]);
     if constexpr (looks_at_star<typename Policies::Placement>)
       if (!surface_.evaluator().settle(candidate, *star)) {
-        star.scratch().tally.reject(Policies::Placement::cause);
+        refuse_in_pass(surface_, ends, Policies::Placement::cause, candidate.error, star.scratch());
         return;
       }
     Contraction contraction(candidate, star);
     if (const auto cause = surface_.checks().rejection(contraction)) {
-      contraction.scratch().tally.reject(*cause);
+      refuse_in_pass(surface_, ends, *cause, candidate.error, star.scratch());
       return;
     }
     if (is_left_to_greedy_order(contraction))

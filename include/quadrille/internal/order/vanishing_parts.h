@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/parts.h>
+#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/cost/part_price.h>
 #include <quadrille/internal/order/deferred_pairs.h>
@@ -142,7 +143,7 @@ private:
   }
 
   void refuse(Rejection cause) {
-    surface_.scratch().tally.reject(cause);
+    internal::refuse(surface_, {none, none}, cause);
     has_met_distance_ |= cause == Rejection::distance;
   }
 

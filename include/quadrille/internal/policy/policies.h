@@ -144,16 +144,25 @@ struct Carries {
 /// Where contractions are not recorded.
 struct NoRecorder {
   static constexpr bool is_given = false;
+  static constexpr bool hears_refusals = false;
 };
 /// What the user has passed by record_into.
 template <class R>
 class RecorderReference {
 public:
   static constexpr bool is_given = true;
+  static constexpr bool hears_refusals = requires(R & recorder, const RecordedRefusal& refusal) {
+    recorder.refuse(refusal);
+  };
   explicit RecorderReference(R& recorder) : recorder_(&recorder) {}
   void begin(RecordedSurface surface) const { recorder_->begin(std::move(surface)); }
   void record(const RecordedContraction& contraction) const { recorder_->record(contraction); }
-  void end() const { recorder_->end(); }
+  void refuse(const RecordedRefusal& refusal) const { recorder_->refuse(refusal); }
+  void end(StopReason reason) const {
+    if constexpr (requires { recorder_->stop(reason); })
+      recorder_->stop(reason);
+    recorder_->end();
+  }
 
 private:
   R* recorder_;
@@ -175,6 +184,7 @@ struct Policies {
   /// Are there seams that may have to be kept?
   static constexpr bool keeps_seams = Carries::has_labels || Carries::has_channels;
   static constexpr bool records = Recorder::is_given;
+  static constexpr bool hears_refusals = Recorder::hears_refusals;
 
   Cost cost;
   Placement placement;

@@ -1,0 +1,114 @@
+#ifndef QUADRILLE_SIMPLIFIED_H
+#define QUADRILLE_SIMPLIFIED_H
+
+#include <quadrille/internal/call/maps_of_copy.h>
+#include <quadrille/simplify.h>
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+/// \file
+/// Simplified copies: `auto [coarse, report] = simplified(mesh, FaceCount{1000});`
+
+namespace quadrille {
+
+/// What `simplified` makes of a mesh.
+template <class Mesh>
+struct Simplified {
+  Mesh mesh;
+  Report report;
+};
+/// What `simplified` makes of a soup.
+template <class Points, class Triangles>
+struct SimplifiedSoup {
+  Points points;
+  Triangles triangles;
+  Report report;
+};
+
+namespace internal {
+
+/// As what a container is copied: a span as a vector.
+template <class Container>
+struct CopyOf : std::type_identity<Container> {
+  static Container of(const Container& container) { return container; }
+};
+template <class T, std::size_t N>
+struct CopyOf<std::span<T, N>> : std::type_identity<std::vector<std::remove_const_t<T>>> {
+  static typename CopyOf::type of(std::span<T, N> numbers) {
+    return {numbers.begin(), numbers.end()};
+  }
+};
+template <class Container>
+using Copy = typename CopyOf<Container>::type;
+
+template <class Points, class Triangles>
+concept CopiedSoup = BufferedSoup<Points, Triangles> ||
+    (PointContainer<Points>&& TriangleContainer<Triangles>);
+
+/// Gives back what a mesh has only marked as removed.
+template <class Mesh>
+void tidy_up([[maybe_unused]] Mesh& mesh) {
+  if constexpr (requires { mesh.collect_garbage(); })
+    mesh.collect_garbage(); // Surface_mesh
+  else if constexpr (requires { mesh.garbage_collection(); })
+    mesh.garbage_collection(); // OpenMesh
+}
+
+} // namespace internal
+
+inline namespace QUADRILLE_THREADING {
+
+/// A simplified copy of a triangle mesh, with its report; `mesh` stays as it is. The arguments are
+/// those of `simplify`.
+///
+/// The copy has exactly the vertices and faces that are left, in their order, and all properties
+/// that a copy of the mesh has. A mesh that marks what is removed is tidied up, so that numbers of
+/// vertices and faces are others than in `mesh`.
+///
+/// Maps over `mesh` are taken as over the copy where that can be: properties of a Surface_mesh,
+/// among them channels (`simplified(mesh, Texture{uv})` leaves its values in the copy's property of
+/// the same name), and maps without state, which look at the element itself. Where vertices have
+/// the same numbers in a copy (Surface_mesh, OpenMesh) so are all other maps that are only read:
+/// constraints, creases, labels, indices. Other maps do not compile, nor do vertex_image_map,
+/// vertex_quadric_map and duplicate_output_iterator: there copy the mesh and call `simplify`.
+///
+/// Throws what `simplify` throws, and what copying does.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
+          class... Arguments>
+requires internal::FaceGraph<Mesh> Simplified<Mesh> simplified(const Mesh& mesh,
+                                                               const Arguments&... arguments) {
+  Simplified<Mesh> result{mesh, {}};
+  result.report = quadrille::simplify<Cost, Placement>(
+      result.mesh, internal::of_copy(arguments, mesh, result.mesh)...);
+  internal::tidy_up(result.mesh);
+  return result;
+}
+
+/// A simplified copy of a soup, with its report: `auto [points, triangles, report] =
+/// simplified(points, triangles)`, of containers, flat numbers and matrices, as for `simplify`. Of
+/// a std::span, also of constant numbers, the copy is a std::vector.
+///
+/// Maps and vectors of channels and labels are the caller's, and are written as by `simplify`, at
+/// the new indices: pass those of a copy. All named parameters have the meaning that they have
+/// there.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::CopiedSoup<internal::Copy<Points>, internal::Copy<Triangles>> &&
+    (!internal::is_position_attribute<Points>)
+        SimplifiedSoup<internal::Copy<Points>, internal::Copy<Triangles>> simplified(
+            const Points& points, const Triangles& triangles, const Arguments&... arguments) {
+  SimplifiedSoup<internal::Copy<Points>, internal::Copy<Triangles>> result{
+      internal::CopyOf<Points>::of(points), internal::CopyOf<Triangles>::of(triangles), {}};
+  result.report =
+      quadrille::simplify<Cost, Placement>(result.points, result.triangles, arguments...);
+  return result;
+}
+
+} // namespace QUADRILLE_THREADING
+
+} // namespace quadrille
+
+#endif // QUADRILLE_SIMPLIFIED_H
