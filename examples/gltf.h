@@ -51,6 +51,7 @@ public:
   }
 
   std::vector<GltfSurface>& surfaces() { return surfaces_; }
+  const GltfDocument& document() const { return document_; }
 
   /// The images that the document names as files.
   std::vector<std::string> image_files() const {

@@ -49,6 +49,18 @@ public:
   /// How many vary.
   std::size_t size() const { return channels_.size(); }
 
+  /// A number of each vertex that varies, and the exponent of the power of two that it is times.
+  struct Number {
+    std::size_t index; ///< 0 to 3 of its colour, 4 and 5 its texture coordinate
+    int exponent;
+  };
+  std::vector<Number> numbers() const {
+    std::vector<Number> numbers;
+    for (const Channel& channel : channels_)
+      numbers.push_back({channel.index, channel.exponent});
+    return numbers;
+  }
+
   /// One for each point. N is size() or more; the rest is 0.
   template <std::size_t N>
   std::vector<CarriedAttributes<N>> carried() const {

@@ -6,10 +6,13 @@ set -eu
 export LC_ALL=C
 
 cd -- "$(dirname -- "$0")/.."
+# An npm from elsewhere does, and does not go together with Debian's.
+npm=
+command -v npm >/dev/null || npm=npm
 sh .ci/install_packages.sh cmake g++ clang libc++-dev ninja-build libcgal-dev libcgal-demo \
   libboost-dev catch2 libopenmesh-dev libeigen3-dev libtbb-dev libcli11-dev libbenchmark-dev \
   libmeshoptimizer-dev nlohmann-json3-dev libzstd-dev gnuplot-nox doxygen help2man bash-completion \
-  dpkg-dev file
+  dpkg-dev file chromium $npm
 
 target=all
 labels=

@@ -179,12 +179,14 @@ inline void add_order(CLI::App& app, Options& options) {
 inline void add_files(CLI::App& app, Options& options) {
   const std::string formats = " (.off .obj .ply .stl .ts, or .gltf .glb for both; - is standard ";
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
-  app.add_option("OUT", options.output, "the mesh to write" + formats + "output)");
-  const std::vector<std::string> words{"off", "obj", "ply", "stl", "ts", "gltf", "glb"};
+  app.add_option("OUT", options.output,
+                 "the mesh to write" + formats + "output), or a page that shows it (.html)");
+  std::vector<std::string> words{"off", "obj", "ply", "stl", "ts", "gltf", "glb"};
   take_one_of(app.add_option("--format", options.format,
                              "the format of IN and OUT where their names end in none"),
               words)
       ->group("Files");
+  words.emplace_back("html");
   take_one_of(
       app.add_option("--out-format", options.output_format, "the format of OUT, whatever its name"),
       words)

@@ -48,6 +48,8 @@ bool run(Options options, ProgressLine& progress) {
   };
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
+  if (is_page(output_extension(options)))
+    return run_page(options, progress);
   const bool writes_gltf = is_gltf(output_extension(options));
   if (!options.from.empty() && writes_gltf)
     throw std::runtime_error(options.output + ": a level of a record is not written as glTF");

@@ -70,6 +70,10 @@ inline bool is_gltf(const std::string& extension) {
   return equal_ignoring_case(extension, ".gltf") || equal_ignoring_case(extension, ".glb");
 }
 
+inline bool is_page(const std::string& extension) {
+  return equal_ignoring_case(extension, ".html");
+}
+
 /// The extension that tells the format of a file: that of its name, else that of --format.
 inline std::string extension_of(const std::string& file, const Options& options) {
   const std::string extension = std::filesystem::path(file).extension().string();

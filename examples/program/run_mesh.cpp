@@ -1,5 +1,6 @@
 #include "../bounding_box.h"
 #include "outcome.h"
+#include "position_recorder.h"
 #include "runs.h"
 #include "simplify_mesh.h"
 
@@ -16,9 +17,6 @@
 
 namespace quadrille_examples {
 
-namespace {
-
-/// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, const IndexedMesh& mesh) {
   for (const std::string& remark : mesh.remarks)
     print_remark(options, remark);
@@ -31,6 +29,8 @@ void print_remarks(const Options& options, const IndexedMesh& mesh) {
                  "since the two do not share their vertices (--weld makes them one): " +
                      std::to_string(open));
 }
+
+namespace {
 
 /// Has a mesh anything that a record of positions has not?
 bool has_attributes(const IndexedMesh& mesh) {

@@ -27,6 +27,12 @@ bool run_gltf(const Options& options, ProgressLine& progress);
 /// A level of a record.
 bool run_from_record(const Options& options, ProgressLine& progress);
 
+/// Of any of these, to a page that shows all levels.
+bool run_page(const Options& options, ProgressLine& progress);
+
+/// Whatever of the file the result will not have, and what a user may not expect.
+void print_remarks(const Options& options, const IndexedMesh& mesh);
+
 /// Throws Interrupted if the program was, unless what is there shall be kept.
 inline void require_not_interrupted(const Options& options) {
   if (Interruption::is_asked() && !options.keeps_partial)

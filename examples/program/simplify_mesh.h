@@ -7,7 +7,7 @@
 #include "../mesh_attributes.h"
 #include "../mesh_io.h"
 #include "options.h"
-#include "position_recorder.h"
+#include "recorder.h"
 
 #include <quadrille/report.h>
 
@@ -19,8 +19,7 @@ namespace quadrille_examples {
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options);
 
 /// The same to the same bits, recorded.
-quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
-                                PositionRecorder& recorder);
+quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options, Recorder& recorder);
 
 /// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order.
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,

@@ -33,8 +33,7 @@ quadrille::Report simplify_positions(IndexedMesh& mesh, const Options& options, 
 } // namespace
 
 /// By fewer types of costs, since each of them is compiled once more for recordings.
-quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
-                                PositionRecorder& recorder) {
+quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options, Recorder& recorder) {
   const auto into = quadrille::record_into(recorder);
   if (goes_by_channels(mesh, options))
     return simplify_channels(mesh, MeshChannels(mesh), options, into);

@@ -1,0 +1,186 @@
+#ifndef QUADRILLE_EXAMPLES_PAGE_MATERIALS_H
+#define QUADRILLE_EXAMPLES_PAGE_MATERIALS_H
+
+/// \file
+/// What OBJ and PLY files say of the looks of faces: diffuse colours and images.
+
+#include "../gltf/base64.h"
+#include "../mesh_io/indexed_mesh.h"
+#include "../mesh_io/text.h"
+#include "shown_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace quadrille_examples {
+
+/// Images of more bytes are not put into a page.
+inline constexpr std::size_t most_bytes_of_images = std::size_t{1} << 24;
+
+/// The type of an image that browsers show, by its first bytes; nothing for others.
+inline std::optional<std::string> image_type(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG"))
+    return "image/png";
+  if (bytes.starts_with("\xff\xd8\xff"))
+    return "image/jpeg";
+  if (bytes.starts_with("RIFF") &&
+      bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP"))
+    return "image/webp";
+  return std::nullopt;
+}
+
+/// What read() returns; a complaint of it has no path, which a page must not tell everyone.
+template <class Read>
+std::string read_for_page(Read read) {
+  try {
+    return read();
+  } catch (const std::runtime_error&) {
+    throw std::runtime_error("it cannot be read");
+  }
+}
+
+/// The images of a page, each of them once.
+class PageImages {
+public:
+  explicit PageImages(PageMaterials& looks) : looks_(looks) {}
+
+  /// The number of an image whose bytes read() gives, or nothing and a note.
+  template <class Read>
+  std::optional<std::size_t> add(const std::string& name, Read read) {
+    if (const auto found = numbers_.find(name); found != numbers_.end())
+      return found->second;
+    return numbers_[name] = load(name, read);
+  }
+
+private:
+  template <class Read>
+  std::optional<std::size_t> load(const std::string& name, Read read) {
+    try {
+      const std::string bytes = read_for_page(read);
+      const std::optional<std::string> type = image_type(bytes);
+      if (!type)
+        throw std::runtime_error("it is neither PNG nor JPEG nor WebP");
+      bytes_ += bytes.size();
+      if (bytes_ > most_bytes_of_images)
+        throw std::runtime_error("the images of a page have at most " +
+                                 std::to_string(most_bytes_of_images >> 20U) + " MiB together");
+      looks_.images.push_back("data:" + *type + ";base64," + encode_base64(bytes));
+      return looks_.images.size() - 1;
+    } catch (const std::runtime_error& error) {
+      looks_.notes.push_back("The image " + name + " is not shown: " + error.what());
+      return std::nullopt;
+    }
+  }
+
+  PageMaterials& looks_;
+  std::map<std::string, std::optional<std::size_t>> numbers_;
+  std::size_t bytes_ = 0;
+};
+
+/// Reads materials of OBJ: of each `newmtl`, its Kd and map_Kd. A library or an image that is not
+/// there becomes a note.
+class ObjMaterials {
+public:
+  ObjMaterials(const std::filesystem::path& mesh, PageMaterials& looks)
+      : folder_(mesh.parent_path()), looks_(looks), images_(looks) {}
+
+  void read(const FaceParts& parts) {
+    for (const std::string& library : parts.libraries)
+      try {
+        read_library(read_for_page([&] { return read_content(folder_ / library); }));
+      } catch (const std::runtime_error& error) {
+        looks_.notes.push_back("The materials of " + library + " are not shown: " + error.what());
+      }
+    if (materials_.empty())
+      return;
+    looks_.materials.clear();
+    std::map<std::uint32_t, std::uint32_t> numbers; // by name
+    for (std::size_t face = 0; face < parts.of_faces.size(); ++face) {
+      const std::uint32_t name = parts.of(face).material;
+      const auto [place, is_new] =
+          numbers.try_emplace(name, static_cast<std::uint32_t>(looks_.materials.size()));
+      if (is_new)
+        looks_.materials.push_back(materials_[parts.names[name]]);
+      looks_.of_faces.push_back(place->second);
+    }
+    if (looks_.materials.empty())
+      looks_.materials.emplace_back();
+  }
+
+private:
+  void read_library(const std::string& content) {
+    std::istringstream lines(content);
+    PageMaterial* material = nullptr;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      words >> keyword;
+      if (keyword == "newmtl")
+        material = &materials_[rest(words)];
+      else if (keyword == "Kd" && material)
+        read_color(words, *material);
+      else if (keyword == "map_Kd" && material)
+        read_image(rest(words), *material);
+    }
+  }
+
+  static std::string rest(std::istringstream& words) {
+    std::string text;
+    std::getline(words >> std::ws, text);
+    text.erase(std::find_if(text.rbegin(), text.rend(), [](char c) { return !is_blank(c); }).base(),
+               text.end());
+    return text;
+  }
+
+  static void read_color(std::istringstream& words, PageMaterial& material) {
+    std::array<double, 3> color{};
+    if (words >> color[0] >> color[1] >> color[2])
+      for (std::size_t i = 0; i < 3; ++i)
+        material.color[i] = linear_light(std::clamp(color[i], 0., 1.));
+  }
+
+  /// Options before the name are passed over. Where there is an image, programs that write files
+  /// put anything into Kd.
+  void read_image(std::string name, PageMaterial& material) {
+    if (name.starts_with('-'))
+      name = name.substr(name.rfind(' ') + 1);
+    std::replace(name.begin(), name.end(), '\\', '/');
+    material.image = images_.add(name, [&] { return read_content(folder_ / name); });
+    if (material.image)
+      material.color = {1, 1, 1};
+  }
+
+  std::filesystem::path folder_;
+  PageMaterials& looks_;
+  PageImages images_;
+  std::map<std::string, PageMaterial> materials_;
+};
+
+/// The image that a PLY file names, if it names one: "comment TextureFile a.png".
+inline void read_ply_image(const std::filesystem::path& path, const IndexedMesh& mesh,
+                           PageMaterials& looks) {
+  if (mesh.texture_comments.size() > 1)
+    looks.notes.push_back("Images are not shown: the file names several");
+  if (mesh.texture_comments.size() != 1)
+    return;
+  std::istringstream words(mesh.texture_comments.front());
+  std::string keyword, name;
+  words >> keyword;
+  std::getline(words >> std::ws, name);
+  if (equal_ignoring_case(keyword, "TextureFile"))
+    looks.materials.front().image =
+        PageImages(looks).add(name, [&] { return read_content(path.parent_path() / name); });
+}
+
+} // namespace quadrille_examples
+
+#endif
