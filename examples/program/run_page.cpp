@@ -89,10 +89,9 @@ bool run_page(const Options& options, ProgressLine& progress) {
     throw std::runtime_error(options.output + ": a page has all levels of a record: there is no " +
                              "target for it");
   require_replaceable(options.output, options.is_forced);
-  const bool is_recorded = !options.from.empty();
   PageSource source;
-  source.name = std::filesystem::path(is_recorded ? options.from : options.input).filename();
-  if (!is_recorded) {
+  source.name = std::filesystem::path(options.input).filename();
+  if (options.from.empty()) {
     const Outcome outcome = record(options, source, progress);
     write(options, source, progress);
     return tell(options, {outcome});
