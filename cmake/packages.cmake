@@ -27,7 +27,7 @@ if(TARGET quadrille_program)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME quadrille)
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-    "simplifies triangle surfaces by quadric error metrics\n Reads and writes OFF, OBJ, PLY, STL, GOCAD and glTF.")
+    "simplifies triangle surfaces by quadric error metrics\n Reads and writes OFF, OBJ, PLY, STL, GOCAD and glTF; writes pages of HTML.")
 endif()
 
 include(CPack)
