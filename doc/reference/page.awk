@@ -71,7 +71,7 @@ function linked(line,    result, n, parts, i) {
     else if (i < n && parts[i - 1] ~ /\[$/ && parts[i + 1] ~ /^\]\(/)
       result = result parts[i] # doxygen shows the marks of code in the text of a link
     else if (i < n && parts[i] in kind && parts[i - 1] !~ /\[[^]]*$/)
-      result = result "@ref quadrille::" parts[i] " \"" parts[i] "\""
+      result = result "<code>@ref quadrille::" parts[i] " \"" parts[i] "\"</code>"
     else
       result = result "`" parts[i] (i < n ? "`" : "")
   return result
@@ -90,6 +90,23 @@ function linked_part(part,    result, source, target, text) {
   return result part
 }
 
+# doxygen wants the text of a link on one line: what begins at the end of a line goes to the next one.
+!code {
+  while (match($0, /\[[^]\[`]*$/)) {
+    before = substr($0, 1, RSTART - 1)
+    open = substr($0, RSTART)
+    if ((getline following) <= 0)
+      break
+    if (following !~ /^[^\[]*\]\(/) {
+      print linked($0)
+      $0 = following
+      continue
+    }
+    print linked(before)
+    match(following, /^ */)
+    $0 = substr(following, 1, RLENGTH) open " " substr(following, RLENGTH + 1)
+  }
+}
 /^ *```/ { code = !code }
 code || /^ *```/ { print; next }
 /^<!-- .* -->$/ { print ""; next }
