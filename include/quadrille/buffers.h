@@ -43,10 +43,11 @@ class VertexAttribute {
   static_assert(std::is_arithmetic_v<T> && N > 0);
 
 public:
-  using key_type = std::size_t;
+  using key_type = std::size_t; ///< the index of a vertex
+  /// N numbers.
   using value_type = std::array<T, N>;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
+  using reference = value_type;                        ///< a copy
+  using category = boost::read_write_property_map_tag; ///< of property maps
 
   /// `count` vertices of `stride` bytes each, in which it is `offset` bytes from the beginning.
   /// Throws std::invalid_argument if it does not lie inside of a vertex, or there is no memory.
@@ -76,10 +77,10 @@ public:
                   "quadrille::VertexAttribute: this member is not N numbers of type T.");
   }
 
-  std::byte* data() const { return vertices_; }
-  std::size_t size() const { return count_; }
-  std::size_t stride() const { return stride_; }
-  std::size_t offset() const { return offset_; }
+  std::byte* data() const { return vertices_; }  ///< of the first vertex
+  std::size_t size() const { return count_; }    ///< how many vertices
+  std::size_t stride() const { return stride_; } ///< bytes a vertex
+  std::size_t offset() const { return offset_; } ///< bytes from its beginning
 
   /// Throws std::out_of_range for a vertex that is not there.
   value_type operator[](std::size_t vertex) const {
@@ -87,9 +88,11 @@ public:
     std::memcpy(value.data(), at(vertex), sizeof value);
     return value;
   }
+  /// The same, as of a property map.
   friend value_type get(const VertexAttribute& attribute, std::size_t vertex) {
     return attribute[vertex];
   }
+  /// Throws std::out_of_range for a vertex that is not there.
   friend void put(const VertexAttribute& attribute, std::size_t vertex, const value_type& value) {
     std::memcpy(attribute.at(vertex), value.data(), sizeof value);
   }
@@ -124,10 +127,11 @@ VertexAttribute(Vertices&, std::array<T, N> Vertex::*) -> VertexAttribute<T, N>;
 template <class Matrix, std::size_t N>
 class MatrixRows {
 public:
-  using key_type = std::size_t;
+  using key_type = std::size_t; ///< the index of a row
+  /// N numbers.
   using value_type = std::array<typename Matrix::Scalar, N>;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
+  using reference = value_type;                        ///< a copy
+  using category = boost::read_write_property_map_tag; ///< of property maps
 
   /// Throws std::invalid_argument if it has fewer columns.
   explicit MatrixRows(Matrix& matrix) : matrix_(&matrix) {
@@ -143,6 +147,7 @@ public:
       value[i] = rows.at(row, i);
     return value;
   }
+  /// Throws std::out_of_range for a row that is not there.
   friend void put(const MatrixRows& rows, std::size_t row, const value_type& value) {
     for (std::size_t i = 0; i < N; ++i)
       rows.at(row, i) = value[i];

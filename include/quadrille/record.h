@@ -65,15 +65,16 @@ struct RecordedContraction {
   std::span<const double> values;    ///< of the one that is left, afterwards: see RecordedSurface
   double error = 0;                  ///< as a distance: see Report::error
   double distance_bound = 0;         ///< of the faces that it changes, if a stop policy asks for it
-  std::span<const RecordedIndex> removed_faces; ///< by their numbers, ascending
+  std::span<const RecordedIndex> removed_faces; ///< by their numbers
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };
 
 /// A pair that has been refused; it may come again, when something has changed beside it.
 struct RecordedRefusal {
-  /// The ends. Both are not_recorded for a part that may not vanish.
-  RecordedIndex first = not_recorded, second = not_recorded;
-  Rejection cause; ///< why
+  /// An end of the pair; not_recorded for a part that may not vanish.
+  RecordedIndex first = not_recorded;
+  RecordedIndex second = not_recorded; ///< the other end; the same
+  Rejection cause;                     ///< why
   double error; ///< of the contraction, had it been done, as a distance: see Report::error
 };
 
@@ -89,7 +90,7 @@ struct RecordedRefusal {
 ///   during the call only.
 /// - `recorder.end()`: behind the last one, before the mesh is changed.
 ///
-/// Used where there:
+/// **Used where there**:
 ///
 /// - `recorder.refuse(refusal)`: each RecordedRefusal that Report counts.
 /// - `recorder.stop(reason)`: a StopReason, just before the end.

@@ -77,6 +77,7 @@ enum class Rejection {
 };
 inline constexpr std::size_t rejection_causes = 13; ///< how many there are
 
+/// In words.
 constexpr std::string_view to_string(Stage stage) {
   constexpr std::array<std::string_view, 3> names{"prepare", "contract", "write"};
   return names[static_cast<std::size_t>(stage)];

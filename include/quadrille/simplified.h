@@ -17,15 +17,15 @@ namespace quadrille {
 /// What `simplified` makes of a mesh.
 template <class Mesh>
 struct Simplified {
-  Mesh mesh;
-  Report report;
+  Mesh mesh;     ///< the simplified copy
+  Report report; ///< of the call
 };
 /// What `simplified` makes of a soup.
 template <class Points, class Triangles>
 struct SimplifiedSoup {
-  Points points;
-  Triangles triangles;
-  Report report;
+  Points points;       ///< of the simplified copy
+  Triangles triangles; ///< of the simplified copy
+  Report report;       ///< of the call
 };
 
 namespace internal {
