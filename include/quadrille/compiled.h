@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_COMPILED_H
 #define QUADRILLE_COMPILED_H
 
+#include <quadrille/channels.h>
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
@@ -10,16 +11,26 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 /// \file
 /// Quadrille without templates, for polygon soups of doubles: what takes its time to compile is
 /// compiled once, in the target quadrille::compiled, which a program that includes this header
 /// links.
+///
+/// ```cpp
+/// SoupView soup{points, triangles}; // looks at arrays of the caller's
+/// soup.channels.push_back({.values = uvs, .triangles = uv_triangles});
+/// SimplifiedSoup result = simplified_soup(soup, {.faces = 1000});
+/// ```
 
 namespace quadrille {
 
-/// What simplify_soup() is asked for. Each field is a policy of `simplify`, by its name.
+class Levels;
+
+/// What simplified_soup() and simplify_soup() are asked for. Each field is a policy of `simplify`,
+/// by its name.
 struct SoupOptions {
   /// The costs by their names: see Quadric and the others.
   enum class Cost { quadric, memoryless_quadric, thin_feature_quadric, edge_length };
@@ -46,17 +57,73 @@ struct SoupOptions {
   std::vector<bool> fixed = {};
   /// Asked now and then; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
+
+  bool eager = false; ///< see GreedyOrder
+  double share = 0.5; ///< see RelaxedOrder, as the two that follow
+  bool refresh = false;
+  unsigned threads = 1;           ///< more than one need oneTBB where the library is compiled
+  double crease_weight = 100;     ///< see Quadric, as the next
+  double crease_degrees = 180;    ///< other costs know no creases
+  double label_border_weight = 1; ///< see Labels::border_weight
+  /// See SplitVertices: points at exactly one place are one vertex. There is no image then.
+  bool split_vertices = false;
+  Levels* levels = nullptr; ///< all levels of detail are recorded into it: see record_into
 };
 
 using SoupPoints = std::vector<std::array<double, 3>>;           ///< coordinates, finite
 using SoupTriangles = std::vector<std::array<std::uint32_t, 3>>; ///< indices of points
 
-/// Simplifies a polygon soup in place, as `simplify(points, triangles, …)` does with the same
-/// policies, to the same bits. `image`, if there is one, becomes a list of what became of each
-/// point of the input: an index of the result, or parameters::vanished.
+/// A channel of attributes, in arrays of the caller's.
+struct SoupChannelView {
+  enum class Kind { texture, normals, colors, attributes }; ///< see Texture, Normals, …
+  Kind kind = Kind::texture;
+  std::size_t components = 2; ///< 2 of a texture, 3 of normals, 3 or 4 of colours, else at least 1
+  std::span<const double> values; ///< one value after the other, each of so many components
+  /// Of each triangle, the values of its corners; empty: a value has the index of its point.
+  std::span<const std::array<std::uint32_t, 3>> triangles = {};
+  ChannelOptions options = {};
+};
+
+/// A polygon soup of triangles with what it carries, in arrays of the caller's, which are not
+/// changed.
+struct SoupView {
+  std::span<const std::array<double, 3>> points;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+  std::span<const std::uint32_t> labels = {}; ///< see Labels: empty, or one for each triangle
+  std::vector<SoupChannelView> channels = {};
+};
+
+/// Values of a channel of a result, as SoupChannelView has them.
+struct SoupChannel {
+  std::size_t components = 0;
+  std::vector<double> values;
+  SoupTriangles triangles;
+};
+
+/// What becomes of a soup. What is left keeps its order.
+struct SimplifiedSoup {
+  SoupPoints points;
+  SoupTriangles triangles;
+  std::vector<std::uint32_t> labels;      ///< of the triangles, if the soup had any
+  std::vector<SoupChannel> channels;      ///< as many as the soup had, in their order
+  std::vector<std::uint32_t> input_faces; ///< of each triangle, which one of the input it is
+  /// Of each point of the input, which one it has become, or parameters::vanished. Empty with
+  /// SoupOptions::split_vertices.
+  std::vector<std::size_t> image;
+  Report report;
+};
+
+/// Simplifies a polygon soup as `simplify(points, triangles, …)` does with the same policies, to
+/// the same bits. No array of the input is copied or changed.
 ///
-/// Throws std::invalid_argument for options that make no sense, and what `simplify` throws; the
-/// soup is then as it was.
+/// Throws std::invalid_argument for options, labels or channels that make no sense, and what
+/// `simplify` throws.
+SimplifiedSoup simplified_soup(const SoupView& soup, const SoupOptions& options = {});
+
+/// The same in place, of a soup that carries nothing. `image`, if there is one, becomes a list of
+/// what became of each point of the input: an index of the result, or parameters::vanished.
+///
+/// Throws as simplified_soup() does; the soup is then as it was.
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options = {},
                      std::vector<std::size_t>* image = nullptr);
 

@@ -1,8 +1,5 @@
 #include <quadrille/compiled/run_soup.h>
 
-quadrille::Report quadrille::internal::simplify_by_edge_length(SoupPoints& points,
-                                                               SoupTriangles& triangles,
-                                                               const SoupOptions& options,
-                                                               std::vector<std::size_t>* image) {
-  return simplify_by(points, triangles, options, image, EdgeLength{});
+quadrille::Report quadrille::internal::simplify_by_edge_length(SoupRun& run) {
+  return simplify_by_cost(run, EdgeLength{});
 }

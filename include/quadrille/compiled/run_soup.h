@@ -2,7 +2,9 @@
 #define QUADRILLE_COMPILED_RUN_SOUP_H
 
 #include <quadrille/compiled.h>
-#include <quadrille/compiled/costs.h>
+#include <quadrille/compiled/soup_channel_list.h>
+#include <quadrille/compiled/soup_run.h>
+#include <quadrille/internal/cost/two_lanes.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/simplify.h>
@@ -11,7 +13,10 @@
 #include <CGAL/property_map.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -30,17 +35,17 @@ public:
 
   explicit SoupStop(const SoupOptions& options) {
     if (options.faces)
-      faces_.emplace(*options.faces);
+      faces_ = FaceCount{*options.faces};
     if (options.ratio)
-      ratio_.emplace(*options.ratio);
+      ratio_ = FaceRatio{*options.ratio};
     if (options.vertices)
-      vertices_.emplace(*options.vertices);
+      vertices_ = VertexCount{*options.vertices};
     if (options.error)
-      error_.emplace(*options.error);
+      error_ = ErrorLimit(*options.error);
     if (options.relative_error)
-      relative_error_.emplace(ErrorLimit::relative(*options.relative_error));
+      relative_error_ = ErrorLimit::relative(*options.relative_error);
     if (!faces_ && !ratio_ && !vertices_ && !error_ && !relative_error_)
-      ratio_.emplace();
+      ratio_ = FaceRatio{};
   }
 
   bool operator()(const Status& status) const {
@@ -70,17 +75,31 @@ private:
   std::optional<ErrorLimit> error_, relative_error_;
 };
 
-/// An end or the midpoint.
+/// The placement of the options, so that one engine is compiled for all of them.
 struct SoupPlacement {
-  using ScaleFree = SoupPlacement; ///< as both of them are
-  bool is_midpoint;
+  using ScaleFree = SoupPlacement; ///< as each of them is
+  SoupOptions::Placement chosen;
+
+  bool is_optimal() const { return chosen == SoupOptions::Placement::optimal; }
 
   template <class Cost, class Pair>
   auto operator()(const Cost& cost, const Pair& pair) const
       -> std::remove_cvref_t<decltype(pair.first)> {
-    return is_midpoint ? MidpointPlacement{}(cost, pair) : EndpointPlacement{}(cost, pair);
+    if constexpr (HasMinimizer<Cost, Pair>)
+      if (is_optimal())
+        return OptimalPlacement{}(cost, pair);
+    return chosen == SoupOptions::Placement::midpoint ? MidpointPlacement{}(cost, pair)
+                                                      : EndpointPlacement{}(cost, pair);
+  }
+
+  template <class Cost, class Pair, class Predicate>
+  requires HasMinimizer<Cost, Pair>
+  bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) const {
+    return is_optimal() && OptimalPlacement::any_equal(cost, pair, x, predicate);
   }
 };
+template <class Cost>
+inline constexpr bool has_two_lanes<Cost, SoupPlacement> = has_two_lanes<Cost, OptimalPlacement>;
 
 struct SoupVisitor {
   const std::function<bool(const Status&)>& asked;
@@ -100,7 +119,7 @@ struct FixedPoints {
   }
 };
 
-/// What became of each point, if anybody asks.
+/// What became of each point.
 struct PointImages {
   using key_type = std::size_t;
   using value_type = std::size_t;
@@ -109,52 +128,87 @@ struct PointImages {
   std::vector<std::size_t>* image;
 
   friend void put(const PointImages& map, std::size_t i, std::size_t of_it) {
-    if (map.image)
-      (*map.image)[i] = of_it;
+    (*map.image)[i] = of_it;
   }
 };
 
-template <class Cost, class Placement>
-Report simplify_by(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,
-                   std::vector<std::size_t>* image, const Cost& cost, const Placement& placement) {
-  const auto run = [&](const auto& stop, const auto& order) {
-    const SoupVisitor visitor{options.proceed};
-    const auto named = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
-                           .visitor(std::cref(visitor));
-    const auto all = parameters::vertex_image_map(PointImages{image}, named);
-    const ThresholdPairs pairs(options.pairs_closer_than);
-    const NormalFlip filter(options.normal_flip);
-    if (options.topology)
-      return simplify(points, triangles, cost, placement, pairs, stop, order, filter,
-                      *options.topology, all);
-    return simplify(points, triangles, cost, placement, pairs, stop, order, filter, all);
+/// The labels of triangles. What becomes of them is told by the triangles.
+struct SoupLabelMap {
+  using key_type = std::size_t;
+  using value_type = std::uint32_t;
+  using reference = std::uint32_t;
+  using category = boost::read_write_property_map_tag;
+  std::span<const std::uint32_t> labels;
+
+  friend std::uint32_t get(const SoupLabelMap& map, std::size_t i) {
+    return map.labels.empty() ? 0 : map.labels[i];
+  }
+  friend void put(const SoupLabelMap&, std::size_t, std::uint32_t) {}
+};
+
+/// By policies that the options say; `more` are labels, channels and a recorder, if there are any.
+template <class Cost, class Stop, class Order, class... More>
+Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placement, const Stop& stop,
+                   const Order& order, const More&... more) {
+  const SoupOptions& options = run.options;
+  const SoupVisitor visitor{options.proceed};
+  const auto named = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
+                         .visitor(std::cref(visitor));
+  const auto simplify_soup = [&](const auto&... rest) {
+    const auto run_with = [&](const auto&... topology) {
+      return simplify(run.points, run.triangles, cost, placement,
+                      ThresholdPairs(options.pairs_closer_than), stop, order,
+                      NormalFlip(options.normal_flip), more..., topology..., rest...);
+    };
+    return options.topology ? run_with(*options.topology) : run_with();
   };
-  const auto in_order = [&](const auto& stop) {
-    return options.order == SoupOptions::Order::relaxed ? run(stop, RelaxedOrder{})
-                                                        : run(stop, GreedyOrder{});
+  if constexpr (sizeof...(More) > 0)
+    if (options.split_vertices)
+      return simplify_soup(SplitVertices{}, named);
+  return simplify_soup(parameters::vertex_image_map(PointImages{&run.image}, named));
+}
+
+/// In the order of the options, until their targets are met.
+template <class Cost, class... More>
+Report simplify_in_order(SoupRun& run, const Cost& cost, const SoupPlacement& placement,
+                         const More&... more) {
+  const SoupOptions& options = run.options;
+  const auto until = [&](const auto& stop) {
+    if (options.order == SoupOptions::Order::greedy)
+      return simplify_by(run, cost, placement, stop, GreedyOrder{options.eager}, more...);
+    return simplify_by(run, cost, placement, stop,
+                       RelaxedOrder{options.share, options.refresh, options.threads}, more...);
   };
-  return options.error || options.relative_error ? in_order(SoupStop<true>(options))
-                                                 : in_order(SoupStop<false>(options));
+  return options.error || options.relative_error ? until(SoupStop<true>(options))
+                                                 : until(SoupStop<false>(options));
 }
 
 /// With the placement of the options; by default, for a cost that has a minimizer, the optimal one.
-template <class Cost>
-Report simplify_by(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,
-                   std::vector<std::size_t>* image, Cost cost) {
+template <class Cost, class... More>
+Report simplify_by_cost(SoupRun& run, Cost cost, const More&... more) {
   using Placement = SoupOptions::Placement;
   if constexpr (requires { cost.boundary_weight; })
-    cost.boundary_weight = options.boundary_weight;
+    cost.boundary_weight = run.options.boundary_weight;
+  if constexpr (requires { cost.crease_degrees; }) {
+    cost.crease_weight = run.options.crease_weight;
+    cost.crease_degrees = run.options.crease_degrees;
+  }
   constexpr bool has_minimizer = PlacementPolicy<OptimalPlacement, Cost>;
   const Placement placement =
-      options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint);
-  if constexpr (has_minimizer)
-    if (placement == Placement::optimal)
-      return simplify_by(points, triangles, options, image, cost, OptimalPlacement{});
-  if (placement == Placement::optimal)
-    throw std::invalid_argument("quadrille::simplify_soup: this cost has no optimal placement: "
+      run.options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint);
+  if (!has_minimizer && placement == Placement::optimal)
+    throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
                                 "choose end points or midpoints");
-  return simplify_by(points, triangles, options, image, cost,
-                     SoupPlacement{placement == Placement::midpoint});
+  return simplify_in_order(run, cost, SoupPlacement{placement}, more...);
+}
+
+/// The same of a soup with whatever it carries.
+template <class Cost>
+Report simplify_carrying_by_cost(SoupRun& run, const Cost& cost) {
+  SoupRecorder recorder(run.options.levels);
+  return simplify_by_cost(run, cost,
+                          Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
+                          SoupChannelList{run.soup.channels, &run.channels}, record_into(recorder));
 }
 
 } // namespace quadrille::internal

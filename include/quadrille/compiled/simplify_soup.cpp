@@ -1,41 +1,115 @@
 #include <quadrille/compiled.h>
-#include <quadrille/compiled/costs.h>
+#include <quadrille/compiled/soup_channel_map.h>
+#include <quadrille/compiled/soup_run.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace quadrille {
 
-Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,
-                     std::vector<std::size_t>* image) {
-  if (!options.fixed.empty() && options.fixed.size() != points.size())
-    throw std::invalid_argument("quadrille::simplify_soup: fixed has " +
-                                std::to_string(options.fixed.size()) + " values for " +
-                                std::to_string(points.size()) + " points");
-  std::vector<std::size_t> images(image ? points.size() : 0);
-  std::iota(images.begin(), images.end(), 0); // where it is cancelled at once, nothing has changed
-  const auto run = [&](auto simplify) {
-    const Report report = simplify(points, triangles, options, image ? &images : nullptr);
-    if (image)
-      *image = std::move(images);
-    return report;
+namespace {
+
+using internal::SoupRun;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("quadrille::simplified_soup: " + what);
+}
+
+// Is there one value for each, if any?
+void require_count(const char* name, std::size_t values, std::size_t count, const char* of_what) {
+  if (values > 0 && values != count)
+    refuse(name + (" has " + std::to_string(values)) + " values for " + std::to_string(count) +
+           " " + of_what);
+}
+
+void validate(const SoupView& soup, const SoupOptions& options) {
+  require_count("fixed", options.fixed.size(), soup.points.size(), "points");
+  require_count("labels", soup.labels.size(), soup.triangles.size(), "triangles");
+  for (std::size_t i = 0; i < soup.channels.size(); ++i)
+    internal::SoupChannelMap(soup.channels[i])
+        .validate("channel " + std::to_string(i), soup.points.size(), soup.triangles.size());
+  if (options.crease_degrees < 180 && options.cost != SoupOptions::Cost::quadric)
+    refuse("crease_degrees are for the cost quadric, which alone knows creases");
+  if (options.threads > 1 && options.order != SoupOptions::Order::relaxed)
+    refuse("more than one thread is for the relaxed order");
+}
+
+bool carries(const SoupView& soup, const SoupOptions& options) {
+  return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices || options.levels;
+}
+
+Report simplify_by_cost_of_options(SoupRun& run) {
+  const bool is_carrying = carries(run.soup, run.options);
+  const auto by = [&](auto plain, auto carrying) {
+    return is_carrying ? carrying(run) : plain(run);
   };
   using Cost = SoupOptions::Cost;
-  switch (options.cost) {
+  namespace costs = internal;
+  switch (run.options.cost) {
   case Cost::quadric:
-    return run(internal::simplify_by_quadric);
+    return by(costs::simplify_by_quadric, costs::simplify_carrying_by_quadric);
   case Cost::memoryless_quadric:
-    return run(internal::simplify_by_memoryless_quadric);
+    return by(costs::simplify_by_memoryless_quadric,
+              costs::simplify_carrying_by_memoryless_quadric);
   case Cost::thin_feature_quadric:
-    return run(internal::simplify_by_thin_feature_quadric);
+    return by(costs::simplify_by_thin_feature_quadric,
+              costs::simplify_carrying_by_thin_feature_quadric);
   case Cost::edge_length:
-    return run(internal::simplify_by_edge_length);
+    return by(costs::simplify_by_edge_length, costs::simplify_carrying_by_edge_length);
   }
-  throw std::invalid_argument("quadrille::simplify_soup: there is no such cost");
+  refuse("there is no such cost");
+}
+
+// Of a soup that has been cancelled before it was touched.
+SoupChannel copy_of(const SoupChannelView& channel) {
+  return {channel.components,
+          {channel.values.begin(), channel.values.end()},
+          {channel.triangles.begin(), channel.triangles.end()}};
+}
+
+} // namespace
+
+SimplifiedSoup simplified_soup(const SoupView& soup, const SoupOptions& options) {
+  validate(soup, options);
+  SoupRun run{soup,
+              options,
+              internal::SoupPointArray(soup.points),
+              internal::SoupTriangleArray(soup.triangles),
+              {},
+              {}};
+  if (!options.split_vertices) { // where it is cancelled at once, nothing has changed
+    run.image.resize(soup.points.size());
+    std::iota(run.image.begin(), run.image.end(), std::size_t{0});
+  }
+  SimplifiedSoup result;
+  result.report = simplify_by_cost_of_options(run);
+  result.points = std::move(run.points).take();
+  std::tie(result.triangles, result.input_faces) = std::move(run.triangles).take();
+  result.channels = std::move(run.channels);
+  if (result.channels.empty())
+    for (const SoupChannelView& channel : soup.channels)
+      result.channels.push_back(copy_of(channel));
+  if (!soup.labels.empty())
+    for (const std::uint32_t face : result.input_faces)
+      result.labels.push_back(soup.labels[face]);
+  result.image = std::move(run.image);
+  return result;
+}
+
+Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,
+                     std::vector<std::size_t>* image) {
+  SimplifiedSoup result = simplified_soup({points, triangles}, options);
+  points = std::move(result.points);
+  triangles = std::move(result.triangles);
+  if (image)
+    *image = std::move(result.image);
+  return result.report;
 }
 
 } // namespace quadrille

@@ -23,6 +23,94 @@
 
 namespace quadrille::internal {
 
+/// Reads the index triples of a channel of so many values. Throws std::invalid_argument if they are
+/// not one for each triangle, or name a value that is not there.
+template <class Triples>
+void read_triples(const Triples& triples, std::size_t triangles, std::size_t values,
+                  ChannelInput& input) {
+  if (std::ranges::size(triples) != triangles)
+    throw std::invalid_argument("quadrille::simplify: a channel has index triples for " +
+                                std::to_string(std::ranges::size(triples)) + " triangles of " +
+                                std::to_string(triangles));
+  for (const auto& triple : triples)
+    input.corners.push_back(read_indices(triple, input.corners.size(), values,
+                                         {"quadrille::simplify", "value", " of a channel"}, [&] {
+                                           return " has " +
+                                                  std::to_string(std::ranges::size(triple)) +
+                                                  " indices of a channel, not 3";
+                                         }));
+}
+
+/// A wedge of a channel that is left, by the first value of its corners; wedges of equal values
+/// share one.
+struct WedgeUse {
+  Index old;
+  std::vector<double> wedge_value; ///< empty: as it was
+  Index wedge;
+  bool is_as(const WedgeUse& other) const {
+    return old == other.old && wedge_value == other.wedge_value;
+  }
+  friend bool operator<(const WedgeUse& a, const WedgeUse& b) {
+    return std::tie(a.old, a.wedge_value, a.wedge) < std::tie(b.old, b.wedge_value, b.wedge);
+  }
+};
+
+/// A channel of a result, and how many components it has.
+struct ChannelNumber {
+  std::size_t number, components;
+};
+
+/// The wedges that are left of a channel whose corners name values, in the order in which these are
+/// written. `faces` are numbers of the result, and `triples` those of the input.
+template <class Result, class Triples>
+std::vector<WedgeUse> uses_of(const Result& result, const Array<Index>& faces, ChannelNumber c,
+                              const Triples& triples) {
+  const Array<Index> input_faces = result.input_faces();
+  std::vector<Index> old(result.wedge_count(c.number), none);
+  for (Index face : faces)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto index = static_cast<Index>(triples[input_faces[face]][i]);
+      Index& first = old[result.wedge(c.number, face, i)];
+      first = (std::min)(first, index);
+    }
+  std::vector<WedgeUse> uses;
+  for (Index wedge = 0; wedge < old.size(); ++wedge) {
+    if (old[wedge] == none)
+      continue;
+    const Index origin = result.channel(c.number).origin(wedge);
+    WedgeUse use{origin == none ? old[wedge] : origin, {}, wedge};
+    for (std::size_t k = 0; k < c.components && origin == none; ++k)
+      use.wedge_value.push_back(result.channel(c.number).value(wedge, k));
+    uses.push_back(std::move(use));
+  }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+/// What the index triples of a channel become; add(use) is called for each value that is written.
+/// Values that are left keep their order; one that has changed stands where its first wedge met it:
+/// behind the values of old that come before.
+template <class Result, class Old, class Left, class Add>
+void rewrite_triples(const Result& result, const Array<Index>& faces, ChannelNumber c,
+                     const Old& old, Left& left, Add add) {
+  const std::vector<WedgeUse> uses = uses_of(result, faces, c, old);
+  std::vector<Index> place(result.wedge_count(c.number), none);
+  Index values = 0;
+  const WedgeUse* last = nullptr;
+  for (const WedgeUse& use : uses) {
+    if (!last || !use.is_as(*last)) {
+      add(use);
+      ++values;
+    }
+    place[use.wedge] = values - 1;
+    last = &use;
+  }
+  const Array<Index> input_faces = result.input_faces();
+  for (Index face : faces)
+    left.push_back(renumbered(old[input_faces[face]],
+                              [&](auto i) { return place[result.wedge(c.number, face, i)]; }));
+}
+
 /// The channels of a soup: in maps over the indices of its points, or values with an index triple
 /// for each triangle; where there is neither value nor triple, there is no channel.
 template <class Maps>
@@ -117,19 +205,9 @@ private:
   static void read_indexed(const Map& map, std::size_t triangles, ChannelInput& input) {
     const auto& triples = *map.source().triples;
     const std::size_t count = std::ranges::size(*map.source().values);
-    if (std::ranges::size(triples) != triangles)
-      throw std::invalid_argument("quadrille::simplify: a channel has index triples for " +
-                                  std::to_string(std::ranges::size(triples)) + " triangles of " +
-                                  std::to_string(triangles));
     for (std::size_t i = 0; i < count; ++i)
       map.read(i, input);
-    for (const auto& triple : triples)
-      input.corners.push_back(read_indices(triple, input.corners.size(), count,
-                                           {"quadrille::simplify", "value", " of a channel"}, [&] {
-                                             return " has " +
-                                                    std::to_string(std::ranges::size(triple)) +
-                                                    " indices of a channel, not 3";
-                                           }));
+    read_triples(triples, triangles, count, input);
   }
 
   struct Nothing {};
@@ -173,8 +251,6 @@ private:
       return Nothing{};
   }
 
-  // Values that are left keep their order; one that has changed stands where its first wedge met
-  // it: behind the values of old that come before.
   template <class Result, class Map>
   static auto rewritten_triples(const Result& result, const Array<Index>& faces, std::size_t c,
                                 const Map& map) {
@@ -184,60 +260,16 @@ private:
                                     empty_like(*map.source().triples)};
     if (std::ranges::size(*map.source().triples) == 0)
       return left;
-    const Array<Index> input_faces = result.input_faces();
-    std::vector<Use> uses = uses_of(result, faces, input_faces, c, map);
-    std::vector<Index> place(result.wedge_count(c), none);
-    const Use* last = nullptr;
-    for (const Use& use : uses) {
-      if (!last || use.old != last->old || use.wedge_value != last->wedge_value)
-        left.first.push_back(left_of(map, result, c, use));
-      place[use.wedge] = static_cast<Index>(std::ranges::size(left.first) - 1);
-      last = &use;
-    }
-    for (Index face : faces)
-      left.second.push_back(renumbered((*map.source().triples)[input_faces[face]],
-                                       [&](auto i) { return place[result.wedge(c, face, i)]; }));
+    rewrite_triples(
+        result, faces, {c, Map::size}, *map.source().triples, left.second,
+        [&](const WedgeUse& use) { left.first.push_back(left_of(map, result, c, use)); });
     return left;
   }
 
-  // A wedge that is left, by the first value of its corners; wedges of equal values share one.
-  struct Use {
-    Index old;
-    std::vector<double> wedge_value; // empty: as it was
-    Index wedge;
-    friend bool operator<(const Use& a, const Use& b) {
-      return std::tie(a.old, a.wedge_value, a.wedge) < std::tie(b.old, b.wedge_value, b.wedge);
-    }
-  };
-
   template <class Map, class Result>
-  static auto left_of(const Map& map, const Result& result, std::size_t c, const Use& use) {
+  static auto left_of(const Map& map, const Result& result, std::size_t c, const WedgeUse& use) {
     const auto old = map.raw(std::size_t{use.old});
     return map.changed(result, c, use.wedge, old).value_or(old);
-  }
-
-  template <class Result, class Map>
-  static std::vector<Use> uses_of(const Result& result, const Array<Index>& faces,
-                                  const Array<Index>& input_faces, std::size_t c, const Map& map) {
-    std::vector<Index> old(result.wedge_count(c), none);
-    for (Index face : faces)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto index = static_cast<Index>((*map.source().triples)[input_faces[face]][i]);
-        Index& first = old[result.wedge(c, face, i)];
-        first = (std::min)(first, index);
-      }
-    std::vector<Use> uses;
-    for (Index wedge = 0; wedge < old.size(); ++wedge) {
-      if (old[wedge] == none)
-        continue;
-      const Index origin = result.channel(c).origin(wedge);
-      Use use{origin == none ? old[wedge] : origin, {}, wedge};
-      for (std::size_t k = 0; k < Map::size && origin == none; ++k)
-        use.wedge_value.push_back(result.channel(c).value(wedge, k));
-      uses.push_back(std::move(use));
-    }
-    std::sort(uses.begin(), uses.end());
-    return uses;
   }
 
   template <class Map>

@@ -44,6 +44,8 @@ public:
 
   /// Of the surface as it is before the first contraction.
   void begin() {
+    if (!policies_.recorder.is_listening())
+      return;
     const std::size_t vertices = numbering_.vertices.input_count();
     for (Channel& channel : all_channels())
       width_ += channel.has_seams() ? 0 : channel.components();
@@ -70,6 +72,8 @@ public:
   /// The wedges of the pair that meets, before they do.
   template <class Event>
   void before(const Event& event) {
+    if (!policies_.recorder.is_listening())
+      return;
     std::vector<RecordBuffer::Corner>& corners = event.contraction.scratch().recorded.corners;
     corners.clear();
     const auto channels = all_channels();
@@ -90,6 +94,8 @@ public:
 
   template <class Event>
   void after(const Event& event) {
+    if (!policies_.recorder.is_listening())
+      return;
     Scratch& scratch = event.contraction.scratch();
     RecordBuffer& buffer = scratch.recorded;
     const Vector<dimension> position = scale_.position_of_mesh(event.contraction.target());

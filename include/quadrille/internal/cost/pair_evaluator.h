@@ -135,7 +135,7 @@ public:
     keys.add(pairs.size());
     if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
                   (!counts_channels || remembers_forms<Cost>))
-      if (keeps_corners || !geometry_.is_any_fixed()) {
+      if (is_optimal(policies_.placement) && (keeps_corners || !geometry_.is_any_fixed())) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         return;
       }

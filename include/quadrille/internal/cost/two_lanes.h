@@ -31,6 +31,15 @@ inline constexpr bool has_two_lanes<MemorylessQuadric, OptimalPlacement> = true;
 template <>
 inline constexpr bool has_two_lanes<ThinFeatureQuadric, OptimalPlacement> = true;
 
+/// Does a placement take the position of least cost? One that is chosen at run time says so.
+template <class Placement>
+bool is_optimal(const Placement& placement) {
+  if constexpr (requires { placement.is_optimal(); })
+    return placement.is_optimal();
+  else
+    return true;
+}
+
 /// Costs pairs two at a time. What the kernel cannot solve is left to the
 /// evaluator, which gives the same to the rounding of a float.
 template <class Evaluator>

@@ -155,6 +155,13 @@ public:
     recorder.refuse(refusal);
   };
   explicit RecorderReference(R& recorder) : recorder_(&recorder) {}
+  /// Is there anything to be told? A recorder that is chosen at run time says so.
+  bool is_listening() const {
+    if constexpr (requires { recorder_->is_listening(); })
+      return recorder_->is_listening();
+    else
+      return true;
+  }
   void begin(RecordedSurface surface) const { recorder_->begin(std::move(surface)); }
   void record(const RecordedContraction& contraction) const { recorder_->record(contraction); }
   void refuse(const RecordedRefusal& refusal) const { recorder_->refuse(refusal); }
