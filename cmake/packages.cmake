@@ -1,6 +1,7 @@
 # Debian packages: `cpack -G DEB` in the build folder, once it is built.
 #   quadrille          the program, where it is built
 #   libquadrille-dev   the library
+#   python3-quadrille  the Python module, where it is built
 set(CPACK_PACKAGE_NAME quadrille)
 set(CPACK_PACKAGE_VENDOR Quadrille)
 set(CPACK_PACKAGE_CONTACT "The developers of Quadrille <quadrille@localhost>")
@@ -28,6 +29,15 @@ if(TARGET quadrille_program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME quadrille)
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "simplifies triangle surfaces by quadric error metrics\n Reads and writes OFF, OBJ, PLY, STL, GOCAD and glTF; writes pages of HTML.")
+endif()
+
+if(TARGET quadrille_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-quadrille)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  get_target_property(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS quadrille_python DEBIAN_DEPENDS)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "simplification of triangle surfaces for Python\n Arrays of numpy in and out.")
 endif()
 
 include(CPack)

@@ -1,0 +1,315 @@
+// The compiled part of the Python module quadrille: what quadrille/*.py calls, with arrays whose
+// types and shapes have been looked at there.
+
+#include "arrays.h"
+#include "files.h"
+#include "interruptible.h"
+#include "levels.h"
+
+#include <quadrille/compiled.h>
+#include <quadrille/levels.h>
+#include <quadrille/report.h>
+#include <quadrille/version.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+namespace {
+
+using namespace quadrille;
+
+/// Kind, values, indices of corners or None, options.
+using ChannelArrays = std::tuple<SoupChannelView::Kind, Numbers<double>,
+                                 std::optional<Numbers<std::uint32_t>>, ChannelOptions>;
+
+SoupChannelView view_of(const ChannelArrays& arrays) {
+  const auto& [kind, values, triangles, options] = arrays;
+  return {kind, static_cast<std::size_t>(values.shape(1)), numbers(values),
+          triangles ? rows<3>(*triangles) : std::span<const std::array<std::uint32_t, 3>>(),
+          options};
+}
+
+py::dict arrays_of(SimplifiedSoup result) {
+  py::dict arrays;
+  arrays["points"] = array_of_rows(std::move(result.points));
+  arrays["faces"] = array_of_rows(std::move(result.triangles));
+  arrays["labels"] = array_of_numbers(std::move(result.labels));
+  arrays["input_faces"] = array_of_numbers(std::move(result.input_faces));
+  const auto count = static_cast<py::ssize_t>(result.image.size());
+  arrays["image"] = array_of<std::int64_t>(std::move(result.image), {count}); // vanished is -1
+  py::list channels;
+  for (SoupChannel& channel : result.channels)
+    channels.append(py::make_tuple(array_of_values(std::move(channel.values), channel.components),
+                                   array_of_rows(std::move(channel.triangles))));
+  arrays["channels"] = channels;
+  arrays["report"] = result.report;
+  return arrays;
+}
+
+py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint32_t>& faces,
+                         const std::optional<Numbers<std::uint32_t>>& labels,
+                         const std::vector<ChannelArrays>& channels, SoupOptions options,
+                         Levels* levels, py::object progress) {
+  SoupView soup{rows<3>(points), rows<3>(faces), {}, {}};
+  if (labels)
+    soup.labels = numbers(*labels);
+  for (const ChannelArrays& channel : channels)
+    soup.channels.push_back(view_of(channel));
+  Interruptible proceed(std::move(progress));
+  options.proceed = [&](const Status& status) { return proceed(status); };
+  options.levels = levels;
+  SimplifiedSoup result;
+  {
+    const py::gil_scoped_release unlocked;
+    result = simplified_soup(soup, options);
+  }
+  return arrays_of(std::move(result));
+}
+
+void add_options(py::module_& m) {
+  py::class_<SoupOptions> options(m, "Options");
+  options.def(py::init<>())
+      .def_readwrite("faces", &SoupOptions::faces)
+      .def_readwrite("ratio", &SoupOptions::ratio)
+      .def_readwrite("vertices", &SoupOptions::vertices)
+      .def_readwrite("error", &SoupOptions::error)
+      .def_readwrite("relative_error", &SoupOptions::relative_error)
+      .def_readwrite("cost", &SoupOptions::cost)
+      .def_readwrite("boundary_weight", &SoupOptions::boundary_weight)
+      .def_readwrite("crease_weight", &SoupOptions::crease_weight)
+      .def_readwrite("crease_degrees", &SoupOptions::crease_degrees)
+      .def_readwrite("placement", &SoupOptions::placement)
+      .def_readwrite("order", &SoupOptions::order)
+      .def_readwrite("eager", &SoupOptions::eager)
+      .def_readwrite("share", &SoupOptions::share)
+      .def_readwrite("refresh", &SoupOptions::refresh)
+      .def_readwrite("threads", &SoupOptions::threads)
+      .def_readwrite("pairs_closer_than", &SoupOptions::pairs_closer_than)
+      .def_readwrite("topology", &SoupOptions::topology)
+      .def_readwrite("normal_flip", &SoupOptions::normal_flip)
+      .def_readwrite("fixed", &SoupOptions::fixed)
+      .def_readwrite("label_border_weight", &SoupOptions::label_border_weight)
+      .def_readwrite("split_vertices", &SoupOptions::split_vertices);
+}
+
+void add_choices(py::module_& m) {
+  py::enum_<SoupOptions::Cost>(m, "Cost")
+      .value("quadric", SoupOptions::Cost::quadric)
+      .value("memoryless_quadric", SoupOptions::Cost::memoryless_quadric)
+      .value("thin_feature_quadric", SoupOptions::Cost::thin_feature_quadric)
+      .value("edge_length", SoupOptions::Cost::edge_length);
+  py::enum_<SoupOptions::Placement>(m, "Placement")
+      .value("optimal", SoupOptions::Placement::optimal)
+      .value("endpoint", SoupOptions::Placement::endpoint)
+      .value("midpoint", SoupOptions::Placement::midpoint);
+  py::enum_<SoupOptions::Order>(m, "Order")
+      .value("greedy", SoupOptions::Order::greedy)
+      .value("relaxed", SoupOptions::Order::relaxed);
+  py::enum_<Topology>(m, "Topology")
+      .value("kept", Topology::kept)
+      .value("free", Topology::free)
+      .value("parts_may_vanish", Topology::parts_may_vanish);
+}
+
+void add_channels(py::module_& m) {
+  py::enum_<SoupChannelView::Kind>(m, "Kind")
+      .value("texture", SoupChannelView::Kind::texture)
+      .value("normals", SoupChannelView::Kind::normals)
+      .value("colors", SoupChannelView::Kind::colors)
+      .value("attributes", SoupChannelView::Kind::attributes);
+  py::enum_<Seams>(m, "Seams")
+      .value("kept", Seams::kept)
+      .value("priced", Seams::priced)
+      .value("free", Seams::free);
+  py::enum_<NewValues>(m, "NewValues")
+      .value("optimal", NewValues::optimal)
+      .value("weights", NewValues::weights)
+      .value("existing", NewValues::existing)
+      .value("recomputed", NewValues::recomputed);
+  py::class_<ChannelOptions>(m, "ChannelOptions")
+      .def(py::init<>())
+      .def_readwrite("importance", &ChannelOptions::importance)
+      .def_readwrite("weights", &ChannelOptions::weights)
+      .def_readwrite("seams", &ChannelOptions::seams)
+      .def_readwrite("border_weight", &ChannelOptions::border_weight)
+      .def_readwrite("new_values", &ChannelOptions::new_values)
+      .def_readwrite("linear_light", &ChannelOptions::linear_light);
+}
+
+std::string text_of(const Report& report) {
+  std::ostringstream text;
+  text << report;
+  return std::move(text).str();
+}
+
+void add_status(py::module_& m) {
+  py::class_<Status>(m, "Status", "What a progress function is told.")
+      .def_readonly("initial_faces", &Status::initial_faces)
+      .def_readonly("initial_vertices", &Status::initial_vertices)
+      .def_readonly("faces", &Status::faces, "how many there are now")
+      .def_readonly("vertices", &Status::vertices)
+      .def_readonly("contractions", &Status::contractions)
+      .def_readonly("next_error", &Status::next_error)
+      .def_readonly("diagonal", &Status::diagonal, "of the input's bounding box")
+      .def_readonly("progress", &Status::progress,
+                    "which part is done, from 0 to 1; 1 at the end only");
+}
+
+void add_report(py::module_& m) {
+  py::class_<Report> report(m, "Report", "What simplify() did. str(report) is one line.");
+  report.def_readonly("faces_before", &Report::faces_before)
+      .def_readonly("faces_after", &Report::faces_after)
+      .def_readonly("vertices_before", &Report::vertices_before)
+      .def_readonly("vertices_after", &Report::vertices_after)
+      .def_readonly("contractions", &Report::contractions, "pairs of vertices made one")
+      .def_readonly("non_edge_contractions", &Report::non_edge_contractions)
+      .def_readonly("components_before", &Report::components_before)
+      .def_readonly("components_after", &Report::components_after)
+      .def_readonly("vanished_parts", &Report::vanished_parts)
+      .def_readonly("non_manifold_edges", &Report::non_manifold_edges)
+      .def_readonly("non_manifold_vertices", &Report::non_manifold_vertices)
+      .def_readonly("error", &Report::error,
+                    "an estimate of the greatest distance, in the units of the points; no bound")
+      .def_readonly("distance_bound", &Report::distance_bound,
+                    "no point of the result is further from the input; infinite but with error= "
+                    "and relative_error=")
+      .def("__repr__", [](const Report& r) { return "<quadrille.Report: " + text_of(r) + '>'; })
+      .def("__str__", text_of);
+  report.def_property_readonly(
+      "stop", [](const Report& r) { return to_string(r.stop); },
+      "why it stopped: 'target met', 'target passed', 'no pair left', 'all pairs rejected', "
+      "'target unreachable' or 'cancelled'");
+  report.def_property_readonly(
+      "is_target_reached", [](const Report& r) { return is_target_reached(r.stop); },
+      "whether the target was met, or passed by a face or so");
+  report.def_property_readonly(
+      "seconds", [](const Report& r) { return r.seconds.total(); }, "that it took");
+  report.def_property_readonly(
+      "rejections",
+      [](const Report& r) {
+        py::dict counts;
+        for (std::size_t cause = 0; cause < rejection_causes; ++cause)
+          if (r.rejections[cause] > 0)
+            counts[py::str(to_string(static_cast<Rejection>(cause)))] = r.rejections[cause];
+        return counts;
+      },
+      "how many contractions were refused, by cause");
+}
+
+void add_levels(py::module_& m) {
+  py::class_<Levels>(m, "Levels")
+      .def(py::init<>())
+      .def("empty", &Levels::empty)
+      .def("at", [](const Levels& levels, const std::string& stop,
+                    double number) { return dict_of(level_at(levels, stop, number)); })
+      .def("info", [](const Levels& levels, const std::string& stop,
+                      double number) { return dict_of(level_info(levels, stop, number)); })
+      .def("finest", [](const Levels& levels) { return dict_of(levels.finest()); })
+      .def("coarsest",
+           [](const Levels& levels) {
+             return with_value_errors([&] { return dict_of(levels.coarsest()); });
+           })
+      .def("save", save, py::call_guard<py::gil_scoped_release>());
+  m.def("load_levels", load, py::call_guard<py::gil_scoped_release>());
+}
+
+/// Writes a mesh, and returns what could not be written.
+std::string write_arrays(const std::filesystem::path& path, const WrittenArrays& arrays,
+                         const IndexedMesh* source,
+                         const std::optional<Numbers<std::uint32_t>>& faces) {
+  const MeshFormat& format = mesh_format(path);
+  IndexedMesh mesh = mesh_of(arrays);
+  if (source && faces)
+    set_faces(mesh, *source, *faces);
+  if (mesh.parts.of_faces.empty())
+    set_one_part(mesh);
+  fit_to_format(mesh, format);
+  const py::gil_scoped_release unlocked;
+  write_mesh(path, mesh, format);
+  return mesh.losses.text();
+}
+
+void add_mesh_file(py::module_& m) {
+  py::class_<IndexedMesh>(m, "MeshFile")
+      .def_property_readonly("points", points_of)
+      .def_property_readonly("faces",
+                             [](const IndexedMesh& mesh) { return array_of_rows(mesh.triangles); })
+      .def_property_readonly(
+          "vertex_uv",
+          [](const IndexedMesh& mesh) { return array_of_rows(mesh.texture_coordinates); })
+      .def_property_readonly(
+          "uv", [](const IndexedMesh& mesh) { return corners_of(mesh.corner_textures); })
+      .def_property_readonly(
+          "normals", [](const IndexedMesh& mesh) { return corners_of(mesh.corner_normals); })
+      .def_property_readonly("colors", colors_of)
+      .def_property_readonly("labels", labels_of)
+      .def_property_readonly("vertex_numbers", vertex_numbers_of)
+      .def_property_readonly("remarks", [](const IndexedMesh& mesh) {
+        std::vector<std::string> remarks = mesh.remarks;
+        if (!mesh.losses.empty())
+          remarks.push_back("not kept: " + mesh.losses.text());
+        return remarks;
+      });
+}
+
+void add_written_arrays(py::module_& m) {
+  py::class_<WrittenArrays>(m, "WrittenArrays")
+      .def(py::init([](Numbers<double> points, Numbers<std::uint32_t> faces) {
+        return WrittenArrays{std::move(points), std::move(faces), {}, {}, {}, false, {}};
+      }))
+      .def_readwrite("uv", &WrittenArrays::uv)
+      .def_readwrite("normals", &WrittenArrays::normals)
+      .def_readwrite("colors", &WrittenArrays::colors)
+      .def_readwrite("has_alpha", &WrittenArrays::has_alpha)
+      .def_readwrite("vertex_numbers", &WrittenArrays::vertex_numbers);
+}
+
+void add_files(py::module_& m) {
+  add_mesh_file(m);
+  add_written_arrays(m);
+  m.def(
+      "read_mesh",
+      [](const std::filesystem::path& path, bool welds) {
+        return read_mesh(path, welds ? Weld::always : Weld::loose_faces);
+      },
+      py::call_guard<py::gil_scoped_release>());
+  m.def("write_mesh", write_arrays);
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "What the module quadrille calls.";
+  m.attr("version") = std::to_string(QUADRILLE_VERSION_MAJOR) + '.' +
+                      std::to_string(QUADRILLE_VERSION_MINOR) + '.' +
+                      std::to_string(QUADRILLE_VERSION_PATCH);
+#ifdef QUADRILLE_WITH_TBB
+  m.attr("has_threads") = true;
+#else
+  m.attr("has_threads") = false;
+#endif
+  add_options(m);
+  add_choices(m);
+  add_channels(m);
+  add_status(m);
+  add_report(m);
+  add_levels(m);
+  add_files(m);
+  m.def("simplify", simplify_arrays);
+}
+
+} // namespace quadrille_examples

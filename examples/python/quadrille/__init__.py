@@ -1,0 +1,28 @@
+"""Simplifies triangle surfaces by contracting pairs of vertices under quadric error metrics.
+
+    import quadrille
+    mesh = quadrille.read_mesh("statue.obj")              # with its texture, normals and materials
+    small = quadrille.simplify(mesh, faces=10_000)
+    quadrille.write_mesh("small.obj", small)
+
+    points, faces = quadrille.simplify(points, faces, ratio=0.1)      # arrays of numpy
+
+simplify    does it; see help(quadrille.simplify)
+Mesh        points, faces, and what goes along: uv, normals, colors, attributes, labels
+Channel     values of one of these with options: how much it counts, what becomes of its seams
+Simplified  what simplify() returns: a Mesh with a report
+Levels      all levels of detail of a surface from one run, in memory and in a file
+read_mesh, write_mesh  files: OFF, OBJ, PLY, STL, GOCAD
+
+Costs are those of Garland and Heckbert 1997, and what came of them: see the manual of the C++ library.
+"""
+
+from ._core import Report, Status
+from ._core import version as __version__
+from ._files import read_mesh, write_mesh
+from ._levels import Level, Levels
+from ._mesh import Channel, Mesh, Simplified
+from ._simplify import simplify
+
+__all__ = ["Channel", "Level", "Levels", "Mesh", "Report", "Simplified", "Status", "read_mesh",
+           "simplify", "write_mesh"]

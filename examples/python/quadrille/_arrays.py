@@ -1,0 +1,95 @@
+"""Arrays as the compiled part wants them, and what is wrong with those that are not."""
+
+import numpy as np
+
+
+def _of_numbers(name, array, kinds, what):
+    array = np.asarray(array)
+    if array.dtype.kind not in kinds and array.size > 0:
+        raise ValueError(f"{name} has the type {array.dtype}, which is not of {what}")
+    return array
+
+
+def real_rows(name, array, columns=None):
+    """Of doubles in the order of C: the array itself if it is one already. One column may be flat."""
+    array = _of_numbers(name, array, "fiub", "real numbers")
+    if array.ndim == 1 and columns is None:
+        array = array[:, np.newaxis]
+    if array.size == 0 and array.ndim < 2:
+        array = array.reshape(0, 3 if columns is None else columns)
+    if array.ndim != 2 or (columns is not None and array.shape[1] != columns) or array.shape[1] == 0:
+        raise ValueError(f"{name} has the shape {array.shape}, not (n, {columns or 'components'})")
+    doubles = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(doubles).all():
+        row = int(np.flatnonzero(~np.isfinite(doubles).all(axis=1))[0])
+        raise ValueError(f"{name}[{row}] is not finite: {array[row]}")
+    return doubles
+
+
+def _integers(name, array):
+    array = _of_numbers(name, array, "iu", "integers")
+    if array.dtype == np.uint32 and array.flags.c_contiguous:
+        return array
+    if array.size > 0 and int(array.min()) < 0:
+        raise ValueError(f"{name} has a negative number, {int(array.min())}, at {_place(array < 0)}")
+    if array.size > 0 and int(array.max()) > 0xFFFFFFFF:
+        raise ValueError(f"{name} has a number beyond 32 bits, {int(array.max())}")
+    if array.dtype == np.int32 and array.flags.c_contiguous:
+        return array.view(np.uint32)
+    return np.ascontiguousarray(array, dtype=np.uint32)
+
+
+def _place(where):
+    return tuple(int(i) for i in np.argwhere(where)[0])
+
+
+def index_triples(name, array, count, of_what):
+    """Of 32 bits in the order of C, each below a count: the array itself where that is so already."""
+    array = np.asarray(array)
+    if array.size == 0:
+        array = np.empty((0, 3), np.uint32)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name} has the shape {array.shape}, not (n, 3): it is of triangles")
+    triples = _integers(name, array)
+    if triples.size > 0 and int(triples.max()) >= count:
+        row = _place(triples >= count)[0]
+        raise ValueError(f"{name}[{row}] is {array[row].tolist()}, but there are {count} {of_what}")
+    return triples
+
+
+def one_for_each(name, array, count, of_what):
+    """Integers of 32 bits."""
+    array = _integers(name, np.asarray(array))
+    if array.shape != (count,):
+        raise ValueError(f"{name} has the shape {array.shape}, not ({count},): one for each of the "
+                         f"{of_what}")
+    return array
+
+
+def mask(name, array, count):
+    """A list of booleans of a mask, or of indices."""
+    array = np.asarray(array)
+    if array.dtype == bool:
+        if array.shape != (count,):
+            raise ValueError(f"{name} has the shape {array.shape}, not ({count},): it is a mask of "
+                             "the points, or their indices")
+        return array.tolist()
+    indices = _integers(name, array.reshape(-1) if array.size == 0 else array)
+    if indices.ndim != 1:
+        raise ValueError(f"{name} has the shape {array.shape}: it is a mask of the points, or their "
+                         "indices")
+    if indices.size > 0 and int(indices.max()) >= count:
+        raise ValueError(f"{name} names the point {int(indices.max())} of {count}")
+    result = np.zeros(count, bool)
+    result[indices] = True
+    return result.tolist()
+
+
+def as_type(array, like):
+    """Numbers in the type of an array: the nearest integers of integers."""
+    if array.dtype == like:
+        return array
+    if np.issubdtype(like, np.integer):
+        limits = np.iinfo(like)
+        return np.clip(np.rint(array), limits.min, limits.max).astype(like)
+    return array.astype(like)

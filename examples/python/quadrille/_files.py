@@ -1,0 +1,101 @@
+"""Files of meshes."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from typing import List, Union
+
+import numpy as np
+
+from . import _arrays, _core
+from ._mesh import Channel, Mesh, read_channels
+
+_HARDLY = 1 / 64  # numbers of vertices may be noise
+
+
+def read_mesh(path: Union[str, os.PathLike], *, weld: bool = False) -> Mesh:
+    """Reads a Mesh from a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension.
+
+    Polygons are cut into triangles. Of OBJ and PLY, uv and normals are pairs (values, indices) of
+    corners; materials, groups and objects of OBJ, and integers of the faces of PLY, are labels, and
+    write_mesh() writes them again with their names. Further numbers of the vertices of PLY are
+    attributes. weld makes points at exactly the same place one; where no two faces share a point, as
+    in STL, that is done anyway.
+
+    Raises OSError if the file can't be opened, and ValueError, which names file and line, if it is
+    broken. What was left out or guessed is in mesh.remarks.
+    """
+    with open(path, "rb"):
+        pass
+    try:
+        file = _core.read_mesh(os.fspath(path), bool(weld))
+    except RuntimeError as error:
+        raise ValueError(str(error)) from None
+    mesh = Mesh(file.points, file.faces, uv=file.uv, normals=file.normals, labels=file.labels,
+                remarks=file.remarks, _source=file,
+                _source_faces=np.arange(len(file.faces), dtype=np.uint32))
+    if len(file.vertex_uv) > 0:
+        mesh.uv = file.vertex_uv
+    if file.colors is not None:
+        values, full, is_whole = file.colors
+        mesh.colors = values if not is_whole else values.astype(np.uint8 if full == 255 else np.uint16)
+    for name, values, dtype in file.vertex_numbers:
+        new_values = "optimal" if dtype[0] == "f" else "existing"
+        if np.isfinite(values).all():
+            mesh.attributes[name] = Channel(values.astype(dtype), importance=_HARDLY,
+                                            new_values=new_values)
+        else:
+            mesh.remarks.append(f"not kept: {name}, of which some are not finite")
+    return mesh
+
+
+def write_mesh(path: Union[str, os.PathLike], mesh: Mesh) -> None:
+    """Writes a Mesh to a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension.
+
+    All of it or nothing: a file that is there stays if something goes wrong. A mesh of read_mesh(),
+    and what simplify() has made of it, has its materials, groups and other properties of faces again;
+    `mtllib` lines are written as they were read, so write beside them. uv is written to OBJ, PLY and
+    OFF, normals to OBJ and PLY, colours to these three, attributes of one component a point to PLY.
+    What the format cannot hold is told by a UserWarning.
+
+    Raises OSError if it can't be written, and ValueError for what is wrong with the mesh.
+    """
+    points = _arrays.real_rows("points", mesh.points, 3)
+    faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
+    arrays = _core.WrittenArrays(points, faces)
+    lost: List[str] = []
+    for channel in read_channels(mesh):
+        _add(arrays, channel, faces, lost)
+    if mesh.labels is not None and mesh._source is None:
+        lost.append("labels")
+    try:
+        losses = _core.write_mesh(os.fspath(path), arrays, mesh._source, mesh._source_faces)
+    except RuntimeError as error:
+        raise OSError(str(error)) from None
+    lost += [losses] if losses else []
+    if lost:
+        warnings.warn(f"{os.fspath(path)}: not kept: {', '.join(lost)}", stacklevel=2)
+
+
+def _add(arrays, channel, faces, lost):
+    indices = faces if channel.indices is None else channel.indices
+    if channel.name == "uv":
+        arrays.uv = (channel.values, indices)
+    elif channel.name == "normals":
+        arrays.normals = (channel.values, indices)
+    elif channel.name == "colors" and channel.indices is None:
+        count, components = channel.values.shape
+        colors = np.ones((count, 4))
+        colors[:, :components] = channel.values
+        arrays.colors = (colors * channel.whole, float(channel.whole), channel.whole != 1)
+        arrays.has_alpha = components == 4
+    elif channel.indices is None and channel.values.shape[1] == 1:
+        dtype = channel.type.str[1:] if channel.type.str[1:] in _PLY_TYPES else "f8"
+        arrays.vertex_numbers = [*arrays.vertex_numbers,
+                                 (channel.name, np.ascontiguousarray(channel.values[:, 0]), dtype)]
+    else:
+        lost.append(channel.name)
+
+
+_PLY_TYPES = ("i1", "i2", "i4", "u1", "u2", "u4", "f4", "f8")

@@ -1,0 +1,138 @@
+"""Levels of detail."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+from typing import Any, Dict, Optional, Union
+
+import numpy as np
+
+from . import _core
+from ._mesh import Mesh, set_channels
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Level(Mesh):
+    """A Mesh at a level of detail.
+
+    error           as of Report.error
+    distance_bound  no point is further from the input; infinite but of runs with error=
+    contractions    that lead to it
+    input_points, input_faces  which point and face of the input each of its own is: labels and
+                    materials are found there
+    """
+
+    error: float = 0.0
+    distance_bound: float = float("inf")
+    contractions: int = 0
+    input_points: Optional[np.ndarray] = None
+    input_faces: Optional[np.ndarray] = None
+
+
+class Levels:
+    """All levels of detail of a surface, from one run:
+
+        levels = quadrille.Levels()
+        quadrille.simplify(points, faces, faces=64, levels=levels)
+        level = levels.at(faces=1000)
+        levels.save("cow.qlv")
+
+    A level is what simplify() with that target gives, of which values are not rounded to float32 or
+    integers; `levels.at(...)` takes a few nanoseconds for each of its faces. Channels come along by
+    their names.
+    """
+
+    def __init__(self) -> None:
+        self._levels = _core.Levels()
+        self._names: list = []
+
+    def __bool__(self) -> bool:
+        return not self._levels.empty()
+
+    def at(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
+           error: Optional[float] = None, distance: Optional[float] = None,
+           contractions: Optional[int] = None) -> Level:
+        """A level, by one of
+
+        faces, vertices  the finest of so many at most
+        error            the coarsest whose error is at most that
+        distance         the coarsest within that distance of the input; for runs with error= or
+                         relative_error=
+        contractions     after so many
+
+        The coarsest of all where none is as coarse. Raises ValueError where nothing is recorded.
+        """
+        arrays = self._levels.at(*_stop(faces=faces, vertices=vertices, error=error,
+                                        distance=distance, contractions=contractions))
+        info = arrays["info"]
+        level = Level(arrays["points"], arrays["faces"], error=info["error"],
+                      distance_bound=info["distance_bound"], contractions=info["contractions"],
+                      input_points=arrays["input_points"], input_faces=arrays["input_faces"])
+        set_channels(level, {name: values if indices is None else (values, indices)
+                             for name, (values, indices) in zip(self._names, arrays["channels"])})
+        return level
+
+    def info(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
+             error: Optional[float] = None, distance: Optional[float] = None,
+             contractions: Optional[int] = None) -> Dict[str, Any]:
+        """The same without the surface: its faces, vertices, contractions, error, distance_bound."""
+        return self._levels.info(*_stop(faces=faces, vertices=vertices, error=error,
+                                        distance=distance, contractions=contractions))
+
+    @property
+    def finest(self) -> Dict[str, Any]:
+        """What info() tells of the input."""
+        self._require_any()
+        return self._levels.finest()
+
+    @property
+    def coarsest(self) -> Dict[str, Any]:
+        """What info() tells of the last level."""
+        return self._levels.coarsest()
+
+    def save(self, path: Union[str, os.PathLike]) -> None:
+        """Writes all of it to a file; one that is there is replaced once all is written. Programs in
+        C++ read it with <quadrille/levels_file.h>. Raises OSError."""
+        self._require_any()
+        try:
+            self._levels.save(os.fspath(path), json.dumps({"channels": self._names}))
+        except RuntimeError as error:
+            raise OSError(str(error)) from None
+
+    @staticmethod
+    def load(path: Union[str, os.PathLike]) -> "Levels":
+        """Reads a file. Raises OSError if it can't be read, and ValueError if it is no file of levels,
+        or a broken one."""
+        with open(path, "rb"):
+            pass
+        levels = Levels()
+        try:
+            levels._levels, comment = _core.load_levels(os.fspath(path))
+        except RuntimeError as error:
+            raise ValueError(str(error)) from None
+        levels._names = _names_in(comment)
+        return levels
+
+    def _require_any(self):
+        if not self:
+            raise ValueError("nothing has been recorded: pass levels= to simplify()")
+
+
+def _names_in(comment):
+    """Of channels; numbers where the file is of another program."""
+    try:
+        return [str(name) for name in json.loads(comment)["channels"]]
+    except (ValueError, KeyError, TypeError):
+        return [str(i) for i in range(1000)]
+
+
+def _stop(**given):
+    stops = [(name, value) for name, value in given.items() if value is not None]
+    if len(stops) != 1:
+        raise ValueError(f"one of {', '.join(given)} says which level, not {len(stops)} of them")
+    name, value = stops[0]
+    if not value >= 0:
+        raise ValueError(f"{name} is {value!r}, not at least 0")
+    return name, float(value)

@@ -1,0 +1,190 @@
+"""What simplify() is given and gives."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _arrays, _core
+
+Values = Union[np.ndarray, Tuple[np.ndarray, np.ndarray], "Channel"]
+
+
+@dataclasses.dataclass(eq=False)
+class Channel:
+    """Values of an attribute with options that say how it counts.
+
+    Wherever an array of values or a pair (values, indices) is taken, a Channel is taken too.
+
+    values        numbers of the shape (n, components): one value for each point, or, with indices, any
+                  number of values. Of a type of integers the results are rounded to it; colours of
+                  uint8 and uint16 are from 0 to 255 and 65535.
+    indices       integers of the shape (faces, 3): the value of each corner of each face, as in OBJ
+    importance    by how much more than by default it counts; above 0
+    weights       lengths in the unit of the points that a step of 1 in each component counts as, times
+                  importance; by default for texture coordinates as long as on the surface, for others
+                  0.02 diagonals of the bounding box for the range of the values
+    seams         what becomes of the edges at which values jump: 'kept' (they stay; by default for
+                  uv), 'priced' (they may vanish, which costs; by default for others) or 'free' (values
+                  around a point are made one from the beginning)
+    border_weight how firmly charts of a texture with kept seams hold their borders in the texture
+    new_values    'optimal' (what costs least), 'weights' (the same, at least 0 and of sum 1: of a
+                  skin), 'existing' (one of those that have become one: for classes; not for uv) or
+                  'recomputed' (of normals only: from the faces of the result)
+    linear_light  for colours in sRGB: they are averaged as light is
+    kind          'texture', 'normals', 'colors' or 'attributes'; by default what the name says that
+                  it is passed by
+    """
+
+    values: np.ndarray
+    indices: Optional[np.ndarray] = None
+    importance: float = 1.0
+    weights: Optional[Sequence[float]] = None
+    seams: Optional[str] = None
+    border_weight: float = 10.0
+    new_values: str = "optimal"
+    linear_light: bool = False
+    kind: Optional[str] = None
+
+
+@dataclasses.dataclass(eq=False)
+class Mesh:
+    """Triangles with what they carry. All but points and faces may be None or empty.
+
+    points      numbers of the shape (n, 3)
+    faces       integers of the shape (m, 3): the points of each triangle
+    uv          texture coordinates: an array of the shape (n, 2), or a pair (values, indices) of shapes
+                (k, 2) and (m, 3) with the value of each corner, as in OBJ; or a Channel
+    normals     the same, of three components
+    colors      the same, of three components, or of four with alpha
+    attributes  anything else by name, of any number of components
+    labels      an integer for each face: materials, regions, patches
+    remarks     what read_mesh() had to leave out or guess, as sentences
+
+    A Mesh is unpacked to its points and faces: points, faces = mesh.
+    """
+
+    points: np.ndarray
+    faces: np.ndarray
+    uv: Optional[Values] = None
+    normals: Optional[Values] = None
+    colors: Optional[Values] = None
+    attributes: Dict[str, Values] = dataclasses.field(default_factory=dict)
+    labels: Optional[np.ndarray] = None
+    remarks: List[str] = dataclasses.field(default_factory=list)
+    # The file that it was read from, and which of its faces each face is.
+    _source: Any = dataclasses.field(default=None, repr=False)
+    _source_faces: Optional[np.ndarray] = dataclasses.field(default=None, repr=False)
+
+    def __iter__(self) -> Iterator[np.ndarray]:
+        return iter((self.points, self.faces))
+
+    def __repr__(self) -> str:
+        has = [name for name in ("uv", "normals", "colors", "labels") if getattr(self, name) is not None]
+        text = ", ".join([f"{len(self.points)} points, {len(self.faces)} faces", *has, *self.attributes])
+        return f"<quadrille.{type(self).__name__}: {text}>"
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Simplified(Mesh):
+    """A Mesh that simplify() has made.
+
+    report       a Report: what was done, why it stopped, how far the result may be from the input
+    image        of each point of the input, the point of the result that it has become, or -1 where it
+                 has vanished; None with split_vertices
+    input_faces  of each face, which face of the input it is
+    """
+
+    report: Any = None
+    image: Optional[np.ndarray] = None
+    input_faces: Optional[np.ndarray] = None
+
+
+class ReadChannel:
+    """A channel of the user's on its way through the engine."""
+
+    def __init__(self, name, given, kind, mesh_counts):
+        point_count, faces = mesh_counts
+        self.name, self.given = name, given
+        self.channel = given if isinstance(given, Channel) else _channel_of(name, given)
+        self.kind = _choice(f"the kind of {name}", self.channel.kind or kind, _core.Kind)
+        columns = {_core.Kind.texture: 2, _core.Kind.normals: 3}.get(self.kind)
+        self.type = np.asarray(self.channel.values).dtype
+        self.is_flat = np.asarray(self.channel.values).ndim == 1
+        self.whole = _whole_of_colors(self.type) if self.kind == _core.Kind.colors else 1
+        self.values = _arrays.real_rows(f"{name}", self.channel.values, columns)
+        if self.kind == _core.Kind.colors and self.values.shape[1] not in (3, 4):
+            raise ValueError(f"{name} has the shape {self.values.shape}, not (n, 3) or (n, 4)")
+        if self.whole != 1:
+            self.values = self.values / self.whole
+        self.indices = None
+        if self.channel.indices is not None:
+            self.indices = _arrays.index_triples(f"the indices of {name}", self.channel.indices,
+                                                 len(self.values), "values")
+            self.index_type = np.asarray(self.channel.indices).dtype
+        count, what = (point_count, "points") if self.indices is None else (faces, "faces")
+        if len(self.values if self.indices is None else self.indices) != count:
+            raise ValueError(f"{name} has {len(self.values if self.indices is None else self.indices)} "
+                             f"{'values' if self.indices is None else 'index triples'} for {count} {what}")
+
+    def arguments(self):
+        channel, options = self.channel, _core.ChannelOptions()
+        options.importance = float(channel.importance)
+        options.weights = [float(weight) for weight in (() if channel.weights is None else channel.weights)]
+        if channel.seams is not None:
+            options.seams = _choice(f"the seams of {self.name}", channel.seams, _core.Seams)
+        options.border_weight = float(channel.border_weight)
+        options.new_values = _choice(f"new_values of {self.name}", channel.new_values, _core.NewValues)
+        options.linear_light = bool(channel.linear_light)
+        return (self.kind, self.values, self.indices, options)
+
+    def result(self, values, indices):
+        """In the form in which the channel was given."""
+        if self.whole != 1:
+            values = values * self.whole
+        values = _arrays.as_type(values, self.type)
+        if self.is_flat:
+            values = values[:, 0]
+        if self.indices is not None:
+            indices = _arrays.as_type(indices, self.index_type)
+        if isinstance(self.given, Channel):
+            return dataclasses.replace(
+                self.channel, values=values, indices=None if self.indices is None else indices)
+        return values if self.indices is None else (values, indices)
+
+
+def read_channels(mesh: Mesh) -> List[ReadChannel]:
+    counts = (len(mesh.points), len(mesh.faces))
+    named = [("uv", mesh.uv, "texture"), ("normals", mesh.normals, "normals"),
+             ("colors", mesh.colors, "colors")]
+    named += [(name, values, "attributes") for name, values in mesh.attributes.items()]
+    return [ReadChannel(name, values, kind, counts) for name, values, kind in named if values is not None]
+
+
+def set_channels(mesh: Mesh, results: Dict[str, Values]) -> None:
+    for name, values in results.items():
+        if name in ("uv", "normals", "colors"):
+            setattr(mesh, name, values)
+        else:
+            mesh.attributes[name] = values
+
+
+def _channel_of(name, given):
+    if not isinstance(given, tuple):
+        return Channel(given)
+    if len(given) != 2:
+        raise ValueError(f"{name} is a tuple of {len(given)}: it is an array, or (values, indices)")
+    return Channel(*given)
+
+
+def _whole_of_colors(dtype):
+    return np.iinfo(dtype).max if dtype in (np.uint8, np.uint16) else 1
+
+
+def _choice(name, value, enum):
+    members = enum.__members__
+    if value not in members:
+        raise ValueError(f"{name} is {value!r}, not one of {', '.join(members)}")
+    return members[value]

@@ -1,0 +1,221 @@
+"""simplify()"""
+
+from __future__ import annotations
+
+import operator
+from typing import Callable, Dict, Optional, Union
+
+import numpy as np
+
+from . import _arrays, _core
+from ._levels import Levels
+from ._mesh import Mesh, Simplified, Values, _choice, read_channels, set_channels
+
+
+def simplify(
+    points: Union[np.ndarray, Mesh],
+    triangles: Optional[np.ndarray] = None,
+    /,
+    *,
+    faces: Optional[int] = None,
+    ratio: Optional[float] = None,
+    vertices: Optional[int] = None,
+    error: Optional[float] = None,
+    relative_error: Optional[float] = None,
+    cost: str = "quadric",
+    placement: Optional[str] = None,
+    order: str = "greedy",
+    threads: int = 1,
+    boundary_weight: float = 100.0,
+    crease_degrees: float = 180.0,
+    crease_weight: float = 100.0,
+    topology: Optional[str] = None,
+    pairs_closer_than: float = 0.0,
+    normal_flip: float = 90.0,
+    fixed: Optional[np.ndarray] = None,
+    labels: Optional[np.ndarray] = None,
+    label_border_weight: float = 1.0,
+    uv: Optional[Values] = None,
+    normals: Optional[Values] = None,
+    colors: Optional[Values] = None,
+    attributes: Optional[Dict[str, Values]] = None,
+    split_vertices: bool = False,
+    levels: Optional[Levels] = None,
+    progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
+    eager: bool = False,
+    share: float = 0.5,
+    refresh: bool = False,
+) -> Simplified:
+    """Simplifies a triangle surface; returns a new one and leaves the arrays of the old one alone.
+
+        points, faces = quadrille.simplify(points, faces, faces=1000)
+        result = quadrille.simplify(mesh, relative_error=0.001)      # a Mesh, as of read_mesh()
+
+    The surface:
+
+    points     numbers of the shape (n, 3), finite, in any unit; or a Mesh, with all that it has
+    triangles  integers of the shape (m, 3) in [0, n): the points of each triangle. Any triangles will
+               do: open, non-manifold, of several parts. Degenerate and doubled ones are dropped, and
+               so are points of no triangle. What is left keeps its order.
+
+    Targets, of which the first that is met ends it; half of the faces where there is none:
+
+    faces, vertices  so many at most, at least 0
+    ratio            that part of the faces, in [0, 1]
+    error            no point of the result further from the input than that, in the unit of the points
+    relative_error   the same as a part of the diagonal of the bounding box, 0.001 say
+
+    How:
+
+    cost             'quadric' (the fastest), 'memoryless_quadric' (a fifth more accurate, half as
+                     fast), 'thin_feature_quadric' (the same, and thin parts stay) or 'edge_length'
+    placement        where the new point goes: 'optimal' (by default but for edge_length), 'midpoint'
+                     (by default for edge_length) or 'endpoint' (points of the result are of the input)
+    order            'greedy' (the cheapest pair first) or 'relaxed' (in passes, which threads share)
+    threads          for 'relaxed', from 1 to 1024; the result does not depend on it
+    boundary_weight  how firmly borders stay, at least 0
+    crease_degrees   edges are held if normals differ by more; with cost='quadric'. 180: none is
+    crease_weight    how firmly
+    topology         'kept' (by default), 'free' (parts join, holes close) or 'parts_may_vanish'
+    pairs_closer_than  points closer than that may be joined without an edge, in the unit of the points;
+                     topology is 'free' then by default
+    normal_flip      no face turns by that many degrees or more at once, in (0, 180]
+    fixed            points that stay where they are: booleans of the shape (n,), or indices
+    eager            for 'greedy' and costs but 'quadric': half a percent more accurate, half as fast
+    share, refresh   for 'relaxed': see RelaxedOrder in order.h
+
+    What goes along with the surface. Arrays here stand for those of a Mesh; see Mesh and Channel for
+    shapes and forms:
+
+    labels           an integer for each triangle: their regions stay, with their borders
+    label_border_weight  how firmly these borders keep their shape, at least 0
+    uv, normals, colors, attributes  values at points, or (values, indices) at corners
+    split_vertices   points at exactly the same place are one vertex, as in meshes that are split at
+                     the seams of a texture (trimesh, glTF); the result is split again
+
+    Watching:
+
+    levels           a Levels, into which all levels of detail are recorded
+    progress         called up to 25 times a second with a Status (status.progress goes from 0 to 1);
+                     to return False ends it with the result so far, and to raise ends it with nothing
+
+    Returns a Simplified: points, faces and whatever else the input has, in the same forms and types;
+    report, image and input_faces tell what happened. Whether the target was met is told by
+    result.report.is_target_reached.
+
+    Arrays of float64 and uint32 (or int32) in the order of C are read where they are; others are
+    copied. Do not write to them meanwhile. Other threads of Python run on, and Ctrl-C ends it with a
+    KeyboardInterrupt.
+
+    Raises ValueError for what is wrong with an argument, and says which and where; MemoryError.
+    """
+    mesh = _mesh_of(points, triangles)
+    given = dict(labels=labels, uv=uv, normals=normals, colors=colors)
+    mesh = Mesh(mesh.points, mesh.faces, attributes={**mesh.attributes, **(attributes or {})},
+                _source=mesh._source, _source_faces=mesh._source_faces,
+                **{name: getattr(mesh, name) if values is None else values
+                   for name, values in given.items()})
+    options = _core.Options()
+    _set_targets(options, faces=faces, vertices=vertices, ratio=ratio, error=error,
+                 relative_error=relative_error)
+    options.cost = _choice("cost", cost, _core.Cost)
+    options.order = _choice("order", order, _core.Order)
+    if placement is not None:
+        options.placement = _choice("placement", placement, _core.Placement)
+    if topology is not None:
+        options.topology = _choice("topology", topology, _core.Topology)
+    _set_numbers(options, boundary_weight=boundary_weight, crease_degrees=crease_degrees,
+                 crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
+                 normal_flip=normal_flip, label_border_weight=label_border_weight, share=share)
+    options.threads = _count("threads", threads)
+    options.eager, options.refresh = bool(eager), bool(refresh)
+    options.split_vertices = bool(split_vertices)
+    if fixed is not None:
+        options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
+    if progress is not None and not callable(progress):
+        raise ValueError(f"progress is {progress!r}, which cannot be called")
+    return _simplified(mesh, options, levels, progress)
+
+
+def _mesh_of(points, triangles):
+    if isinstance(points, Mesh):
+        if triangles is not None:
+            raise ValueError("triangles are given beside a Mesh, which has its own")
+        return points
+    if triangles is None:
+        raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
+    return Mesh(np.asarray(points), np.asarray(triangles))
+
+
+def _count(name, value):
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ValueError(f"{name} is {value!r}, not an integer") from None
+    if number < 0 or number >= 2**32:
+        raise ValueError(f"{name} is {number}, not in [0, 2**32)")
+    return number
+
+
+def _number(name, value):
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} is {value!r}, not a number") from None
+
+
+def _set_numbers(options, **numbers):
+    for name, value in numbers.items():
+        setattr(options, name, _number(name, value))
+
+
+def _set_targets(options, **targets):
+    for name, value in targets.items():
+        if value is not None:
+            convert = _count if name in ("faces", "vertices") else _number
+            setattr(options, name, convert(name, value))
+
+
+def _simplified(mesh, options, levels, progress):
+    points = _arrays.real_rows("points", mesh.points, 3)
+    faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
+    labels, label_numbers, label_type = None, None, None
+    if mesh.labels is not None:
+        label_type = np.asarray(mesh.labels).dtype
+        labels, label_numbers = _numbered(mesh.labels, len(faces))
+    channels = read_channels(mesh)
+    arrays = _core.simplify(points, faces, label_numbers, [c.arguments() for c in channels], options,
+                            None if levels is None else levels._levels, progress)
+    if levels is not None:
+        levels._names = [channel.name for channel in channels]
+    result = Simplified(
+        _arrays.as_type(arrays["points"], _float_type(mesh.points)),
+        _arrays.as_type(arrays["faces"], _index_type(mesh.faces)),
+        labels=None if labels is None else labels[arrays["labels"]].astype(label_type, copy=False),
+        report=arrays["report"], image=None if options.split_vertices else arrays["image"],
+        input_faces=arrays["input_faces"])
+    set_channels(result, {channel.name: channel.result(*values)
+                          for channel, values in zip(channels, arrays["channels"])})
+    if mesh._source is not None:
+        result._source = mesh._source
+        result._source_faces = np.ascontiguousarray(mesh._source_faces[arrays["input_faces"]])
+    return result
+
+
+def _numbered(labels, count):
+    """Different labels, and of each face the number of its own."""
+    labels = np.asarray(labels)
+    if labels.shape != (count,):
+        raise ValueError(f"labels has the shape {labels.shape}, not ({count},): one for each face")
+    different, numbers = np.unique(labels, return_inverse=True)
+    return different, np.ascontiguousarray(numbers, dtype=np.uint32)
+
+
+def _float_type(array):
+    dtype = np.asarray(array).dtype
+    return dtype if dtype.kind == "f" else np.dtype(np.float64)
+
+
+def _index_type(array):
+    dtype = np.asarray(array).dtype
+    return dtype if dtype.kind in "iu" else np.dtype(np.uint32)

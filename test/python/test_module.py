@@ -1,0 +1,571 @@
+"""The Python module quadrille."""
+
+import inspect
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+
+import numpy as np
+
+import quadrille
+from quadrille import _arrays
+from surfaces import sheet, torus, write_obj
+
+
+class Folder(unittest.TestCase):
+    """Tests that write files."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+
+class Results(Folder):
+    def same(self, a, b):
+        self.assertEqual(a.shape, b.shape)
+        self.assertTrue((a == b).all())
+
+    def by_the_facade(self, arrays, options):
+        """What the compiled library gives without Python."""
+        with open(self.path("in"), "wb") as file:
+            for array in arrays:
+                file.write(len(array).to_bytes(8, sys.byteorder) + array.tobytes())
+        with open(self.path("in"), "rb") as file:
+            subprocess.run([os.environ["QUADRILLE_FACADE"], self.path("out"),
+                            *(f"{key}={value}" for key, value in options.items())],
+                           check=True, stdin=file)
+        with open(self.path("out"), "rb") as file:
+            for dtype, columns in ((float, 3), (np.uint32, 3), (float, 1), (np.uint32, 3)):
+                count = int.from_bytes(file.read(8), sys.byteorder)
+                row = columns * np.dtype(dtype).itemsize
+                yield np.frombuffer(file.read(count * row), dtype).reshape(count, columns)
+
+    @unittest.skipUnless(os.environ.get("QUADRILLE_FACADE"), "QUADRILLE_FACADE names no program")
+    def test_bits_are_those_of_the_compiled_library(self):
+        points, faces, uv = torus(20)
+        for options in (dict(faces=101), dict(ratio=0.2, cost="memoryless_quadric"),
+                        dict(vertices=50, placement="endpoint"), dict(cost="edge_length"),
+                        dict(error=0.05, cost="thin_feature_quadric"), dict(order="relaxed"),
+                        dict(boundary_weight=3, pairs_closer_than=0.3)):
+            for channel in (None, uv):
+                with self.subTest(options, has_uv=channel is not None):
+                    values, triples = uv if channel else (np.empty((0, 2)), np.empty((0, 3), np.uint32))
+                    expected = list(self.by_the_facade((points, faces, values, triples), options))
+                    result = quadrille.simplify(points, faces, uv=channel, **options)
+                    self.same(result.points, expected[0])
+                    self.same(result.faces, expected[1])
+                    self.assertLess(len(result.faces), 700)
+                    if channel:
+                        self.same(result.uv[0], expected[2].reshape(-1, 2))
+                        self.same(result.uv[1], expected[3])
+
+    @unittest.skipUnless(os.environ.get("QUADRILLE_FACADE"), "QUADRILLE_FACADE names no program")
+    def test_weights_of_borders_are_those_of_the_compiled_library(self):
+        points, faces, uv = sheet(12)
+        nothing = np.empty((0, 2)), np.empty((0, 3), np.uint32)
+        results = []
+        for weight in (0.5, 3000):
+            options = dict(faces=60, boundary_weight=weight)
+            expected = list(self.by_the_facade((points, faces, *nothing), options))
+            results.append(quadrille.simplify(points, faces, **options).points)
+            self.same(results[-1], expected[0])
+        self.assertFalse(np.array_equal(*results))
+
+    def test_half_of_the_faces_by_default_and_two_arrays(self):
+        points, faces, _ = torus(20)
+        new_points, new_faces = quadrille.simplify(points, faces)
+        self.assertEqual(new_faces.shape, (400, 3))
+        self.assertEqual(new_points.shape, (200, 3))
+        self.assertLess(new_faces.max(), 200)
+
+    def test_report(self):
+        points, faces, _ = torus(20)
+        report = quadrille.simplify(points, faces, faces=100).report
+        self.assertEqual((report.faces_before, report.faces_after), (800, 100))
+        self.assertEqual(report.stop, "target met")
+        self.assertTrue(report.is_target_reached)
+        self.assertEqual(report.distance_bound, float("inf"))
+        self.assertGreater(report.error, 0)
+        self.assertTrue(str(report).startswith("800 -> 100 faces"))
+        self.assertIsInstance(report.rejections, dict)
+        near = quadrille.simplify(points, faces, relative_error=0.01)
+        self.assertLessEqual(near.report.distance_bound, 0.01 * np.linalg.norm(np.ptp(points, axis=0)))
+        self.assertGreater(near.report.contractions, 100)
+        few = quadrille.simplify(points, faces, faces=0)
+        self.assertFalse(few.report.is_target_reached)
+
+    def test_image_and_input_faces(self):
+        points, faces, _ = sheet(12)
+        result = quadrille.simplify(points, faces, faces=60, placement="endpoint")
+        self.assertEqual(result.image.shape, (144,))
+        self.assertEqual(set(result.image.tolist()) - {-1}, set(range(len(result.points))))
+        self.same(result.image[faces[result.input_faces]], result.faces.astype(np.int64))
+
+    def test_fixed_by_mask_and_by_index(self):
+        points, faces, _ = sheet(12)
+        mask = np.zeros(144, bool)
+        mask[[65, 66]] = True
+        by_mask = quadrille.simplify(points, faces, faces=20, fixed=mask)
+        by_index = quadrille.simplify(points, faces, faces=20, fixed=[65, 66])
+        self.same(by_mask.points, by_index.points)
+        for i in (65, 66):
+            self.same(by_mask.points[by_mask.image[i]], points[i])
+        self.assertFalse((quadrille.simplify(points, faces, faces=20).points == points[65]).all(1).any())
+
+    def test_labels_of_any_kind_stay(self):
+        points, faces, _ = sheet(12)
+        for labels in (np.array(["a", "b"])[(points[faces[:, 0], 0] > 0.5).astype(int)],
+                       np.where(points[faces[:, 0], 0] > 0.5, -7, 2**40)):
+            result = quadrille.simplify(points, faces, faces=40, labels=labels)
+            self.assertEqual(result.labels.dtype, labels.dtype)
+            self.same(result.labels, labels[result.input_faces])
+            self.assertEqual(len(set(result.labels.tolist())), 2)
+
+    @unittest.skipUnless(quadrille._core.has_threads, "built without oneTBB")
+    def test_threads_do_not_show(self):
+        points, faces, _ = torus(60)
+        one = quadrille.simplify(points, faces, faces=500, order="relaxed")
+        two = quadrille.simplify(points, faces, faces=500, order="relaxed", threads=2)
+        self.same(one.points, two.points)
+        self.same(one.faces, two.faces)
+        greedy = quadrille.simplify(points, faces, faces=500)
+        self.assertFalse(one.points.shape == greedy.points.shape and (one.points == greedy.points).all())
+
+    def test_topology_and_creases_are_options(self):
+        points, faces, _ = torus(12)
+        apart = np.concatenate([points, points * 0.01 + 9]), np.concatenate([faces, faces + 144])
+        kept = quadrille.simplify(*apart, faces=100)
+        parts = quadrille.simplify(*apart, faces=100, topology="parts_may_vanish")
+        self.assertEqual((kept.report.components_after, parts.report.vanished_parts), (2, 1))
+        creases = quadrille.simplify(points, faces, faces=100, crease_degrees=20, crease_weight=50)
+        self.assertFalse((creases.points == quadrille.simplify(points, faces, faces=100).points).all())
+
+
+class Channels(unittest.TestCase):
+    def test_texture_at_corners(self):
+        points, faces, (values, triples) = torus(24)
+        result = quadrille.simplify(points, faces, faces=300, uv=(values, triples))
+        new_values, new_triples = result.uv
+        self.assertEqual(new_triples.shape, result.faces.shape)
+        self.assertEqual(new_triples.dtype, np.uint32)
+        self.assertEqual(new_triples.max() + 1, len(new_values))
+        # The seam is there still: some points have several values, of which some differ by 1.
+        at_seam = new_values[new_triples.ravel()][np.argsort(result.faces.ravel(), kind="stable")]
+        self.assertGreater(len(new_values), len(result.points))
+        self.assertAlmostEqual(at_seam.min(), 0, places=3)
+        self.assertAlmostEqual(at_seam.max(), 1, places=3)
+        again = quadrille.simplify(result, faces=200)
+        self.assertEqual(again.uv[1].shape, again.faces.shape)
+
+    def test_forms_and_types_come_back(self):
+        points, faces, uv = sheet(12)
+        n = len(points)
+        colors = np.random.default_rng(1).integers(0, 256, (n, 4), np.uint8)
+        given = dict(uv=uv.astype(np.float32), colors=colors,
+                     normals=quadrille.Channel(np.tile([0, 0, 1.0], (n, 1)), new_values="recomputed"),
+                     attributes={"heat": points[:, 0], "kind": np.arange(n) % 3,
+                                 "skin": quadrille.Channel(np.eye(4)[np.arange(n) % 4], new_values="weights"),
+                                 "uv2": quadrille.Channel(uv, faces.astype(np.int64), kind="texture")})
+        result = quadrille.simplify(points, faces, faces=100, **given)
+        n = len(result.points)
+        self.assertEqual((result.uv.dtype, result.uv.shape), (np.float32, (n, 2)))
+        self.assertEqual((result.colors.dtype, result.colors.shape), (np.uint8, (n, 4)))
+        self.assertEqual(result.attributes["heat"].shape, (n,))
+        self.assertEqual(result.attributes["kind"].dtype, np.arange(1).dtype)
+        self.assertEqual(result.attributes["uv2"].indices.dtype, np.int64)
+        self.assertEqual(result.normals.new_values, "recomputed")
+        lengths = np.linalg.norm(result.normals.values, axis=1)
+        self.assertTrue(np.allclose(lengths, 1))
+        self.assertFalse((result.normals.values[:, 2] == 1).all())
+        self.assertTrue(np.allclose(result.attributes["skin"].values.sum(axis=1), 1))
+        # What is linear on the surface stays what it was.
+        self.assertTrue(np.allclose(result.attributes["heat"], result.points[:, 0], atol=0.01))
+        self.assertTrue(np.allclose(result.uv, result.points[:, :2], atol=0.01))
+
+    def test_integers_are_rounded(self):
+        points, faces, _ = sheet(12)
+        whole = np.rint(100 * points[:, 2]).astype(np.int16)
+        floats = quadrille.simplify(points, faces, faces=100, attributes={"h": whole.astype(float)})
+        result = quadrille.simplify(points, faces, faces=100, attributes={"h": whole})
+        self.assertEqual(result.attributes["h"].dtype, np.int16)
+        self.assertTrue((result.attributes["h"] == np.rint(floats.attributes["h"])).all())
+        self.assertFalse((result.attributes["h"] == floats.attributes["h"].astype(int)).all())
+
+    def test_options_count(self):
+        points, faces, uv = sheet(12)
+        noise = np.random.default_rng(2).random(len(points))
+        by_default = quadrille.simplify(points, faces, faces=100, attributes={"noise": noise})
+        more = quadrille.simplify(points, faces, faces=100,
+                                  attributes={"noise": quadrille.Channel(noise, importance=50)})
+        self.assertFalse(by_default.points.shape == more.points.shape and
+                         (by_default.points == more.points).all())
+        existing = quadrille.simplify(points, faces, faces=100,
+                                      attributes={"noise": quadrille.Channel(noise, new_values="existing")})
+        self.assertTrue(np.isin(existing.attributes["noise"].values, noise).all())
+        self.assertFalse(np.isin(by_default.attributes["noise"], noise).all())
+
+    def test_split_vertices(self):
+        points, faces, (values, triples) = torus(16)
+        pairs, split = np.unique(np.stack([faces.ravel(), triples.ravel()], 1), axis=0, return_inverse=True)
+        split_points, split_faces = points[pairs[:, 0]], split.reshape(-1, 3)
+        result = quadrille.simplify(split_points, split_faces, faces=200, uv=values[pairs[:, 1]],
+                                    split_vertices=True)
+        self.assertIsNone(result.image)
+        self.assertEqual(len(result.uv), len(result.points))
+        self.assertEqual(result.report.components_after, 1)
+        welded = np.unique(result.points, axis=0)
+        self.assertLess(len(welded), len(result.points))
+        self.assertEqual(len(welded) - 200 / 2, 0)  # closed, of the genus of a torus
+
+
+class Arrays(unittest.TestCase):
+    def test_what_fits_is_not_copied(self):
+        points, faces, _ = sheet(5)
+        self.assertIs(_arrays.real_rows("points", points, 3), points)
+        self.assertIs(_arrays.index_triples("faces", faces, 25, "points"), faces)
+        signed = faces.astype(np.int32)
+        self.assertTrue(np.shares_memory(_arrays.index_triples("faces", signed, 25, "points"), signed))
+
+    @unittest.skipUnless(sys.platform == "linux", "asks for memory as Linux tells it")
+    def test_the_engine_reads_where_they_are(self):
+        points, faces, _ = sheet(1200)
+
+        def size():
+            with open("/proc/self/statm") as file:
+                return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
+
+        before = size()
+        grown = []
+
+        def stop(status):
+            grown.append(size() - before)
+            return False
+
+        quadrille.simplify(points, faces, progress=stop)  # is asked when the surface has been read
+        bare = grown[0]
+        grown.clear()
+        before = size()
+        quadrille.simplify(points.astype(np.float32), faces.astype(np.int64), progress=stop)
+        self.assertGreater(grown[0] - bare, 0.5 * (points.nbytes + faces.nbytes))
+
+    def test_types_and_orders_give_the_same(self):
+        points, faces, _ = sheet(12)
+        points = points.astype(np.float32).astype(np.float64)
+        expected = quadrille.simplify(points, faces, faces=100)
+        for p, f in ((points.astype(np.float32), faces.astype(np.int64)),
+                     (np.asfortranarray(points), faces.astype(np.uint8)),
+                     (np.repeat(points, 2, axis=0)[::2], faces.astype(np.int32)),
+                     (np.hstack([points, points])[:, :3], np.hstack([faces, faces])[:, :3]),
+                     (points.tolist(), faces.tolist())):
+            result = quadrille.simplify(p, f, faces=100)
+            self.assertEqual(result.points.dtype, getattr(p, "dtype", np.float64))
+            self.assertEqual(result.faces.dtype, getattr(f, "dtype", np.int64))
+            self.assertTrue((result.points == expected.points.astype(result.points.dtype)).all())
+            self.assertTrue((result.faces == expected.faces).all())
+
+    def test_read_only_arrays_stay_as_they_are(self):
+        points, faces, uv = torus(12)
+        arrays = [points, faces, *uv]
+        before = [array.copy() for array in arrays]
+        for array in arrays:
+            array.flags.writeable = False
+        result = quadrille.simplify(points, faces, faces=100, uv=uv)
+        for array, old in zip(arrays, before):
+            self.assertTrue((array == old).all())
+        result.points[0] = 7  # those of the result are its own
+        result.faces[0] = 0
+
+    def test_nothing_gives_nothing(self):
+        for points, faces in ((np.empty((0, 3)), np.empty((0, 3), int)), ([], []),
+                              (np.zeros((3, 3)), np.empty((0, 3), int))):
+            result = quadrille.simplify(points, faces, faces=10)
+            self.assertEqual((result.points.shape, result.faces.shape), ((0, 3), (0, 3)))
+
+
+class Errors(unittest.TestCase):
+    def setUp(self):
+        self.points, self.faces, self.uv = sheet(6)
+
+    def refused(self, message, *surface, **options):
+        points, faces = surface or (self.points, self.faces)
+        with self.assertRaisesRegex(ValueError, message):
+            quadrille.simplify(points, faces, **options)
+
+    def test_surfaces(self):
+        p, f = self.points, self.faces
+        self.refused(r"^points has the shape \(36, 2\), not \(n, 3\)", p[:, :2], f)
+        self.refused(r"^points has the shape \(108,\), not \(n, 3\)", p.ravel(), f)
+        self.refused("^points has the type complex128", p.astype(complex), f)
+        self.refused("^points has the type object", np.array([[None] * 3]), f)
+        self.refused(r"^faces has the shape \(50, 2\), not \(n, 3\): it is of triangles", p, f[:, :2])
+        self.refused("^faces has the type float64", p, f.astype(float))
+        self.refused("^there are points, but no triangles", p, None)
+        bad = p.copy()
+        bad[7, 1] = np.nan
+        self.refused(r"^points\[7\] is not finite: \[", bad, f)
+        for number, message in ((36, r"^faces\[9\] is \[36, .*\], but there are 36 points"),
+                                (-1, r"^faces has a negative number, -1, at \(9, 0\)"),
+                                (2**33, "^faces has a number beyond 32 bits, 8589934592")):
+            bad = f.astype(np.int64)
+            bad[9, 0] = number
+            self.refused(message, p, bad)
+
+    def test_options(self):
+        self.refused("^faces is 2.5, not an integer", faces=2.5)
+        self.refused("^faces is -1, not in", faces=-1)
+        self.refused("^ratio is 'half', not a number", ratio="half")
+        self.refused("ratio 2 is not in", ratio=2)
+        self.refused("limit -1 is not a distance", error=-1)
+        self.refused("^cost is 'qem', not one of quadric, memoryless_quadric, thin_feature", cost="qem")
+        self.refused("^placement is 3, not one of optimal", placement=3)
+        self.refused("no optimal placement", cost="edge_length", placement="optimal")
+        self.refused("^order is 'fast', not one of greedy, relaxed", order="fast")
+        self.refused("^topology is", topology="kept?")
+        self.refused("boundary_weight -1", boundary_weight=-1)
+        self.refused("not in \\(0, 180\\]", normal_flip=0)
+        self.refused("more than one thread is for the relaxed order", threads=2)
+        self.refused("0 threads are not from 1 to 1024", threads=0, order="relaxed")
+        self.refused("crease_degrees are for the cost quadric", cost="edge_length", crease_degrees=20)
+        self.refused("share 0 is not in", share=0, order="relaxed")
+        self.refused("^progress is 3, which cannot be called", progress=3)
+        with self.assertRaises(TypeError):
+            quadrille.simplify(self.points, self.faces, face=3)
+
+    def test_what_goes_along(self):
+        self.refused(r"^fixed has the shape \(3,\), not \(36,\)", fixed=[True] * 3)
+        self.refused("^fixed names the point 36 of 36", fixed=[36])
+        self.refused(r"^labels has the shape \(3,\), not \(50,\)", labels=[1, 2, 3])
+        self.refused(r"^uv has the shape \(36, 3\), not \(n, 2\)", uv=self.points)
+        self.refused("^uv has 35 values for 36 points", uv=self.uv[1:])
+        self.refused("^uv has 3 index triples for 50 faces", uv=(self.uv, self.faces[:3]))
+        self.refused(r"^the indices of uv\[0\] is \[0, 6, 7\], but there are 5 values",
+                     uv=(self.uv[:5], self.faces))
+        self.refused("^uv is a tuple of 3", uv=(self.uv, self.faces, 1))
+        self.refused(r"^colors has the shape \(36, 2\), not \(n, 3\) or \(n, 4\)", colors=self.uv)
+        bad = self.points.copy()
+        bad[3, 0] = np.inf
+        self.refused(r"^heat\[3\] is not finite", attributes={"heat": bad})
+        channel = quadrille.Channel
+        self.refused("^the seams of uv is 'torn', not one of kept", uv=channel(self.uv, seams="torn"))
+        self.refused("^new_values of uv is 'any', not one of", uv=channel(self.uv, new_values="any"))
+        self.refused("would tear", uv=channel(self.uv, new_values="existing"))
+        self.refused("importance 0 is not above 0", uv=channel(self.uv, importance=0))
+        self.refused("has 2 components and 1 weights", uv=channel(self.uv, weights=[1]))
+        self.refused("^the kind of a is 'b', not one of", attributes={"a": channel(self.uv, kind="b")})
+
+
+class Watching(unittest.TestCase):
+    def test_progress(self):
+        points, faces, _ = torus(100)
+        seen = []
+        result = quadrille.simplify(points, faces, faces=100, progress=lambda s: seen.append(
+            (s.progress, s.faces, s.initial_faces)))
+        self.assertEqual(seen[0], (0, 20000, 20000))
+        self.assertEqual(seen[-1], (1, 100, 20000))
+        self.assertEqual(seen, sorted(seen, key=lambda s: (s[0], -s[1])))
+        self.assertEqual(len(result.faces), 100)
+
+    def test_false_ends_it_with_what_there_is(self):
+        points, faces, uv = torus(400)
+        result = quadrille.simplify(points, faces, faces=100, progress=lambda s: s.contractions == 0)
+        self.assertEqual(result.report.stop, "cancelled")
+        self.assertGreater(len(result.faces), 100)
+        self.assertLess(len(result.faces), 320000)
+        at_once = quadrille.simplify(points, faces, uv=uv, progress=lambda s: False)
+        self.assertTrue((at_once.points == points).all() and (at_once.uv[1] == uv[1]).all())
+
+    def test_what_it_raises_comes_out(self):
+        points, faces, _ = torus(30)
+
+        def fail(status):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            quadrille.simplify(points, faces, progress=fail)
+
+    def test_control_c(self):
+        points, faces, uv = torus(500)
+        before = points.copy()
+        sent = []
+
+        def interrupt():
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        for options in (dict(), dict(uv=uv), dict(order="relaxed")):
+            with self.subTest(options.keys()):
+                threading.Timer(0.1, interrupt).start()
+                with self.assertRaises(KeyboardInterrupt):
+                    quadrille.simplify(points, faces, faces=100, **options)
+                self.assertLess(time.monotonic() - sent[-1], 3)
+        self.assertEqual(len(sent), 3)
+        self.assertTrue((points == before).all())
+
+    def test_other_threads_run_on(self):
+        points, faces, _ = torus(300)
+        count, done = [0], threading.Event()
+
+        def work():
+            while not done.is_set():
+                count[0] += 1
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        start = time.monotonic()
+        quadrille.simplify(points, faces, faces=100)
+        seconds = time.monotonic() - start
+        done.set()
+        thread.join()
+        self.assertGreater(count[0], 5 * seconds)
+
+
+class Levels(Folder):
+    def test_levels_are_what_simplify_gives(self):
+        points, faces, uv = torus(24)
+        levels = quadrille.Levels()
+        self.assertFalse(levels)
+        last = quadrille.simplify(points, faces, faces=100, uv=uv, levels=levels,
+                                  attributes={"heat": points[:, 2]})
+        self.assertTrue(levels)
+        self.assertEqual(levels.finest["faces"], 1152)
+        self.assertEqual(levels.coarsest["faces"], 100)
+        for count in (1152, 600, 100):
+            level = levels.at(faces=count)
+            expected = quadrille.simplify(points, faces, faces=count, uv=uv,
+                                          attributes={"heat": points[:, 2]})
+            self.assertTrue((level.points == expected.points).all())
+            self.assertTrue((level.faces == expected.faces).all())
+            self.assertTrue((level.uv[0][level.uv[1]] == expected.uv[0][expected.uv[1]]).all())
+            self.assertTrue((level.attributes["heat"][:, 0] == expected.attributes["heat"]).all())
+            self.assertTrue((level.input_faces == expected.input_faces).all())
+        self.assertEqual(levels.info(faces=100)["contractions"], last.report.contractions)
+        self.assertLessEqual(levels.at(error=0.01).error, 0.01)
+        self.assertEqual(levels.at(contractions=10).contractions, 10)
+        self.assertLessEqual(len(levels.at(vertices=80).points), 80)
+
+    def test_files(self):
+        points, faces, uv = torus(24)
+        levels = quadrille.Levels()
+        quadrille.simplify(points, faces, faces=100, error=0.5, uv=uv, levels=levels)
+        levels.save(self.path("torus.qlv"))
+        loaded = quadrille.Levels.load(self.path("torus.qlv"))
+        for stop in (dict(faces=300), dict(distance=0.05)):
+            a, b = levels.at(**stop), loaded.at(**stop)
+            self.assertTrue((a.points == b.points).all() and (a.uv[0] == b.uv[0]).all())
+            self.assertLess(b.distance_bound, 0.5)
+        with self.assertRaises(FileNotFoundError):
+            quadrille.Levels.load(self.path("none.qlv"))
+        with self.assertRaises(OSError):
+            levels.save(self.path("no/folder.qlv"))
+        with open(self.path("broken.qlv"), "wb") as file:
+            file.write(b"no levels")
+        with self.assertRaisesRegex(ValueError, "broken.qlv: no file of levels"):
+            quadrille.Levels.load(self.path("broken.qlv"))
+
+    def test_errors(self):
+        levels = quadrille.Levels()
+        for ask in (lambda: levels.at(faces=3), lambda: levels.finest, lambda: levels.coarsest,
+                    lambda: levels.save(self.path("x.qlv"))):
+            with self.assertRaisesRegex(ValueError, "nothing has been recorded"):
+                ask()
+        quadrille.simplify(*torus(6)[:2], levels=levels)
+        with self.assertRaisesRegex(ValueError, "^one of faces, .* says which level, not 0 of them"):
+            levels.at()
+        with self.assertRaisesRegex(ValueError, "not 2 of them"):
+            levels.at(faces=3, error=1)
+        with self.assertRaisesRegex(ValueError, "^faces is -3, not at least 0"):
+            levels.at(faces=-3)
+        with self.assertRaisesRegex(ValueError, "[Dd]istance"):
+            levels.at(distance=3)
+
+
+class Files(Folder):
+    def test_textured_obj(self):
+        points, faces, uv = torus(24)
+        write_obj(self.path("in.obj"), points, faces, uv)
+        mesh = quadrille.read_mesh(self.path("in.obj"))
+        self.assertTrue((mesh.points == points).all() and (mesh.faces == faces).all())
+        self.assertTrue((mesh.uv[0][mesh.uv[1]] == uv[0][uv[1]]).all())
+        self.assertEqual(len(set(mesh.labels.tolist())), 2)
+        small = quadrille.simplify(mesh, faces=300)
+        self.assertLessEqual(len(small.faces), 320)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            quadrille.write_mesh(self.path("out.obj"), small)
+        with open(self.path("out.obj")) as file:
+            lines = file.read().split("\n")
+        self.assertIn("mtllib statue.mtl", lines)
+        self.assertIn("usemtl skin", lines)
+        self.assertIn("usemtl cloth", lines)
+        again = quadrille.read_mesh(self.path("out.obj"))
+        self.assertTrue((again.points == small.points).all() and (again.faces == small.faces).all())
+        self.assertTrue((again.uv[0][again.uv[1]] == small.uv[0][small.uv[1]]).all())
+        self.assertTrue(((again.labels == again.labels[0]) == (small.labels == small.labels[0])).all())
+        # As it was read, it is written.
+        quadrille.write_mesh(self.path("same.obj"), mesh)
+        same = quadrille.read_mesh(self.path("same.obj"))
+        self.assertTrue((same.faces == mesh.faces).all() and (same.uv[1] == mesh.uv[1]).all())
+
+    def test_arrays_become_files(self):
+        points, faces, uv = sheet(8)
+        colors = np.linspace(0, 255, 4 * 64).reshape(-1, 4).astype(np.uint8)
+        mesh = quadrille.Mesh(points, faces, uv=uv, colors=colors, normals=np.tile([0, 0, 1.0], (64, 1)),
+                              attributes={"heat": points[:, 2], "kind": np.arange(64, dtype=np.int32)})
+        quadrille.write_mesh(self.path("a.ply"), mesh)
+        read = quadrille.read_mesh(self.path("a.ply"))
+        self.assertTrue((read.points == points).all() and (read.faces == faces).all())
+        self.assertTrue((read.colors == colors).all())
+        self.assertEqual(read.colors.dtype, np.uint8)
+        self.assertTrue((read.uv[0][read.uv[1]] == uv[faces].astype(np.float32)).all())
+        self.assertTrue((read.normals[0] == [0, 0, 1]).all())
+        self.assertTrue((read.attributes["heat"].values == points[:, 2]).all())
+        self.assertEqual(read.attributes["kind"].values.dtype, np.int32)
+        self.assertEqual(read.attributes["kind"].new_values, "existing")
+        small = quadrille.simplify(read, faces=40)
+        self.assertTrue(np.isin(small.attributes["kind"].values, np.arange(64)).all())
+        with self.assertWarnsRegex(UserWarning, "not kept: .*texture coordinates"):
+            quadrille.write_mesh(self.path("a.stl"), mesh)
+        with self.assertWarnsRegex(UserWarning, "not kept: labels"):
+            quadrille.write_mesh(self.path("b.obj"), quadrille.Mesh(points, faces, labels=faces[:, 0]))
+
+    def test_errors(self):
+        with self.assertRaises(FileNotFoundError):
+            quadrille.read_mesh(self.path("none.obj"))
+        with open(self.path("bad.obj"), "w") as file:
+            file.write("v 0 0 0\nf 1 2 3\n")
+        with self.assertRaisesRegex(ValueError, "bad.obj"):
+            quadrille.read_mesh(self.path("bad.obj"))
+        points, faces, _ = sheet(4)
+        mesh = quadrille.Mesh(points, faces)
+        with self.assertRaisesRegex(OSError, "extension"):
+            quadrille.write_mesh(self.path("x.doc"), mesh)
+        with self.assertRaises(OSError):
+            quadrille.write_mesh(self.path("no/x.obj"), mesh)
+        with self.assertRaisesRegex(ValueError, r"^faces\["):
+            quadrille.write_mesh(self.path("x.obj"), quadrille.Mesh(points[:3], faces))
+
+
+class Help(unittest.TestCase):
+    def test_everything_says_what_it_is(self):
+        for name in quadrille.__all__:
+            self.assertGreater(len(getattr(quadrille, name).__doc__), 20, name)
+        for name in inspect.signature(quadrille.simplify).parameters:
+            self.assertRegex(quadrille.simplify.__doc__, rf"\b{name}\b")
+
+    def test_version(self):
+        self.assertRegex(quadrille.__version__, r"^\d+\.\d+\.\d+$")
+
+
+if __name__ == "__main__":
+    unittest.main()
