@@ -58,9 +58,9 @@ struct SoupOptions {
   /// Asked now and then; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 
-  bool eager = false; ///< see GreedyOrder
-  double share = 0.5; ///< see RelaxedOrder, as the two that follow
-  bool refresh = false;
+  bool eager = false;             ///< see GreedyOrder
+  double share = 0.5;             ///< see RelaxedOrder
+  bool refresh = false;           ///< see RelaxedOrder
   unsigned threads = 1;           ///< more than one need oneTBB where the library is compiled
   double crease_weight = 100;     ///< see Quadric, as the next
   double crease_degrees = 180;    ///< other costs know no creases
@@ -75,42 +75,43 @@ using SoupTriangles = std::vector<std::array<std::uint32_t, 3>>; ///< indices of
 
 /// A channel of attributes, in arrays of the caller's.
 struct SoupChannelView {
-  enum class Kind { texture, normals, colors, attributes }; ///< see Texture, Normals, …
-  Kind kind = Kind::texture;
+  /// What a channel holds: see Texture, Normals, Colors and Attributes.
+  enum class Kind { texture, normals, colors, attributes };
+  Kind kind = Kind::texture;  ///< what it holds
   std::size_t components = 2; ///< 2 of a texture, 3 of normals, 3 or 4 of colours, else at least 1
   std::span<const double> values; ///< one value after the other, each of so many components
   /// Of each triangle, the values of its corners; empty: a value has the index of its point.
   std::span<const std::array<std::uint32_t, 3>> triangles = {};
-  ChannelOptions options = {};
+  ChannelOptions options = {}; ///< how it counts
 };
 
 /// A polygon soup of triangles with what it carries, in arrays of the caller's, which are not
 /// changed.
 struct SoupView {
-  std::span<const std::array<double, 3>> points;
-  std::span<const std::array<std::uint32_t, 3>> triangles;
+  std::span<const std::array<double, 3>> points;           ///< coordinates, finite
+  std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
   std::span<const std::uint32_t> labels = {}; ///< see Labels: empty, or one for each triangle
-  std::vector<SoupChannelView> channels = {};
+  std::vector<SoupChannelView> channels = {}; ///< any number, of any kinds
 };
 
 /// Values of a channel of a result, as SoupChannelView has them.
 struct SoupChannel {
-  std::size_t components = 0;
-  std::vector<double> values;
-  SoupTriangles triangles;
+  std::size_t components = 0; ///< of each value
+  std::vector<double> values; ///< one value after the other
+  SoupTriangles triangles;    ///< of each triangle, the values of its corners; or empty
 };
 
 /// What becomes of a soup. What is left keeps its order.
 struct SimplifiedSoup {
-  SoupPoints points;
-  SoupTriangles triangles;
+  SoupPoints points;                      ///< those that are left
+  SoupTriangles triangles;                ///< the same, of these points
   std::vector<std::uint32_t> labels;      ///< of the triangles, if the soup had any
   std::vector<SoupChannel> channels;      ///< as many as the soup had, in their order
   std::vector<std::uint32_t> input_faces; ///< of each triangle, which one of the input it is
   /// Of each point of the input, which one it has become, or parameters::vanished. Empty with
   /// SoupOptions::split_vertices.
   std::vector<std::size_t> image;
-  Report report;
+  Report report; ///< what was done
 };
 
 /// Simplifies a polygon soup as `simplify(points, triangles, …)` does with the same policies, to
