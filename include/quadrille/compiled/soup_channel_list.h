@@ -52,7 +52,7 @@ template <>
 class SoupChannels<SoupChannelMaps> {
 public:
   explicit SoupChannels(SoupChannelMaps maps)
-      : maps_(std::move(maps.maps)), results_(maps.results), written_(maps_.size()) {}
+      : maps_(std::move(maps.maps)), results_(maps.results) {}
 
   void read(std::size_t /*points*/, Workspace& workspace, SurfaceInput<3>& surface) {
     for (SoupChannelMap& map : maps_) {
@@ -78,21 +78,28 @@ public:
     return left;
   }
 
+  /// The values that points will have, of each channel that is one over them.
   template <class Result>
-  void write(const Result& result, const Array<Index>& vertices, const Array<Index>& inputs) {
+  std::vector<std::vector<double>> values(const Result& result, const Array<Index>& vertices,
+                                          const Array<Index>& inputs) const {
+    std::vector<std::vector<double>> values(maps_.size());
     for_each_of_points([&](std::size_t c) {
       for (Index vertex : vertices)
-        append(result, c, result.first_wedge(vertex), inputs[vertex], written_[c]);
+        append(result, c, result.first_wedge(vertex), inputs[vertex], values[c]);
     });
+    return values;
   }
   template <class Result>
-  void write_split(const Result& result, const SplitPoints& points) {
+  std::vector<std::vector<double>> values(const Result& result, const SplitPoints& points) const {
+    std::vector<std::vector<double>> values(maps_.size());
     for_each_of_points([&](std::size_t c) {
       for (std::size_t i = 0; i < points.size(); ++i)
         append(result, c, result.wedge(c, points.face(i), points.corner(i)), points.origin(i),
-               written_[c]);
+               values[c]);
     });
+    return values;
   }
+  void write(const std::vector<std::vector<double>>& values) { written_ = values; }
   std::vector<std::size_t> of_points() const {
     std::vector<std::size_t> channels;
     for_each_of_points([&](std::size_t c) { channels.push_back(c); });

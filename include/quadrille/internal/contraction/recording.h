@@ -35,7 +35,6 @@ class Recording {
 public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
-
   Recording(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
             const Numbering& numbering, const Geometry<dimension>& geometry,
             ChannelsOf<Policies>& channels, std::vector<Scratch>& scratches)
@@ -160,8 +159,6 @@ public:
 
 private:
   using Corners = std::array<Index, 3>;
-
-  // Where a contraction is, and what it costs.
   struct Place {
     std::size_t block;
     float cost;
@@ -172,8 +169,7 @@ private:
   std::span<Channel> all_channels() {
     if constexpr (Policies::Carries::has_channels)
       return channels_.all();
-    else
-      return {};
+    return {};
   }
   RecordList empty_list() const { return {width_, asks_for_distance<typename Policies::Stop>}; }
 
