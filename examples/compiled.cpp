@@ -32,7 +32,7 @@ int main() {
   options.faces = 1000;
   options.relative_error = 0.01;
   options.cost = SoupOptions::Cost::memoryless_quadric;
-  const SimplifiedSoup result = simplified_soup(soup, options);
+  const SoupResult result = simplified_soup(soup, options);
   std::cout << result.report << '\n';
   return result.channels[0].values.size() == 2 * result.points.size() ? 0 : 1;
 }

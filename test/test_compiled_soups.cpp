@@ -98,7 +98,7 @@ SoupView view_of(const Carrying& soup, const Channels& options = {}) {
   return view;
 }
 
-Carrying carrying(const SimplifiedSoup& result) {
+Carrying carrying(const SoupResult& result) {
   return {result.points,
           result.triangles,
           result.labels,
@@ -129,7 +129,7 @@ void check(const Carrying& soup, const Channels& channels, const SoupOptions& op
            const Policies&... policies) {
   Carrying expected = soup;
   const Report of_templates = simplify_by_templates(expected, channels, policies...);
-  const SimplifiedSoup result = simplified_soup(view_of(soup, channels), options);
+  const SoupResult result = simplified_soup(view_of(soup, channels), options);
   const bool is_same = carrying(result) == expected;
   CHECK(is_same);
   CHECK(result.report.contractions == of_templates.contractions);
@@ -195,7 +195,7 @@ TEST_CASE("The weight of borders between labels is an option") {
            Labels{CGAL::make_property_map(expected.labels), 30});
   SoupOptions options = options_of(SoupOptions::Cost::quadric);
   options.label_border_weight = 30;
-  const SimplifiedSoup result =
+  const SoupResult result =
       simplified_soup({in_charts.points, in_charts.triangles, in_charts.labels, {}}, options);
   CHECK(result.points == expected.points);
   CHECK(result.triangles == expected.triangles);
@@ -215,7 +215,7 @@ TEST_CASE("Levels that the compiled library records are those of the templates")
     } else {
       simplify_by_templates(expected, {}, FaceCount{60}, record_into(of_templates));
     }
-    const SimplifiedSoup result = simplified_soup(view_of(in_charts), options);
+    const SoupResult result = simplified_soup(view_of(in_charts), options);
     const bool is_same = carrying(result) == expected;
     CHECK(is_same);
     REQUIRE(levels.coarsest().contractions == result.report.contractions);
@@ -242,10 +242,10 @@ TEST_CASE("A soup that carries nothing has levels, and is the same with them and
   using Cost = SoupOptions::Cost;
   for (const Cost cost : {Cost::quadric, Cost::memoryless_quadric, Cost::edge_length}) {
     SoupOptions options = options_of(cost);
-    const SimplifiedSoup without = simplified_soup(soup, options);
+    const SoupResult without = simplified_soup(soup, options);
     Levels levels;
     options.levels = &levels;
-    const SimplifiedSoup with = simplified_soup(soup, options);
+    const SoupResult with = simplified_soup(soup, options);
     CHECK(with.points == without.points);
     CHECK(with.triangles == without.triangles);
     CHECK(with.image == without.image);
@@ -266,7 +266,7 @@ TEST_CASE("Points that are split at seams are one vertex in the compiled library
   SoupOptions options = options_of(SoupOptions::Cost::quadric);
   options.split_vertices = true;
   const SoupView view{points, split.soup.triangles, {}, {{.values = numbers_of(uv)}}};
-  const SimplifiedSoup result = simplified_soup(view, options);
+  const SoupResult result = simplified_soup(view, options);
   SoupPoints left = points;
   SoupTriangles triangles = split.soup.triangles;
   simplify(left, triangles, FaceCount{60}, SplitVertices{}, Texture{CGAL::make_property_map(uv)});
@@ -281,7 +281,7 @@ TEST_CASE("Points that are split at seams are one vertex in the compiled library
 TEST_CASE("A soup that is cancelled at once comes back whole") {
   SoupOptions options = options_of(SoupOptions::Cost::quadric);
   options.proceed = [](const Status&) { return false; };
-  const SimplifiedSoup result = simplified_soup(view_of(torn), options);
+  const SoupResult result = simplified_soup(view_of(torn), options);
   CHECK(result.report.stop == StopReason::cancelled);
   const bool is_same = carrying(result) == torn;
   CHECK(is_same);

@@ -43,7 +43,7 @@ SoupChannelView view_of(const ChannelArrays& arrays) {
           options};
 }
 
-py::dict arrays_of(SimplifiedSoup result) {
+py::dict arrays_of(SoupResult result) {
   py::dict arrays;
   arrays["points"] = array_of_rows(std::move(result.points));
   arrays["faces"] = array_of_rows(std::move(result.triangles));
@@ -72,7 +72,7 @@ py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint3
   Interruptible proceed(std::move(progress));
   options.proceed = [&](const Status& status) { return proceed(status); };
   options.levels = levels;
-  SimplifiedSoup result;
+  SoupResult result;
   {
     const py::gil_scoped_release unlocked;
     result = simplified_soup(soup, options);

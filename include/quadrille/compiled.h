@@ -22,7 +22,7 @@
 /// ```cpp
 /// SoupView soup{points, triangles}; // looks at arrays of the caller's
 /// soup.channels.push_back({.values = uvs, .triangles = uv_triangles});
-/// SimplifiedSoup result = simplified_soup(soup, {.faces = 1000});
+/// SoupResult result = simplified_soup(soup, {.faces = 1000});
 /// ```
 
 namespace quadrille {
@@ -102,7 +102,7 @@ struct SoupChannel {
 };
 
 /// What becomes of a soup. What is left keeps its order.
-struct SimplifiedSoup {
+struct SoupResult {
   SoupPoints points;                      ///< those that are left
   SoupTriangles triangles;                ///< the same, of these points
   std::vector<std::uint32_t> labels;      ///< of the triangles, if the soup had any
@@ -119,7 +119,7 @@ struct SimplifiedSoup {
 ///
 /// Throws std::invalid_argument for options, labels or channels that make no sense, and what
 /// `simplify` throws.
-SimplifiedSoup simplified_soup(const SoupView& soup, const SoupOptions& options = {});
+SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options = {});
 
 /// The same in place, of a soup that carries nothing. `image`, if there is one, becomes a list of
 /// what became of each point of the input: an index of the result, or parameters::vanished.

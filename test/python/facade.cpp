@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   if (!uv.empty())
     soup.channels.push_back(
         {.values = {uv.front().data(), 2 * uv.size()}, .triangles = uv_triangles});
-  const SimplifiedSoup result = simplified_soup(soup, options);
+  const SoupResult result = simplified_soup(soup, options);
   std::ofstream out(argv[1], std::ios::binary);
   write_rows(out, result.points);
   write_rows(out, result.triangles);

@@ -75,7 +75,7 @@ SoupChannel copy_of(const SoupChannelView& channel) {
 
 } // namespace
 
-SimplifiedSoup simplified_soup(const SoupView& soup, const SoupOptions& options) {
+SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
   validate(soup, options);
   SoupRun run{soup,
               options,
@@ -87,7 +87,7 @@ SimplifiedSoup simplified_soup(const SoupView& soup, const SoupOptions& options)
     run.image.resize(soup.points.size());
     std::iota(run.image.begin(), run.image.end(), std::size_t{0});
   }
-  SimplifiedSoup result;
+  SoupResult result;
   result.report = simplify_by_cost_of_options(run);
   result.points = std::move(run.points).take();
   std::tie(result.triangles, result.input_faces) = std::move(run.triangles).take();
@@ -104,7 +104,7 @@ SimplifiedSoup simplified_soup(const SoupView& soup, const SoupOptions& options)
 
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,
                      std::vector<std::size_t>* image) {
-  SimplifiedSoup result = simplified_soup({points, triangles}, options);
+  SoupResult result = simplified_soup({points, triangles}, options);
   points = std::move(result.points);
   triangles = std::move(result.triangles);
   if (image)
