@@ -111,29 +111,33 @@ inline void add_boundary(CLI::App& app, Options& options) {
       ->group("Policies");
 }
 
-inline void add_policies(CLI::App& app, Options& options) {
-  const auto add = [&](const char* name, auto& value, const char* text) {
-    return app.add_option(name, value, text)->group("Policies");
-  };
+inline void add_cost(CLI::App& app, Options& options) {
   take_one_of(
-      add("--cost", options.cost,
-          "which pair is contracted first: by distance to the planes of all faces so far, of the "
-          "current faces, the same and of lost thin parts, with colours or texture coordinates as "
-          "further dimensions, or the shortest (default: quadric, with all attributes of IN)"),
-      {"quadric", "memoryless", "thin-features", "color", "texture", "length"});
-  take_one_of(add("--placement", options.placement,
-                  "where the vertex goes (default: optimal, or midpoint with --cost length)"),
-              {"optimal", "endpoint", "midpoint"});
-  add_boundary(app, options);
+      app.add_option("--cost", options.cost,
+                     "which pair is contracted first: by distance to the planes of all faces so "
+                     "far, of the current faces, the same and of lost thin parts, with colours or "
+                     "texture coordinates as further dimensions, or the shortest (default: "
+                     "quadric, with all attributes of IN)"),
+      {"quadric", "memoryless", "thin-features", "color", "texture", "length"})
+      ->group("Policies");
+  take_one_of(app.add_option("--placement", options.placement,
+                             "where the vertex goes (default: optimal, or midpoint with --cost "
+                             "length)"),
+              {"optimal", "endpoint", "midpoint"})
+      ->group("Policies");
   const auto is_angle = [](const std::string& word) {
     const std::optional<Amount> value = parse_amount(word);
     return value && !value->is_percentage && value->value <= 180;
   };
-  add("--crease", options.crease_degrees,
-      "edges with a greater angle between the normals of their two faces hold like boundaries, "
-      "with --cost quadric, color or texture")
+  app.add_option("--crease", options.crease_degrees,
+                 "edges with a greater angle between the normals of their two faces hold like "
+                 "boundaries, with --cost quadric, color or texture")
       ->check(word_that(is_angle, "an angle from 0 to 180 degrees"))
-      ->type_name("DEGREES");
+      ->type_name("DEGREES")
+      ->group("Policies");
+}
+
+inline void add_topology(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },
          "contract also vertices without an edge, if they are closer than this, in units of IN or, "
@@ -141,9 +145,11 @@ inline void add_policies(CLI::App& app, Options& options) {
       ->check(amount("a distance"))
       ->type_name("T|T%")
       ->group("Policies");
-  take_one_of(add("--topology", options.topology,
-                  "may holes close and parts join? (default: kept, or free with --pairs)"),
-              {"kept", "free"});
+  take_one_of(app.add_option("--topology", options.topology,
+                             "may holes close and parts join? (default: kept, or free with "
+                             "--pairs)"),
+              {"kept", "free"})
+      ->group("Policies");
   app.add_flag("--drop-parts", options.drops_parts,
                "small parts may vanish whole where that is the cheapest thing to do; else topology "
                "is kept")
@@ -152,11 +158,12 @@ inline void add_policies(CLI::App& app, Options& options) {
       {"kept", quadrille::Seams::kept},
       {"priced", quadrille::Seams::priced},
       {"free", quadrille::Seams::free}};
-  add("--seams", options.seams,
-      "do charts of a texture stay, or may their seams vanish, for a price or for none? (default: "
-      "kept)")
+  app.add_option("--seams", options.seams,
+                 "do charts of a texture stay, or may their seams vanish, for a price or for none? "
+                 "(default: kept)")
       ->transform(CLI::CheckedTransformer(seams).description(""))
-      ->type_name("kept|priced|free");
+      ->type_name("kept|priced|free")
+      ->group("Policies");
 }
 
 inline void add_order(CLI::App& app, Options& options) {
@@ -267,7 +274,9 @@ inline void add_options(CLI::App& app, Options& options) {
   app.set_help_flag("--help,-h", "print this and exit");
   app.set_version_flag("--version", QUADRILLE_PROGRAM_VERSION, "print the version and exit");
   add_target(app, options);
-  add_policies(app, options);
+  add_cost(app, options);
+  add_boundary(app, options);
+  add_topology(app, options);
   add_order(app, options);
   add_files(app, options);
   add_figures(app, options);
