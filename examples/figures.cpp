@@ -10,6 +10,7 @@
 #include "figures/figure_6.h"
 #include "figures/figure_7.h"
 #include "figures/figure_8.h"
+#include "figures/figure_9.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +36,7 @@ struct Entry {
   void (*show)(const path& models, const path& folder);
 };
 
-const std::array<Entry, 8> entries = {
+const std::array<Entry, 9> entries = {
     {{"1", "The shortest edge first, and quadrics", show<figures::Figure1>},
      {"2", "The bones of a foot, by edges, by pairs and by clustering", show<figures::Figure2>},
      {"3", "A hundred cubes, by edges and by pairs", show<figures::Figure3>},
@@ -43,7 +44,8 @@ const std::array<Entry, 8> entries = {
      {"5", "Colours", show<figures::Figure5>},
      {"6", "Texture coordinates", show<figures::Figure6>},
      {"7", "The bunny to 100 faces", show<figures::Figure7>},
-     {"8", "Quadrics as ellipsoids", show<figures::Figure8>}}};
+     {"8", "Quadrics as ellipsoids", show<figures::Figure8>},
+     {"9", "The pairs of a foot", show<figures::Figure9>}}};
 
 } // namespace
 

@@ -29,11 +29,12 @@ struct Figure5 {
     std::size_t faces_before;
     Result by_quadric, by_color_quadric;
   };
+  Mesh original_globe = globe(), original_room = Room::make();
   std::vector<Row> rows;
 
   explicit Figure5(const fs::path& /*models*/) {
-    compare("globe", globe(), {1000});
-    compare("room", Room::make(), {20'000, 3000});
+    compare("globe", original_globe, {1000});
+    compare("room", original_room, {20'000, 3000});
   }
 
   void print() const {
@@ -47,6 +48,8 @@ struct Figure5 {
   }
 
   void write(const fs::path& folder) const {
+    figures::write(original_globe, folder, "5_globe");
+    figures::write(original_room, folder, "5_room");
     for (const Row& row : rows) {
       const std::string name =
           "5_" + row.model + "_" + std::to_string(row.by_quadric.mesh.number_of_faces());
@@ -58,7 +61,7 @@ struct Figure5 {
 private:
   using Colors = Field<3>;
 
-  void compare(const std::string& model, Mesh mesh, const std::vector<std::size_t>& targets) {
+  void compare(const std::string& model, Mesh& mesh, const std::vector<std::size_t>& targets) {
     using namespace quadrille;
     const Colors original(mesh, colors(mesh));
     const auto measured = [&](Mesh& result) -> Result {

@@ -1,11 +1,12 @@
 #ifndef QUADRILLE_EXAMPLES_FIGURES_FIGURE_8_H
 #define QUADRILLE_EXAMPLES_FIGURES_FIGURE_8_H
 
-#include "ellipsoids.h"
 #include "surfaces.h"
 
 #include <quadrille/distance.h>
 #include <quadrille/parameters.h>
+#include <quadrille/pictures.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
 #include <quadrille/simplify.h>
 
@@ -19,6 +20,13 @@
 
 namespace figures {
 
+using QuadricMap = Mesh::Property_map<Vertex, quadrille::QuadricForm<3>>;
+
+/// The quadrics of a mesh, for `simplify` to write.
+inline QuadricMap quadrics(Mesh& mesh) {
+  return mesh.add_property_map<Vertex, quadrille::QuadricForm<3>>("v:quadric").first;
+}
+
 /// The quadrics of a simplified bunny as ellipsoids: thin across the surface, wide along it where
 /// it is flat, and long along its creases.
 struct Figure8 {
@@ -26,7 +34,7 @@ struct Figure8 {
   quadrille::Report report;
   double level;         ///< of the ellipsoids
   double across, along; ///< medians of their radii, along the normal and in the surface
-  Mesh ellipsoids;
+  quadrille::TriangleSoup<Point> ellipsoids;
 
   explicit Figure8(const fs::path& models) : mesh(read_model(models, "bunny00")) {
     using namespace quadrille;
@@ -36,7 +44,8 @@ struct Figure8 {
                                                  parameters::vertex_quadric_map(quadrics(mesh)));
     mesh.collect_garbage();
     measure();
-    ellipsoids = figures::ellipsoids(mesh, quadrics(mesh), level, 0.04 * diagonal);
+    ellipsoids =
+        quadric_ellipsoids(mesh, quadrics(mesh), {.level = level, .longest = 0.04 * diagonal});
   }
 
   void print() const {

@@ -67,7 +67,13 @@ inline void write(const Mesh& mesh, const fs::path& folder, const std::string& n
   const fs::path path = folder / (name + (is_coloured ? ".ply" : ".off"));
   require_written(CGAL::IO::write_polygon_mesh(path.string(), mesh), path);
 }
-inline void write(const Soup& soup, const fs::path& folder, const std::string& name) {
+/// Anything with points and triangles, as an OFF file.
+template <class TriangleSoup>
+requires requires(const TriangleSoup& soup) {
+  soup.points;
+  soup.triangles;
+}
+void write(const TriangleSoup& soup, const fs::path& folder, const std::string& name) {
   const fs::path path = folder / (name + ".off");
   require_written(CGAL::IO::write_polygon_soup(path.string(), soup.points, soup.triangles), path);
 }
