@@ -74,7 +74,7 @@ draw_costs() {
   for cost in quadric memoryless thin-features length; do
     simplified "$models/cow.off" cow_$cost.off --faces 64 --cost $cost
   done
-  drawn costs.png --size 320,230 --from 0.4,0.1,1 --up 0,1,0 --edges 0.7 \
+  drawn costs.png --size 320,230 --zoom 0.96 --from 0.4,0.1,1 --up 0,1,0 --edges 0.7 \
     "$models/cow.off"='The cow|{} faces' --edges 0.25 $out/cow_quadric.off='Quadric|{} faces' \
     $out/cow_memoryless.off='MemorylessQuadric|{} faces' $out/cow_thin-features.off='ThinFeatureQuadric|{} faces' \
     $out/cow_length.off='EdgeLength|{} faces'
@@ -133,7 +133,7 @@ draw_labels() {
   simplified $out/regions.ply regions_kept.ply --faces 250
   simplified $out/flags.ply flags_250.ply --faces 250
   made painted $out/flags_250.ply $out/regions_lost.ply flags
-  drawn labels.png --size 400,420 --edges 0.6 --from 0.2,0.1,1 --up 0,1,0 \
+  drawn labels.png --size 400,420 --colours 256 --edges 0.6 --from 0.2,0.1,1 --up 0,1,0 \
     $out/regions.ply='A bear of eight regions|{} faces' --edges 0.12 $out/regions_lost.ply='without labels|{} faces' \
     $out/regions_kept.ply='Labels{regions}|{} faces'
 }
@@ -147,7 +147,7 @@ draw_colours() {
 
 draw_texture() {
   textured_bunny 7540 1000 300
-  drawn texture.png --size 400,330 --colours 120 --zoom 1.8 --at -0.32,0.3 --from -0.3,0.12,1 --up 0,1,0 \
+  drawn texture.png --size 400,330 --colours 160 --zoom 1.8 --at -0.32,0.3 --from -0.3,0.12,1 --up 0,1,0 \
     --texture $out/bunny.png $out/bunny.obj='{} faces' $out/bunny_7540.obj='{} faces' $out/bunny_1000.obj='{} faces' \
     $out/bunny_300.obj='{} faces'
 }
@@ -160,7 +160,7 @@ draw_levels() {
 
 draw_hull() {
   "$built/examples/hulls" "$models/cow.off" $out/cow
-  drawn hull.png --size 430,330 --from 0.4,0.35,1 --up 0,1,0 "$models/cow.off"='The cow|{} faces' \
+  drawn hull.png --size 430,300 --colours 160 --from 0.4,0.35,1 --up 0,1,0 "$models/cow.off"='The cow|{} faces' \
     $out/cow-inner.off='InnerHull|{} faces' --edges 0.6 "$models/cow.off"='OuterHull|the cow in its hull of 400 faces' \
     --around $out/cow-outer.off
 }

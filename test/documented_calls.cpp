@@ -14,6 +14,7 @@
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/pictures.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

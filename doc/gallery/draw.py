@@ -9,10 +9,9 @@
 #   --zoom F         (1)                         --at X,Y        where the middle is, in panels (0,0)
 #   --inside X,Y,Z,X,Y,Z,ANGLE   a camera, what it looks at, its angle of view
 #   --cut X          to the right of it, in panels, textured meshes are shown by their edges instead
-#   --texture FILE   of all OBJ files            --smooth        shades across edges
-#   --colours N      of the PNG, 0: all (64)              --unlit         colours of vertices are drawn as they are
+#   --texture FILE   of all OBJ files            --colours N     of the PNG, 0: all (64)
 # and of the mesh before them, or of all where there is none:
-#   --edges WIDTH    draws them                  --colour R,G,B  of 255
+#   --edges WIDTH    draws them                  --unlit         colours of vertices as they are
 #   --with FILE      a second mesh in the same panel
 #   --around FILE    the same, seen through
 #   --lines FILE,R,G,B[,WIDTH]   the lines of an OBJ file
@@ -92,14 +91,6 @@ def edges_actor(mesh, width):
     return actor
 
 
-def smoothed(mesh):
-    normals = vtk.vtkPolyDataNormals()
-    normals.SetInputData(mesh)
-    normals.SetFeatureAngle(50)
-    normals.Update()
-    return normals.GetOutput()
-
-
 def lines_actor(path, colour, width):
     actor = actor_of(read(path), {"colour": colour})
     actor.GetProperty().LightingOff()
@@ -127,7 +118,7 @@ class Picture:
     def __init__(self, arguments):
         self.view, self.up, self.inside = (1, -2, 1), (0, 0, 1), None
         self.zoom, self.at, self.size, self.columns = 1, (0, 0), (400, 300), 0
-        self.texture, self.cut, self.smooth, self.colours = None, 0, False, 64
+        self.texture, self.cut, self.colours = None, 0, 64
         self.look, self.panels = {}, []
         while arguments:
             self.take(arguments.pop(0), arguments)
@@ -144,11 +135,9 @@ class Picture:
         elif argument == "--inside": self.inside = numbers(rest.pop(0))
         elif argument == "--cut": self.cut = float(rest.pop(0))
         elif argument == "--texture": self.texture = texture_of(rest.pop(0))
-        elif argument == "--smooth": self.smooth = True
         elif argument == "--colours": self.colours = int(rest.pop(0))
         elif argument == "--unlit": look["unlit"] = True
         elif argument == "--edges": look["edges"] = float(rest.pop(0))
-        elif argument == "--colour": look["colour"] = numbers(rest.pop(0))
         elif argument == "--with": self.panels[-1]["others"].append((rest.pop(0), {"colour": (77, 175, 74)}))
         elif argument == "--around":
             self.panels[-1]["others"].append((rest.pop(0), {"colour": (77, 175, 74), "opacity": 0.3, "edges": 0.7}))
@@ -209,11 +198,8 @@ class Picture:
     def render(self, panel, mesh, texture):
         renderer = vtk.vtkRenderer()
         renderer.SetBackground(1, 1, 1)
-        shown = smoothed(mesh) if self.smooth else mesh
         textured = texture if mesh.GetPointData().GetTCoords() else None
-        actor = actor_of(shown, panel["look"], textured)
-        if self.smooth:
-            actor.GetProperty().SetInterpolationToGouraud()
+        actor = actor_of(mesh, panel["look"], textured)
         if textured:
             actor.GetProperty().SetColor(1, 1, 1)
         renderer.AddActor(actor)
