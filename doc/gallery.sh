@@ -5,7 +5,7 @@
 # --built names a build folder of the project, the programs of which are taken as they are. Meshes go to
 # build/gallery.
 set -eu
-export LC_ALL=C
+export LC_ALL=C PYTHONDONTWRITEBYTECODE=1
 
 cd -- "$(dirname -- "$0")/.."
 built=
@@ -91,7 +91,7 @@ draw_placement() {
 
 draw_pairs() {
   figures 2 9
-  drawn pairs.png --size 520,330 --zoom 2.2 --at -0.66,0.12 --from 0,1,0.4 --edges 0.7 \
+  drawn pairs.png --size 520,330 --colours 160 --zoom 2.2 --at -0.66,0.12 --from 0,1,0.4 --edges 0.7 \
     $out/2_bones.off='{} faces, 26 parts|edges red, other pairs closer than 0.318 green' --edges 0 \
     --lines $out/9_bones_edges.obj,205,45,45,0.8 --lines $out/9_bones_pairs.obj,40,150,60,0.8 \
     $out/2_bones_edges.off='EdgePairs|{} faces, 18 parts' $out/2_bones_pairs.off='ThresholdPairs{0.318}|{} faces, 1 part'

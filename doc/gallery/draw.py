@@ -2,8 +2,8 @@
 # Draws meshes side by side into a small PNG. Needs the Debian packages python3-vtk9, python3-numpy,
 # python3-pil, fonts-dejavu-core and xvfb:
 #   xvfb-run -a python3 draw.py PICTURE.png [OPTION...] MESH[=TITLE[|SUBTITLE]]...
-# Meshes are OFF files, PLY files (with colours of vertices or faces as they are) or OBJ files. All panels
-# have the camera that fits the first mesh; {} in a title is the number of faces. Options:
+# Meshes are OFF files of triangles, PLY files (with colours of vertices or faces as they are) or OBJ files. All
+# panels have the camera that fits the first mesh; {} in a title is the number of faces. Options:
 #   --columns N      (all in one row)            --size W,H      of a panel, without its title (400,300)
 #   --from X,Y,Z     the direction to look from (1,-2,1)     --up X,Y,Z  (0,0,1)
 #   --zoom F         (1)                         --at X,Y        where the middle is, in panels (0,0)
@@ -20,33 +20,29 @@ import sys
 import numpy as np
 import vtk
 from PIL import Image, ImageDraw, ImageFont
-from vtk.util.numpy_support import vtk_to_numpy
+from models import read_off
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 FONTS = "/usr/share/fonts/truetype/dejavu/DejaVuSans"
 SCALE = 3  # pixels drawn for each one of the picture, along and across
 GAP = 6  # white pixels at both sides of a panel
 
 
-def read_off(path):
-    with open(path) as file:
-        words = iter([word for line in file for word in line.split("#")[0].split()])
-    next(words)
-    vertices, faces, _ = int(next(words)), int(next(words)), next(words)
-    points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
-    for _ in range(vertices):
-        points.InsertNextPoint(*(float(next(words)) for _ in range(3)))
-    for _ in range(faces):
-        corners = [int(next(words)) for _ in range(int(next(words)))]
-        cells.InsertNextCell(len(corners), corners)
+def off_mesh(path):
+    points, triangles = read_off(path)
+    cells = vtk.vtkCellArray()
+    for triangle in triangles:
+        cells.InsertNextCell(3, triangle)
     mesh = vtk.vtkPolyData()
-    mesh.SetPoints(points)
+    mesh.SetPoints(vtk.vtkPoints())
+    mesh.GetPoints().SetData(numpy_to_vtk(points, deep=True))
     mesh.SetPolys(cells)
     return mesh
 
 
 def read(path):
     if path.endswith(".off"):
-        return read_off(path)
+        return off_mesh(path)
     reader = vtk.vtkPLYReader() if path.endswith(".ply") else vtk.vtkOBJReader()
     reader.SetFileName(path)
     reader.Update()
