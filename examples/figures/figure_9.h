@@ -7,9 +7,7 @@
 #include <quadrille/threshold_pairs.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <string>
