@@ -49,8 +49,8 @@ struct EllipsoidShape {
 /// A polygon soup of triangles.
 template <class Point>
 struct TriangleSoup {
-  std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Point> points;                           ///< where they are
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
 };
 
 /// A pair of vertices, to be drawn as a segment.
