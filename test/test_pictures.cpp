@@ -49,12 +49,15 @@ std::set<Pair> pairs_of(const auto& segments, bool are_edges) {
   return pairs;
 }
 
-// Selects an edge, twice, and a pair that is none, and does not include the edges.
+// Selects an edge, twice, a pair that is none, one of a point without faces, and a point with
+// itself, and does not include the edges.
 struct TwoPairs {
   void operator()(const SurfaceView&, const EmitPair& emit) const {
     emit(2, 0);
     emit(6, 1);
     emit(0, 2);
+    emit(8, 0);
+    emit(3, 3);
   }
 };
 
