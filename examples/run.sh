@@ -20,10 +20,16 @@ case $target in
   *)                 program=$build/examples/$target ;;
 esac
 
+# Pages take three.js, which npm fetches. An npm from elsewhere does, and does not go together with Debian's.
+npm=
+case $* in
+  *.html*) command -v npm >/dev/null || npm=npm ;;
+esac
+
 prepare() {
   sh "$root/.ci/install_packages.sh" \
     cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev nlohmann-json3-dev \
-    libzstd-dev libtbb-dev &&
+    libzstd-dev libtbb-dev $npm &&
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF &&
   cmake --build "$build" --target "$target" --parallel "$(nproc)"
 }

@@ -85,9 +85,9 @@ bool run_page(const Options& options, ProgressLine& progress) {
   if (!options.levels.empty() || !options.record.empty() || options.measures)
     throw std::runtime_error(options.output + ": a page has all levels: --levels, --record and " +
                              "--measure do not go with it");
-  if (!options.from.empty() && options.target.is_given())
+  if (!options.from.empty() && (options.target.is_given() || !options.report.empty()))
     throw std::runtime_error(options.output + ": a page has all levels of a record: there is no " +
-                             "target for it");
+                             "target and no --report for it");
   require_replaceable(options.output, options.is_forced);
   PageSource source;
   source.name = std::filesystem::path(options.input).filename();
