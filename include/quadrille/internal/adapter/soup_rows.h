@@ -32,9 +32,15 @@ template <class C>
 concept FlatNumbers = std::ranges::random_access_range<C> &&
     (is_span<std::remove_const_t<C>> || requires(C & numbers) { numbers.push_back(numbers[0]); });
 
-/// A matrix of Eigen, or what looks like one.
+/// A matrix of Eigen, or what looks like one. It is told by its names first: to call with two
+/// numbers what may be anybody's policy could be an error.
 template <class M>
 concept Matrix = requires(M& matrix) {
+  typename M::Scalar;
+  matrix.rows();
+  matrix.cols();
+}
+&&requires(M& matrix) {
   requires std::same_as<decltype(matrix(0, 0)), typename M::Scalar&>;
   matrix.swap(matrix);
   M(matrix.rows(), matrix.cols());
