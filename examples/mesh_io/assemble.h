@@ -33,7 +33,7 @@ public:
 
   /// Vertices that are to be welded always are so if they are no further from each other than the
   /// tolerance.
-  IndexedMesh mesh(Weld weld, const Amount& tolerance) {
+  IndexedMesh mesh(Weld weld, const Amount& tolerance = {}) {
     mesh_.remarks = std::move(soup_.remarks);
     mesh_.losses = std::move(soup_.losses);
     mesh_.texture_comments = std::move(soup_.texture_comments);
