@@ -29,6 +29,7 @@ struct RefusalLog : Log {
 } // namespace
 
 TEST_CASE("any number of threads tells the same contractions and refusals in the same order") {
+  std::size_t refusals = 0;
   for (const Soup& soup :
        {shuffled(with_noise(sphere(5), 3, 0.002), 11), with_holes(grid(120, 90), 7, 9)})
     for (const Topology topology : {Topology::kept, Topology::free}) {
@@ -44,15 +45,16 @@ TEST_CASE("any number of threads tells the same contractions and refusals in the
         if (threads == 1)
           of_one = log;
         CHECK((log == of_one));
-        CHECK(log.refusals.size() > 20);
         CHECK(log.refusals == of_one.refusals);
       }
+      refusals += of_one.refusals.size();
       Replay replay(of_one);
       bool is_right = true;
       while (replay.steps() < of_one.contractions.size() / 20) // a naive replay takes long
         is_right = replay.step() && is_right;
       CHECK(is_right);
     }
+  CHECK(refusals > 50);
 }
 
 TEST_CASE("any number of threads gives the same levels with a texture") {
