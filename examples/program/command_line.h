@@ -283,22 +283,6 @@ inline void add_options(CLI::App& app, Options& options) {
   add_records(app, options);
 }
 
-/// The words of the command line, in which --weld has a value: the word behind it if that is an
-/// amount, else 0.
-inline std::vector<std::string> words_of(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) { // CLI11 takes them from the last to the first
-    const std::string word = argv[i];
-    if (word != "--weld")
-      words.push_back(word);
-    else if (!words.empty() && parse_amount(words.back()))
-      words.back() = "--weld=" + words.back();
-    else
-      words.emplace_back("--weld=0");
-  }
-  return words;
-}
-
 } // namespace quadrille_examples
 
 #endif

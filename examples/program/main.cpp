@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -37,6 +38,22 @@ unsigned threads_of(const Options& options) {
                              "more than one");
   return 1;
 #endif
+}
+
+/// The words of the command line, in which --weld has a value: the word behind it if that is an
+/// amount, else 0.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) { // CLI11 takes them from the last to the first
+    const std::string word = argv[i];
+    if (word != "--weld")
+      words.push_back(word);
+    else if (!words.empty() && parse_amount(words.back()))
+      words.back() = "--weld=" + words.back();
+    else
+      words.emplace_back("--weld=0");
+  }
+  return words;
 }
 
 bool run(Options options, ProgressLine& progress) {

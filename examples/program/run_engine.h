@@ -169,8 +169,8 @@ quadrille::Report simplify_channels(auto& mesh, auto&& taken, const Options& opt
   });
 }
 
-/// Does a mesh take the way on which all of its attributes are channels? Others know neither passes
-/// nor creases.
+/// Does a mesh take the way on which all of its attributes are channels? Attributes as further
+/// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
 inline bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
   return options.is_relaxed || options.crease_degrees || needs_channels(mesh);
 }

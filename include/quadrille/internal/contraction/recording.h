@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 
-#include <quadrille/internal/base/digit_sort.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
+#include <quadrille/internal/contraction/record_order.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/cost/channels.h>
@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,6 +34,7 @@ class Recording {
 public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
+
   Recording(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
             const Numbering& numbering, const Geometry<dimension>& geometry,
             ChannelsOf<Policies>& channels, std::vector<Scratch>& scratches)
@@ -134,16 +134,14 @@ public:
   /// What a thread does and refuses belongs to a block of a pass from here on.
   static void begin_block(std::size_t number, Scratch& scratch) {
     scratch.recorded.begin_block(number);
-    scratch.refusals.begin_block(number);
+    if constexpr (Policies::hears_refusals)
+      scratch.refusals.begin_block(number);
   }
   /// Tells of the contractions that blocks have done, in the order of their costs, as far as the
   /// order within each block allows it: ties by block.
   void end_stage() {
-    std::vector<Place> places;
-    for (std::uint32_t thread = 0; thread < scratches_.size(); ++thread)
-      append_places(thread, places);
     std::vector<RecordedWedge> wedges;
-    for (const Place& place : in_order_of_cost(std::move(places)))
+    for (const RecordPlace& place : places_in_order_of_cost(scratches_))
       policies_.recorder.record(
           scratches_[place.thread].recorded.list.contraction(place.number, wedges));
     if constexpr (Policies::hears_refusals)
@@ -159,17 +157,12 @@ public:
 
 private:
   using Corners = std::array<Index, 3>;
-  struct Place {
-    std::size_t block;
-    float cost;
-    std::uint32_t thread;
-    Index number;
-  };
 
   std::span<Channel> all_channels() {
     if constexpr (Policies::Carries::has_channels)
       return channels_.all();
-    return {};
+    else
+      return {};
   }
   RecordList empty_list() const { return {width_, asks_for_distance<typename Policies::Stop>}; }
 
@@ -248,29 +241,6 @@ private:
       }
     }
     buffer.view_wedges();
-  }
-
-  void append_places(std::uint32_t thread, std::vector<Place>& places) const {
-    const RecordBuffer& buffer = scratches_[thread].recorded;
-    std::size_t i = 0;
-    for (const RecordBuffer::Block& block : buffer.blocks)
-      for (; i < block.end; ++i)
-        places.push_back({block.number, buffer.costs[i], thread, static_cast<Index>(i)});
-  }
-
-  // By block first, so that ties of costs, which no float of at least 0 orders otherwise than its
-  // bits do, are too.
-  static std::vector<Place> in_order_of_cost(std::vector<Place> places) {
-    std::stable_sort(places.begin(), places.end(),
-                     [](const Place& a, const Place& b) { return a.block < b.block; });
-    std::vector<Place> next(places.size());
-    for (int shift = 0; shift < 32; shift += 8) {
-      sort_by_digit<8>(places.data(), places.size(), next.data(), [shift](const Place& place) {
-        return std::bit_cast<std::uint32_t>(place.cost) >> shift & 255;
-      });
-      places.swap(next);
-    }
-    return places;
   }
 
   const Policies& policies_;
