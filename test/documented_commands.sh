@@ -17,27 +17,8 @@ blocks() {
        inside      { print substr($0, indentation) }' "$1"
 }
 
-# A square of 8 x 8 squares, each of two triangles, as glTF.
-write_gltf() {
-  bytes=$(awk 'BEGIN {
-    for (i = 0; i <= 8; ++i) for (j = 0; j <= 8; ++j)
-      printf "\\%03o\\%03o\\%03o\\000", 9 * i, 9 * j, i * j % 5
-    for (i = 0; i < 8; ++i) for (j = 0; j < 8; ++j) {
-      v = i * 9 + j
-      printf "\\%03o\\%03o\\%03o\\%03o\\%03o\\%03o", v, v + 9, v + 10, v, v + 10, v + 1
-    } }')
-  # shellcheck disable=SC2059
-  buffer=$(printf "$bytes" | base64 | tr -d '\n')
-  cat > "$1" <<END
-{"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
- "nodes": [{"mesh": 0}],
- "accessors": [{"bufferView": 0, "componentType": 5121, "type": "VEC3", "count": 81},
-               {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 384}],
- "bufferViews": [{"buffer": 0, "byteLength": 324, "byteStride": 4},
-                 {"buffer": 0, "byteOffset": 324, "byteLength": 384}],
- "buffers": [{"byteLength": 708, "uri": "data:application/octet-stream;base64,$buffer"}]}
-END
-}
+# shellcheck source=sheet_gltf.sh
+. "$(dirname "$0")/sheet_gltf.sh"
 
 # Makes the first mesh that a command names.
 make_input() {
@@ -52,7 +33,7 @@ make_input() {
 
 status=0
 count=0
-[ -z "$program" ] || (cd "$folder" && write_gltf sheet.gltf)
+[ -z "$program" ] || (cd "$folder" && write_sheet sheet.gltf)
 for document in $(cd "$repository" && find README.md doc benchmark -name '*.md' | sort); do
   blocks "$repository/$document" > "$folder/commands"
   [ -s "$folder/commands" ] || continue

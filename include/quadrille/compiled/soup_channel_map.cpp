@@ -59,15 +59,8 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
 }
 
 ChannelInput SoupChannelMap::input(Workspace& workspace) const {
-  const ChannelOptions& options = channel_.options;
-  ChannelInput input(&workspace);
-  input.components = channel_.components;
-  input.weights = options.weights;
-  input.importance = options.importance;
-  input.is_texture = channel_.kind == Kind::texture;
-  input.seams = options.seams.value_or(input.is_texture ? Seams::kept : Seams::priced);
-  input.border_weight = options.border_weight;
-  input.new_values = options.new_values;
+  ChannelInput input(channel_.options, channel_.components, channel_.kind == Kind::texture,
+                     workspace);
   input.values.reserve(channel_.values.size());
   for (std::size_t i = 0; i < channel_.values.size(); ++i)
     input.values.push_back(counted(channel_.values[i], i % channel_.components));

@@ -112,17 +112,8 @@ public:
   /// With all but values and corners. Throws std::invalid_argument for options that do not go with
   /// the channel.
   ChannelInput input(Workspace& workspace) const {
-    const ChannelOptions& options = channel_.options;
-    require_fit(options);
-    ChannelInput input(&workspace);
-    input.components = size;
-    input.weights = options.weights;
-    input.importance = options.importance;
-    input.is_texture = attribute == Attribute::texture;
-    input.seams = options.seams.value_or(input.is_texture ? Seams::kept : Seams::priced);
-    input.border_weight = options.border_weight;
-    input.new_values = options.new_values;
-    return input;
+    require_fit(channel_.options);
+    return {channel_.options, size, attribute == Attribute::texture, workspace};
   }
 
   void read(const Key& key, ChannelInput& input) const {

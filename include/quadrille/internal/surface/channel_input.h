@@ -19,6 +19,18 @@ namespace quadrille::internal {
 /// A channel as an adapter reads it: values, and which of them each corner of a face has.
 struct ChannelInput {
   explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
+  /// What options say of a channel of so many components; values and corners are still to come.
+  ChannelInput(const ChannelOptions& options, std::size_t size, bool holds_texture,
+               Workspace& workspace)
+      : ChannelInput(&workspace) {
+    components = size;
+    weights = options.weights;
+    importance = options.importance;
+    is_texture = holds_texture;
+    seams = options.seams.value_or(is_texture ? Seams::kept : Seams::priced);
+    border_weight = options.border_weight;
+    new_values = options.new_values;
+  }
 
   std::size_t components = 0;
   Array<double> values; ///< the components of each value, one value after the other
