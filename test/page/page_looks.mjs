@@ -89,7 +89,7 @@ function testRefusals() {
     refuses("--levels, --record and --measure do not go with it", input, "b.html", ...option);
   refuses("extension '.html' is none of", "b.html", "c.off");
   folder.run(input, "c.off", "--record", "b.qlv");
-  refuses("there is no target for it", "--from", "b.qlv", "b.html", "--faces", "9");
+  refuses("there is no target and no --report for it", "--from", "b.qlv", "b.html", "--faces", "9");
   check(folder.run(input, "b.html").status === 0, "a page without a target");
   check(folder.run(input, "b.html", "--faces", "1").status === 1, "a page whose target is not reached");
 }
