@@ -19,10 +19,10 @@ int main(int argc, char* argv[]) {
   }
   Eigen::MatrixXd V(points.size(), 3); // or MatrixXf, by rows or by columns
   Eigen::MatrixXi F(triangles.size(), 3);
-  for (Eigen::Index i = 0; i < V.rows(); ++i)
-    V.row(i) << points[i].x(), points[i].y(), points[i].z();
-  for (Eigen::Index i = 0; i < F.rows(); ++i)
-    F.row(i) << triangles[i][0], triangles[i][1], triangles[i][2];
+  for (Eigen::Index i = 0; const auto& p : points)
+    V.row(i++) << p.x(), p.y(), p.z();
+  for (Eigen::Index i = 0; const auto& [a, b, c] : triangles)
+    F.row(i++) << a, b, c;
 
   std::cout << simplify<Quadric, OptimalPlacement>(V, F, FaceCount{1000}) << '\n';
   std::cout << V.rows() << " rows of V, " << F.rows() << " rows of F\n";

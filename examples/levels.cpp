@@ -25,7 +25,7 @@ int main(int argc, char* argv[]) {
   std::cout << simplify<Quadric, OptimalPlacement>(mesh, FaceCount{64}, record_into(levels))
             << '\n';
 
-  for (const std::size_t faces : {994, 532, 248, 64}) {
+  for (const std::size_t faces : {994u, 532u, 248u, 64u}) {
     const Level level = levels.at(FaceCount{faces});
     std::cout << level.faces << " faces, error " << level.error << '\n';
     Mesh coarse;
