@@ -160,7 +160,7 @@ TEMPLATE_TEST_CASE("Of parts of one shape the smaller ones go first", "", Quadri
   const Soup input = spheres(radii);
   using Placement =
       std::conditional_t<std::is_same_v<TestType, EdgeLength>, MidpointPlacement, OptimalPlacement>;
-  for (std::size_t faces : {600, 300, 96, 60, 20, 4}) {
+  for (std::size_t faces : {600u, 300u, 96u, 60u, 20u, 4u}) {
     CAPTURE(faces);
     Report report;
     const Soup result =
@@ -203,7 +203,7 @@ TEST_CASE("A part costs its squared radius times the weight of what it remembers
     prices.push_back(squared_radius * (3 * area + 2 * 125 * border));
     input = test::joined(input, thing, place_of(i));
   }
-  for (std::size_t faces : {400, 200, 120, 80, 60, 40, 20, 10}) {
+  for (std::size_t faces : {400u, 200u, 120u, 80u, 60u, 40u, 20u, 10u}) {
     Report report;
     const Soup result = simplified(input, report, FaceCount{faces}, parts_may_vanish);
     const std::vector<bool> is_there = things_in(result, prices.size());
@@ -224,7 +224,7 @@ TEMPLATE_TEST_CASE("A part shrinks as far as it can before it vanishes", "", Qua
   using Placement =
       std::conditional_t<std::is_same_v<TestType, EdgeLength>, MidpointPlacement, OptimalPlacement>;
   const Soup input = spheres(std::vector<double>(10, 0.3), 3);
-  for (std::size_t faces : {1000, 100, 40, 36, 20}) {
+  for (std::size_t faces : {1000u, 100u, 40u, 36u, 20u}) {
     Report report;
     const Soup result =
         simplified(input, report, TestType{}, Placement{}, FaceCount{faces}, parts_may_vanish);
@@ -292,7 +292,7 @@ TEST_CASE("Never all parts vanish, and the one that stays is the largest") {
 
 TEST_CASE(
     "Nothing else changes: a surface of one part gives the same bits as where topology is kept") {
-  for (std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed : {1u, 2u, 3u}) {
     const Soup input = seed == 1 ? test::random_with_borders(seed) : test::random_closed(seed);
     const auto check = [&](const auto&... arguments) {
       Report kept, may_vanish;

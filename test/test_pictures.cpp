@@ -145,7 +145,7 @@ TEST_CASE("On an ellipsoid its quadric has the level, and no half axis is too lo
 
 TEST_CASE(
     "Ellipsoids are closed, look outwards, and are one for each vertex, whatever its quadric") {
-  const std::size_t meridians = GENERATE(3, 16), parallels = GENERATE(1, 2, 8);
+  const std::size_t meridians = GENERATE(3u, 16u), parallels = GENERATE(1u, 2u, 8u);
   const std::vector<test::Point> points = {{0, 0, 0}, {5, 0, 0}, {0, 5, 0}};
   const std::vector<Form> forms = {Form::point(1), Form::plane({{0, 0, 1}}, 1e20), Form{}};
   const auto soup = quadric_ellipsoids(points, forms, {1, 1, meridians, parallels});

@@ -99,7 +99,7 @@ Soup simplified(const Soup& input, const Arguments&... arguments) {
 
 TEMPLATE_TEST_CASE("Straight walls at a line go down to two faces each, without loss", "", Quadric,
                    MemorylessQuadric, ThinFeatureQuadric) {
-  for (std::uint32_t sheets : {3, 4, 5}) {
+  for (std::uint32_t sheets : {3u, 4u, 5u}) {
     CAPTURE(sheets);
     const Soup input = sheets_at_a_line(sheets, 12, 0);
     const Soup result = simplified(input, TestType{}, FaceCount{2 * sheets});
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE("Straight walls at a line go down to two faces each, without 
 
 TEMPLATE_TEST_CASE("A bent line keeps its shape, its ends and its sheets", "", Quadric,
                    MemorylessQuadric, ThinFeatureQuadric) {
-  for (std::uint32_t sheets : {3, 4}) {
+  for (std::uint32_t sheets : {3u, 4u}) {
     const Soup input = sheets_at_a_line(sheets, 24, 0.3);
     for (bool is_relaxed : {false, true}) {
       CAPTURE(sheets, is_relaxed);
