@@ -1,4 +1,4 @@
-# Debian packages: `cpack -G DEB` in the build folder, once it is built.
+# Debian packages: `cmake --build build --target debian_packages` builds what is in them, and them.
 #   quadrille          the program, where it is built
 #   libquadrille-dev   the library
 #   python3-quadrille  the Python module, where it is built
@@ -8,6 +8,7 @@ set(CPACK_PACKAGE_CONTACT "The developers of Quadrille <quadrille@localhost>")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
+set(CPACK_PROJECT_CONFIG_FILE "${PROJECT_SOURCE_DIR}/cmake/package_tools.cmake")
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -41,3 +42,11 @@ if(TARGET quadrille_python)
 endif()
 
 include(CPack)
+
+add_custom_target(debian_packages
+  COMMAND "${CMAKE_CPACK_COMMAND}" -G DEB WORKING_DIRECTORY "${PROJECT_BINARY_DIR}" VERBATIM)
+foreach(target IN ITEMS quadrille_program quadrille_man_page quadrille_python)
+  if(TARGET ${target})
+    add_dependencies(debian_packages ${target})
+  endif()
+endforeach()

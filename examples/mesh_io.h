@@ -59,12 +59,16 @@ inline const MeshFormat* find_format(const std::string& extension) {
   return nullptr;
 }
 
-/// The format that the extension of a path names. Throws if it names none.
-inline const MeshFormat& mesh_format(const std::filesystem::path& path) {
+/// The format that the extension of a path names. Throws if it names none; the message lists all,
+/// and others that a caller knows.
+inline const MeshFormat& mesh_format(const std::filesystem::path& path, const char* others = "") {
   const std::string extension = path.extension().string();
   if (const MeshFormat* format = find_format(extension))
     return *format;
-  fail(path, "the extension " + in_quotes(extension) + " is none of .off .obj .ply .stl .ts");
+  if (std::filesystem::is_directory(path))
+    fail(path, "is a folder");
+  fail(path,
+       "the extension " + in_quotes(extension) + " is none of .off .obj .ply .stl .ts" + others);
 }
 
 /// Reads a mesh, from standard input if the path is "-"; polygons are triangulated. Throws

@@ -96,7 +96,8 @@ private:
 /// it. Standard output, a pipe or a device, which has no content to lose, is just written to.
 class FileReplacement {
 public:
-  /// Throws for a file that may not be written to, unless that is `forced`. Root may write to any:
+  /// Throws where its folder is missing, and for a file that may not be written to, unless that is
+  /// `forced`. Root may write to any:
   /// a file that its mode lets nobody write to is protected from root as well.
   explicit FileReplacement(std::filesystem::path path, bool is_forced = false)
       : path_(std::move(path)) {
@@ -106,6 +107,9 @@ public:
     if (exists_ && S_ISDIR(status_.st_mode))
       throw std::runtime_error("is a folder");
     target_ = exists_ && !is_regular() ? path_ : end_of_links(path_);
+    if (const std::filesystem::path folder = target_.parent_path();
+        !folder.empty() && !std::filesystem::is_directory(folder))
+      throw std::runtime_error("there is no folder " + folder.string());
     const bool is_protected =
         is_regular() && ((status_.st_mode & 0222U) == 0 || ::access(target_.c_str(), W_OK) != 0);
     if (is_protected && !is_forced)

@@ -37,7 +37,7 @@ inline CLI::Validator count() {
     const std::optional<std::int64_t> value = parse_integer(word);
     return value && *value >= 0;
   };
-  return word_that(is_count, "a count");
+  return word_that(is_count, "a count; --keep takes a part of the faces");
 }
 
 inline CLI::Validator amount(const std::string& what,
@@ -47,6 +47,10 @@ inline CLI::Validator amount(const std::string& what,
     return value && value->value <= most;
   };
   return word_that(is_good, what);
+}
+
+inline CLI::Validator distance() {
+  return amount("a distance: a number in the units of IN, or 0.1% for a part of the diagonal");
 }
 
 inline constexpr const char* target_group =
@@ -74,13 +78,13 @@ inline void add_target(CLI::App& app, Options& options) {
                "--keep,--ratio",
                [&](const std::string& word) { target.ratio = amount_of(word).value; },
                "stop at this part of the faces, 10% or 0.1"),
-           amount("from 0 to 1 nor from 0% to 100%", 1), "PART");
+           amount("from 0 to 1 nor from 0% to 100%, as 0.1 or 10%", 1), "PART");
   in_group(app.add_option("--vertices", target.vertices, "stop at so many vertices"), count(), "N");
   in_group(app.add_option_function<std::string>(
                "--error", [&](const std::string& word) { target.error = amount_of(word); },
                "stay within that distance of the input, in its units or, with %, in parts of the "
                "diagonal of its bounding box"),
-           amount("a distance"), "D|P%");
+           distance(), "D|P%");
   CLI::Option* const levels = in_group(
       app.add_option_function<std::string>(
           "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
@@ -142,7 +146,7 @@ inline void add_topology(CLI::App& app, Options& options) {
          "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },
          "contract also vertices without an edge, if they are closer than this, in units of IN or, "
          "with %, in parts of the diagonal")
-      ->check(amount("a distance"))
+      ->check(distance())
       ->type_name("T|T%")
       ->group("Policies");
   take_one_of(app.add_option("--topology", options.topology,
@@ -203,7 +207,7 @@ inline void add_files(CLI::App& app, Options& options) {
          "make vertices at the same place one, or closer than TOLERANCE, in units of IN or, with "
          "%, in parts of the diagonal; without this, that is done only if no two faces share a "
          "vertex, and to vertices of the same colour and texture coordinate")
-      ->check(amount("a distance"))
+      ->check(distance())
       ->type_name("[TOLERANCE]")
       ->group("Files");
   app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only")->group("Files");

@@ -8,6 +8,7 @@
 #include "options.h"
 #include "progress_line.h"
 #include "runs.h"
+#include "suggestion.h"
 
 #include <CLI/CLI.hpp>
 
@@ -95,6 +96,9 @@ int main(int argc, char** argv) {
   add_options(app, options);
   try {
     app.parse(words_of(argc, argv));
+  } catch (const CLI::ExtrasError&) {
+    std::cerr << complaint_of_unknown(app, app.remaining()) << '\n';
+    return failure;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : failure; // --help is an error to CLI11, but not here
   }

@@ -91,7 +91,8 @@ inline const MeshFormat& format_of(const std::string& file, const Options& optio
     return *named;
   if (options.format.empty() && (is_standard_input(file) || is_standard_output(file)))
     throw std::runtime_error(file + ": its name tells no format: pass --format");
-  return options.format.empty() ? mesh_format(file) : *find_format("." + options.format);
+  return options.format.empty() ? mesh_format(file, " .gltf .glb, nor .html for OUT")
+                                : *find_format("." + options.format);
 }
 
 inline const MeshFormat& output_format(const Options& options) {

@@ -9,6 +9,7 @@
 
 #include <clocale>
 #include <cstring>
+#include <numeric>
 
 namespace quadrille_examples {
 
@@ -26,12 +27,12 @@ const char* arrow() {
 /// As a part of the diagonal, if there is one.
 std::string distance_text(double distance, double diagonal) {
   return diagonal > 0 ? percent_text(distance / diagonal) + " of the diagonal"
-                      : two_digits(distance);
+                      : two_digits(distance) + " in units of the mesh";
 }
 
 std::string bound_text(double bound, double diagonal) {
   return diagonal > 0 ? percent_text(rounded_up(100 * bound / diagonal) / 100) + " of the diagonal"
-                      : two_digits(rounded_up(bound));
+                      : two_digits(rounded_up(bound)) + " in units of the mesh";
 }
 
 std::string measured_text(const Measurement& measured, double diagonal) {
@@ -51,6 +52,8 @@ std::string line(const Options& options, const Outcome& outcome) {
             percent_text(static_cast<double>(report.faces_after) /
                          static_cast<double>(report.faces_before)) +
             ")";
+  if (!options.levels.empty())
+    text += " in " + outcome.file;
   text += ", " + duration_text(report.seconds.total());
   if (std::isfinite(report.distance_bound))
     text += ", within " + bound_text(report.distance_bound, outcome.diagonal);
@@ -162,16 +165,21 @@ std::vector<std::string> hints(const Options& options, const Outcome& outcome) {
     if (applies && !hint.empty())
       hints.push_back(hint);
   };
+  const std::size_t all_refused =
+      std::accumulate(report.rejections.begin(), report.rejections.end(), std::size_t{0});
+  const auto counts = [&](std::size_t refusals) {
+    return refusals > 0 && 100 * refusals >= all_refused; // what is rarer is not in the way
+  };
   const auto refused = [&](Rejection cause) { return with_commas(report.rejected(cause)); };
   add_if(report.components_after > 1, hint_of_parts(options, report));
   add_if(topology(options) != quadrille::Topology::free && report.components_after <= 1 &&
-             report.rejected(Rejection::topology) > 0,
+             counts(report.rejected(Rejection::topology)),
          "topology is kept: --topology free lets holes close and thin parts become sheets");
-  add_if(report.rejected(Rejection::seam) + report.rejected(Rejection::texture) > 0,
+  add_if(counts(report.rejected(Rejection::seam) + report.rejected(Rejection::texture)),
          "borders of materials and labels stay, and seams of textures (" +
              refused(Rejection::seam) + " contractions refused" +
              (options.seams ? ")" : "): --seams priced lets seams vanish where that costs little"));
-  add_if(report.rejected(Rejection::constraint) > 0 && options.locks_boundaries,
+  add_if(counts(report.rejected(Rejection::constraint)) && options.locks_boundaries,
          "the boundary is locked (" + refused(Rejection::constraint) +
              " contractions refused): --boundary WEIGHT lets it move");
   return hints;

@@ -8,6 +8,7 @@
 #include <quadrille/levels_file.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -31,6 +32,17 @@ void print_remarks(const Options& options, const IndexedMesh& mesh) {
 }
 
 namespace {
+
+/// Material files that OUT will name, but which lie beside IN only.
+void print_remark_of_materials(const Options& options, const IndexedMesh& mesh) {
+  const auto is_beside = [](const std::string& file, const std::string& library) {
+    return std::filesystem::exists(std::filesystem::path(file).parent_path() / library);
+  };
+  for (const std::string& library : mesh.parts.libraries)
+    if (is_beside(options.input, library) && !is_beside(options.output, library))
+      print_remark(options, "OUT names the material file " + in_quotes(library, 100) +
+                                ", which is not in its folder: copy it there, with its images");
+}
 
 /// Has a mesh anything that a record of positions has not?
 bool has_attributes(const IndexedMesh& mesh) {
@@ -88,6 +100,8 @@ public:
     fit_to_format(mesh, format_);
     progress_.clear();
     print_remarks(options_, mesh);
+    if (!is_standard_output(options_.output))
+      print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);
     if (!options_.levels.empty())
       simplify_to_levels(mesh);
