@@ -7,8 +7,10 @@
 
 int main(int argc, char* argv[]) {
   CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
-  if (argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+  if (argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "no mesh to read\n";
     return EXIT_FAILURE;
+  }
   std::cout << quadrille::simplify(mesh, quadrille::FaceCount{1000}) << '\n';
   return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

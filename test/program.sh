@@ -376,6 +376,20 @@ for cost in '' '--cost quadric' '--cost memoryless' '--cost thin-features' '--co
 done
 run 0 --error 0.1 parts.obj out.obj
 wrong=$(awk -v far=0.02 -v slip=0.3 -v knows_creases=1 "$check_parts" out.obj) || fail "$wrong"
+
+# A material file that only IN has in its folder
+mkdir elsewhere
+printf 'newmtl b\n' >elsewhere/a.mtl
+printf 'mtllib a.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >elsewhere/a.obj
+run 0 --keep 100% elsewhere/a.obj out.obj
+expect stderr "^elsewhere/a.obj: OUT names the material file 'a.mtl', which is not in its folder: copy it there, with its images$"
+for quiet in 'elsewhere/a.obj elsewhere/out.obj' 'elsewhere/a.obj out.off' 'parts.obj elsewhere/out.obj'; do
+  # shellcheck disable=SC2086
+  run 0 --keep 100% $quiet
+  ! grep -q 'names the material' stderr || fail "a remark of material files"
+done
+rm -r elsewhere
+
 run 0 --ratio 0.2 parts.obj out.off
 expect stderr '^parts.obj: not kept: normals, material libraries \(mtllib\), materials \(usemtl\), objects, groups$'
 expect_ratio out.off 160
@@ -450,7 +464,7 @@ for input in plain.off sheet.off parts.obj parts.ply; do
   extension=${input##*.}
   out=folder_of_levels/a.b.$extension
   run 0 $input $out --levels 50%,25%,100
-  [ "$(grep -c ': 800 -> ' stdout)" -eq 3 ] || fail "no line for each level"
+  [ "$(grep -c ': 800 -> .* in folder_of_levels/a.b-[123]' stdout)" -eq 3 ] || fail "no line for each level"
   [ ! -e $out ] || fail "$out is written"
   level=1
   for target in '--ratio 0.5' '--ratio 0.25' '--faces 100'; do
@@ -506,6 +520,7 @@ done
 run 0 --from record.qlv - --format off --faces 800
 expect_same stdout expected.off
 expect stderr '^record.qlv: 800 -> 800 faces'
+expect stderr 'error about [0-9.e-]* in units of the mesh'
 run 1 --from record.qlv out.off --faces 3
 expect stderr '^out.off: the target was not reached: no pair left$'
 expect_ratio out.off 80
@@ -628,6 +643,19 @@ for bad in '' 'plain.off' 'plain.off out.off more' '--faces 1 --levels 50% plain
   expect stderr .
   cmp -s plain.off out.off || fail "out.off has changed"
 done
+expect_usage_error() { # message, arguments...
+  message=$1
+  shift
+  run 2 "$@"
+  expect stderr "$message"
+}
+expect_usage_error '^there is no option --face; did you mean --faces\?$' --face 9 plain.off out.off
+expect_usage_error '^there is no option --kep; did you mean --keep\?$' plain.off out.off --kep=10%
+expect_usage_error '^there is no option --unknown; --help lists all$' --unknown plain.off out.off
+expect_usage_error "^'25%': one word too many; between the items of a list stand commas$" \
+  plain.off out.off --levels 50% 25%
+expect_usage_error "'10%' is not a count; --keep takes a part of the faces$" --faces 10% plain.off out.off
+expect_usage_error "'5mm' is not a distance: a number in the units of IN, or 0.1% for" --error 5mm plain.off out.off
 run 0 --help
 expect stdout '--keep'
 
@@ -648,7 +676,13 @@ expect stderr '^missing.off: no such file$'
 run 2 plain.off out.xyz
 expect stderr "^out.xyz: the extension '.xyz' is none of"
 run 2 plain.off missing/out.off
-expect stderr '^missing/out.off: cannot be opened for writing$'
+expect stderr '^missing/out.off: there is no folder missing$'
+mkdir folder.off
+run 2 folder.off out.off
+expect stderr '^folder.off: is a folder$'
+run 2 . out.off
+expect stderr '^\.: is a folder$'
+rmdir folder.off
 run 2 plain.off .
 
 # Where the result goes

@@ -1285,7 +1285,7 @@ TEST_CASE("An empty mesh is written as a valid file", "[mesh_io]") {
 TEST_CASE("A file is replaced as a whole or not at all", "[mesh_io]") {
   const Folder folder;
   CHECK_THROWS_WITH(write_mesh(folder.path("none/a.off"), {}),
-                    Catch::EndsWith("none/a.off: cannot be opened for writing"));
+                    Catch::Contains("none/a.off: there is no folder "));
   CHECK_THROWS_WITH(write_mesh(folder.path("a.xyz"), {}), Catch::Contains("the extension '.xyz'"));
   CHECK(folder.size() == 0);
 

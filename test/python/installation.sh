@@ -6,7 +6,7 @@ set -eu
 cmake=$1 build=$2 prefix=$3 python=$4
 rm -rf "$prefix"
 "$cmake" --install "$build" --component python --prefix "$prefix" >/dev/null
-[ "$(ls "$prefix")" = lib ] || { ls "$prefix"; exit 1; }
+[ "$(ls "$prefix" | tr '\n' ' ')" = "lib share " ] || { ls "$prefix"; exit 1; }
 
 # The folder of this version, and below /usr that of Debian's packages.
 folder=$(echo "$prefix"/lib/python3.*/*-packages)

@@ -17,7 +17,7 @@ namespace quadrille::internal {
 
 namespace {
 
-std::string count_of(std::size_t count, const char* what) {
+std::string number_of(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
 }
 
@@ -34,20 +34,20 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
                               : kind == Kind::normals ? size == 3
                               : kind == Kind::colors  ? size == 3 || size == 4
                                                       : size > 0;
-  require(has_right_size, "has " + count_of(size, "components") + ", which its kind has not");
-  require(values.size() % size == 0, "has " + count_of(values.size(), "numbers") +
+  require(has_right_size, "has " + number_of(size, "components") + ", which its kind has not");
+  require(values.size() % size == 0, "has " + number_of(values.size(), "numbers") +
                                          ", which are no values of " +
-                                         count_of(size, "components"));
+                                         number_of(size, "components"));
   if (is_indexed())
     require(triples.size() == triangles, "has index triples for " +
-                                             count_of(triples.size(), "triangles") + " of " +
+                                             number_of(triples.size(), "triangles") + " of " +
                                              std::to_string(triangles));
   else
     require(value_count() == points,
-            "has " + count_of(value_count(), "values") + " for " + count_of(points, "points"));
+            "has " + number_of(value_count(), "values") + " for " + number_of(points, "points"));
   require(options.weights.empty() || options.weights.size() == size,
-          "has " + count_of(size, "components") + " and " +
-              count_of(options.weights.size(), "weights"));
+          "has " + number_of(size, "components") + " and " +
+              number_of(options.weights.size(), "weights"));
   require(options.new_values != NewValues::existing || kind != Kind::texture,
           "is a texture, which NewValues::existing would tear");
   require(options.new_values != NewValues::recomputed || kind == Kind::normals,
