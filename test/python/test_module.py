@@ -321,6 +321,7 @@ class Errors(unittest.TestCase):
             self.refused(message, p, bad)
 
     def test_options(self):
+        self.refused("beside a Mesh, .* is faces=1000$", quadrille.Mesh(self.points, self.faces), 1000)
         self.refused("^faces is 2.5, not an integer", faces=2.5)
         self.refused("^faces is -1, not in", faces=-1)
         self.refused("^ratio is 'half', not a number", ratio="half")

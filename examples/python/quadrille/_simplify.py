@@ -140,7 +140,8 @@ def simplify(
 def _mesh_of(points, triangles):
     if isinstance(points, Mesh):
         if triangles is not None:
-            raise ValueError("triangles are given beside a Mesh, which has its own")
+            raise ValueError("triangles are given beside a Mesh, which has its own; how many faces "
+                             "shall be left is faces=1000")
         return points
     if triangles is None:
         raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
