@@ -411,3 +411,36 @@ TEST_CASE("A relative limit is one on a surface as large as numbers are") {
   CHECK(report.stop == StopReason::target_met);
   CHECK(report.distance_bound <= 0.001 * std::numeric_limits<double>::max());
 }
+
+namespace {
+
+// A type of which only some look at distances.
+struct MayAsk {
+  static constexpr bool asks_for_distance = true;
+  bool asks = false;
+  std::size_t faces = 0;
+
+  bool is_asking_for_distance() const { return asks; }
+  bool operator()(const Status& status) const { return status.faces <= faces; }
+};
+
+} // namespace
+
+TEMPLATE_TEST_CASE("What a stop policy does not ask for this time is not measured", "[error_limit]",
+                   GreedyOrder, RelaxedOrder) {
+  test::Soup plain = test::with_noise(test::sphere(4), 1, 0.02), with = plain, without = plain;
+  const auto simplified = [](test::Soup& soup, const auto& stop) {
+    return simplify(soup.points, soup.triangles, stop, TestType{});
+  };
+  const Report expected = simplified(plain, FaceCount{200});
+  const Report asked = simplified(with, MayAsk{true, 200});
+  const Report unasked = simplified(without, MayAsk{false, 200});
+  CHECK(asked.distance_bound > 0);
+  CHECK(std::isfinite(asked.distance_bound));
+  CHECK(std::isinf(unasked.distance_bound));
+  CHECK(std::isinf(expected.distance_bound));
+  CHECK(unasked.faces_after == 200);
+  CHECK(unasked.rejections == expected.rejections);
+  CHECK(without.points == plain.points);
+  CHECK(without.triangles == plain.triangles);
+}

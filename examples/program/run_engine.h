@@ -104,14 +104,10 @@ quadrille::Report simplify_in_order(const auto& order, auto& mesh, const Options
                                     const auto& cost, const auto&... arguments) {
   const quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   const quadrille::internal::SoupVisitor visitor{soup.proceed};
-  const auto until = [&](const auto& stop) {
-    return quadrille::simplify(mesh.points, mesh.triangles, cost, placement(options), order,
-                               quadrille::ThresholdPairs(soup.pairs_closer_than), stop,
-                               *soup.topology, with_named_of_all(arguments, soup, visitor)...);
-  };
-  // A limit of distances asks for what other targets need not pay for.
-  return options.target.error ? until(quadrille::internal::SoupStop<true>(soup))
-                              : until(quadrille::internal::SoupStop<false>(soup));
+  return quadrille::simplify(mesh.points, mesh.triangles, cost, placement(options), order,
+                             quadrille::ThresholdPairs(soup.pairs_closer_than),
+                             quadrille::internal::SoupStop(soup), *soup.topology,
+                             with_named_of_all(arguments, soup, visitor)...);
 }
 
 template <class Cost>

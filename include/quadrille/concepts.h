@@ -175,6 +175,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// - `S::asks_for_distance`, true for a look at Status::next_distance: a pair that only this makes
 ///   the stop policy stop at is refused, and the search goes on.
+/// - `stop.is_asking_for_distance()`, beside it: does this one look? One type then serves with a
+///   limit and without, which pays for no distances. Else all of the type do.
 /// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
 ///   The engine then looks for a pair that meets the target exactly.
 /// - `stop.validate()`: throws if the policy makes no sense.

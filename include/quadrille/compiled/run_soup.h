@@ -28,10 +28,10 @@
 namespace quadrille::internal {
 
 /// The targets of the options; distances are asked for only if one of them is a distance.
-template <bool has_distance>
 class SoupStop {
 public:
-  static constexpr bool asks_for_distance = has_distance;
+  static constexpr bool asks_for_distance = true;
+  bool is_asking_for_distance() const { return error_ || relative_error_; }
 
   explicit SoupStop(const SoupOptions& options) {
     if (options.faces)
@@ -173,14 +173,11 @@ template <class Cost, class... More>
 Report simplify_in_order(SoupRun& run, const Cost& cost, const SoupPlacement& placement,
                          const More&... more) {
   const SoupOptions& options = run.options;
-  const auto until = [&](const auto& stop) {
-    if (options.order == SoupOptions::Order::greedy)
-      return simplify_by(run, cost, placement, stop, GreedyOrder{options.eager}, more...);
-    return simplify_by(run, cost, placement, stop,
-                       RelaxedOrder{options.share, options.refresh, options.threads}, more...);
-  };
-  return options.error || options.relative_error ? until(SoupStop<true>(options))
-                                                 : until(SoupStop<false>(options));
+  const SoupStop stop(options);
+  if (options.order == SoupOptions::Order::greedy)
+    return simplify_by(run, cost, placement, stop, GreedyOrder{options.eager}, more...);
+  return simplify_by(run, cost, placement, stop,
+                     RelaxedOrder{options.share, options.refresh, options.threads}, more...);
 }
 
 /// With the placement of the options; by default, for a cost that has a minimizer, the optimal one.

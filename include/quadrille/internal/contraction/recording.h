@@ -49,7 +49,7 @@ public:
     for (Channel& channel : all_channels())
       width_ += channel.has_seams() ? 0 : channel.components();
     RecordedSurface surface{dimension, width_, std::vector<double>(width_ * vertices),
-                            {},        {},     asks_for_distance<typename Policies::Stop>};
+                            {},        {},     is_asking_for_distance(policies_.stop)};
     std::vector<double> memory;
     for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
       const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
@@ -164,7 +164,7 @@ private:
     else
       return {};
   }
-  RecordList empty_list() const { return {width_, asks_for_distance<typename Policies::Stop>}; }
+  RecordList empty_list() const { return {width_, is_asking_for_distance(policies_.stop)}; }
 
   // The numbers of a vertex at a position; in a memory, if there are more than the position's.
   std::span<const double> values_of(Index v, const Vector<dimension>& position,
@@ -201,14 +201,12 @@ private:
   }
 
   double distance_bound(const Contraction<Cost>& contraction) const {
-    if constexpr (asks_for_distance<typename Policies::Stop>) {
-      float greatest = 0;
-      for (float bound : contraction.bounds())
-        greatest = (std::max)(greatest, bound);
-      return scale_.length_of_mesh(static_cast<double>(greatest));
-    } else {
+    if (!is_asking_for_distance(policies_.stop))
       return 0;
-    }
+    float greatest = 0;
+    for (float bound : contraction.bounds())
+      greatest = (std::max)(greatest, bound);
+    return scale_.length_of_mesh(static_cast<double>(greatest));
   }
 
   // Of the wedges that met, those of one wedge now: the lowest identity is left.

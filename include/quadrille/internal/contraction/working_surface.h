@@ -178,7 +178,7 @@ public:
   /// if that is asked for. Tells the report the rest, and the visitor that this is the end.
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
-    if constexpr (asks_for_distance)
+    if (is_asking_for_distance(policies_.stop))
       report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
     count_topology(complex_, scratch().labels).tell(report);
     const std::size_t parts = report.components_after + report.vanished_parts;
@@ -220,7 +220,7 @@ private:
           policies_.threads);
     else
       initial_components_ = count_components(complex_);
-    if constexpr (asks_for_distance) {
+    if (is_asking_for_distance(policies_.stop)) {
       bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box));
       progress_.announce_distance(0);
     }

@@ -90,7 +90,8 @@ public:
   }
   template <class Event>
   void after(const Event& event) {
-    set(event.contraction.star(), event.contraction.bounds());
+    if (of_face_.size() > 0) // else nobody asks
+      set(event.contraction.star(), event.contraction.bounds());
   }
 
   /// Leaves out those of faces for which is_left(face) is false.

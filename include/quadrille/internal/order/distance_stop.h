@@ -16,12 +16,13 @@ class DistanceStop {
 public:
   using Cost = typename Policies::Cost;
 
-  explicit DistanceStop(WorkingSurface<Policies>& surface) : surface_(surface) {}
+  explicit DistanceStop(WorkingSurface<Policies>& surface)
+      : surface_(surface), is_asking_(is_asking_for_distance(surface.policies().stop)) {}
 
   /// The contraction may get another target.
   bool is_too_far(Contraction<Cost>& contraction) {
-    if constexpr (asks) {
-      if (is_enough_without())
+    if constexpr (may_ask) {
+      if (!is_asking_ || is_enough_without())
         return false;
       Status status = surface_.status();
       const bool result = surface_.distance_check().is_too_far(contraction, status);
@@ -34,34 +35,32 @@ public:
   }
   /// The same, if it is seen at a glance, of a candidate whose place is settled.
   bool is_beyond_hub(const Candidate<Cost>& candidate) {
-    if constexpr (asks && !looks_at_star<typename Policies::Placement>)
-      return !is_enough_without() && surface_.distance_check().is_beyond_hub(
-                                         candidate, surface_.scratch(), surface_.status());
+    if constexpr (may_ask && !looks_at_star<typename Policies::Placement>)
+      return is_asking_ && !is_enough_without() &&
+             surface_.distance_check().is_beyond_hub(candidate, surface_.scratch(),
+                                                     surface_.status());
     else
       return false;
   }
   /// A distance in the mesh's unit.
   bool is_too_far(double distance) {
-    if constexpr (asks) {
-      if (is_enough_without())
-        return false;
-      surface_.progress().announce_distance(distance);
-      return surface_.progress().is_enough();
-    } else {
+    if (!may_ask || !is_asking_ || is_enough_without())
       return false;
-    }
+    surface_.progress().announce_distance(distance);
+    return surface_.progress().is_enough();
   }
   /// At a distance of 0, if it asks for any.
   bool is_enough_without() {
-    if constexpr (asks)
+    if (may_ask && is_asking_)
       surface_.progress().announce_distance(0);
     return surface_.progress().is_enough();
   }
 
 private:
-  static constexpr bool asks = asks_for_distance<typename Policies::Stop>;
+  static constexpr bool may_ask = asks_for_distance<typename Policies::Stop>;
 
   WorkingSurface<Policies>& surface_;
+  const bool is_asking_;
 };
 
 } // namespace quadrille::internal

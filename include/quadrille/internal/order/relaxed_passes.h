@@ -271,13 +271,13 @@ private:
   bool is_stop(Contraction& contraction) const {
     Status status = surface_.status();
     status.next_error = contraction.error();
-    if constexpr (asks_for_distance<typename Policies::Stop>) {
-      status.next_distance = 0;
-      return surface_.policies().stop(status) ||
-             surface_.distance_check().is_too_far(contraction, status);
-    } else {
-      return surface_.policies().stop(status);
-    }
+    const auto& stop = surface_.policies().stop;
+    if constexpr (asks_for_distance<typename Policies::Stop>)
+      if (is_asking_for_distance(stop)) {
+        status.next_distance = 0;
+        return stop(status) || surface_.distance_check().is_too_far(contraction, status);
+      }
+    return stop(status);
   }
 
   WorkingSurface<Policies>& surface_;

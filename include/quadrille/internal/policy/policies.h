@@ -254,11 +254,20 @@ bool is_passed(const Stop& stop, const Status& status) {
     return false;
 }
 
-/// Does a stop policy look at Status::next_distance?
+/// May a stop policy look at Status::next_distance?
 template <class Stop>
 inline constexpr bool asks_for_distance = requires {
   requires Stop::asks_for_distance;
 };
+
+/// And does this one?
+template <class Stop>
+bool is_asking_for_distance(const Stop& stop) {
+  if constexpr (asks_for_distance<Stop> && requires { stop.is_asking_for_distance(); })
+    return stop.is_asking_for_distance();
+  else
+    return asks_for_distance<Stop>;
+}
 
 /// Is every edge a pair at any time, for this pair policy?
 template <class Pairs>
