@@ -263,10 +263,9 @@ inline constexpr bool asks_for_distance = requires {
 /// And does this one?
 template <class Stop>
 bool is_asking_for_distance(const Stop& stop) {
-  if constexpr (asks_for_distance<Stop> && requires { stop.is_asking_for_distance(); })
+  if constexpr (requires { stop.is_asking_for_distance(); })
     return stop.is_asking_for_distance();
-  else
-    return asks_for_distance<Stop>;
+  return asks_for_distance<Stop>;
 }
 
 /// Is every edge a pair at any time, for this pair policy?
