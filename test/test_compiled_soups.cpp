@@ -207,7 +207,7 @@ TEST_CASE("Levels that the compiled library records are those of the templates")
     Levels of_templates, levels;
     Carrying expected = in_charts;
     SoupOptions options = options_of(SoupOptions::Cost::quadric);
-    options.levels = &levels;
+    options.recorder = record_into(levels);
     if (error > 0) {
       options.error = error;
       simplify_by_templates(expected, {}, AnyOf{FaceCount{60}, ErrorLimit{error}},
@@ -235,6 +235,44 @@ TEST_CASE("Levels that the compiled library records are those of the templates")
   }
 }
 
+TEST_CASE("Parts of a soup with labels may vanish in the compiled library, recorded or not") {
+  SoupPoints points = in_charts.points;
+  SoupTriangles triangles = in_charts.triangles;
+  const auto first = static_cast<std::uint32_t>(points.size());
+  for (const auto& [x, y, z] : {std::array{0., 0., 9.}, {0.01, 0., 9.}, {0., 0.01, 9.}})
+    points.push_back({x, y, z});
+  triangles.push_back({first, first + 1, first + 2});
+  std::vector<std::uint32_t> labels = in_charts.labels;
+  labels.push_back(labels.back());
+  SoupOptions options = options_of(SoupOptions::Cost::quadric);
+  options.topology = Topology::parts_may_vanish;
+  const SoupResult without = simplified_soup({points, triangles, labels, {}}, options);
+  Levels levels;
+  options.recorder = record_into(levels);
+  const SoupResult with = simplified_soup({points, triangles, labels, {}}, options);
+  CHECK(without.report.vanished_parts == 1);
+  CHECK(with.points == without.points);
+  CHECK(levels.coarsest().faces == without.triangles.size());
+}
+
+TEST_CASE("A recorder of the user's own is told all by the compiled library") {
+  struct Counter {
+    std::size_t faces = 0, contractions = 0, ends = 0;
+    StopReason reason = StopReason::cancelled;
+    void begin(const RecordedSurface& recorded) { faces = recorded.triangles.size(); }
+    void record(const RecordedContraction&) { ++contractions; }
+    void stop(StopReason why) { reason = why; }
+    void end() { ++ends; }
+  } counter;
+  SoupOptions options = options_of(SoupOptions::Cost::quadric);
+  options.recorder = record_into(counter);
+  const SoupResult result = simplified_soup({in_charts.points, in_charts.triangles}, options);
+  CHECK(counter.faces == in_charts.triangles.size());
+  CHECK(counter.contractions == result.report.contractions);
+  CHECK(counter.reason == result.report.stop);
+  CHECK(counter.ends == 1);
+}
+
 TEST_CASE("A soup that carries nothing has levels, and is the same with them and without") {
   const SoupView soup{surface.triangles.empty() ? std::span<const SoupPoints::value_type>()
                                                 : std::span(in_charts.points),
@@ -244,7 +282,7 @@ TEST_CASE("A soup that carries nothing has levels, and is the same with them and
     SoupOptions options = options_of(cost);
     const SoupResult without = simplified_soup(soup, options);
     Levels levels;
-    options.levels = &levels;
+    options.recorder = record_into(levels);
     const SoupResult with = simplified_soup(soup, options);
     CHECK(with.points == without.points);
     CHECK(with.triangles == without.triangles);

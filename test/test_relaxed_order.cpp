@@ -335,6 +335,26 @@ TEST_CASE("The same passes twice give the same mesh, bit for bit") {
   CHECK(a.triangles == b.triangles);
 }
 
+TEST_CASE("An order that is chosen at run time is that order, bit for bit") {
+  const Mesh input = read_model("bunny00");
+  const auto simplified = [&](const auto& order) {
+    Mesh mesh = input;
+    simplify<MemorylessQuadric, OptimalPlacement>(mesh, FaceCount{3000}, order);
+    return test::to_soup(mesh);
+  };
+  const auto is_same = [&](const auto& order) {
+    const Soup a = simplified(order), b = simplified(AnyOrder{order});
+    return a.points == b.points && a.triangles == b.triangles;
+  };
+  CHECK(is_same(GreedyOrder{}));
+  CHECK(is_same(GreedyOrder{.eager = true}));
+  CHECK(is_same(RelaxedOrder{}));
+  CHECK(is_same(RelaxedOrder{.share = 0.2, .refresh = true}));
+  Mesh mesh = input;
+  CHECK_THROWS_WITH(simplify(mesh, AnyOrder{RelaxedOrder{.share = 0}}),
+                    Catch::Contains("the share 0 is not in (0, 1]"));
+}
+
 TEST_CASE("An order that makes no sense is refused") {
   Mesh mesh = test::make_mesh(test::sphere(2));
   const auto with = [&](const RelaxedOrder& order) {

@@ -71,7 +71,8 @@ py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint3
     soup.channels.push_back(view_of(channel));
   Interruptible proceed(std::move(progress));
   options.proceed = [&](const Status& status) { return proceed(status); };
-  options.levels = levels;
+  if (levels)
+    options.recorder = record_into(*levels);
   SoupResult result;
   {
     const py::gil_scoped_release unlocked;

@@ -3,6 +3,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
@@ -12,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -27,7 +29,37 @@
 
 namespace quadrille {
 
-class Levels;
+/// The recorder of a call, of any type: `options.recorder = record_into(levels)`. It is told of
+/// contractions, and not of refusals.
+class SoupRecorder {
+public:
+  SoupRecorder() = default; ///< there is none
+
+  /// One that is not owned.
+  template <ContractionRecorder R>
+  SoupRecorder(const RecordInto<R>& into)
+      : begin_([&r = *into.recorder](RecordedSurface&& surface) { r.begin(std::move(surface)); }),
+        record_([&r = *into.recorder](const RecordedContraction& done) { r.record(done); }),
+        end_([&r = *into.recorder] { r.end(); }) {
+    if constexpr (requires(StopReason reason) { into.recorder->stop(reason); })
+      stop_ = [&r = *into.recorder](StopReason reason) { r.stop(reason); };
+  }
+
+  bool is_listening() const { return static_cast<bool>(begin_); } ///< is there one?
+  void begin(RecordedSurface surface) const { begin_(std::move(surface)); }
+  void record(const RecordedContraction& contraction) const { record_(contraction); }
+  void stop(StopReason reason) const {
+    if (stop_)
+      stop_(reason);
+  }
+  void end() const { end_(); }
+
+private:
+  std::function<void(RecordedSurface&&)> begin_;
+  std::function<void(const RecordedContraction&)> record_;
+  std::function<void()> end_;
+  std::function<void(StopReason)> stop_; // where the recorder wants to know
+};
 
 /// What simplified_soup() and simplify_soup() are asked for. Each field is a policy of `simplify`,
 /// by its name.
@@ -67,7 +99,7 @@ struct SoupOptions {
   double label_border_weight = 1; ///< see Labels::border_weight
   /// See SplitVertices: points at exactly one place are one vertex. There is no image then.
   bool split_vertices = false;
-  Levels* levels = nullptr; ///< all levels of detail are recorded into it: see record_into
+  SoupRecorder recorder = {}; ///< is told of all contractions, as Levels: see record_into
 };
 
 using SoupPoints = std::vector<std::array<double, 3>>;           ///< coordinates, finite

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 namespace quadrille {
 
@@ -62,6 +63,9 @@ struct RelaxedOrder {
                                   " threads are not from 1 to 1024");
   }
 };
+
+/// Either, chosen at run time: one engine is compiled for both, with results to the same bits.
+using AnyOrder = std::variant<GreedyOrder, RelaxedOrder>;
 
 } // namespace quadrille
 

@@ -43,7 +43,7 @@ inline namespace QUADRILLE_THREADING {
 ///   OptimalPlacement by default
 /// - a PairPolicy: which pairs there are; EdgePairs{} by default
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
-/// - GreedyOrder or RelaxedOrder: in which order; GreedyOrder{} by default
+/// - GreedyOrder or RelaxedOrder, or AnyOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a

@@ -5,6 +5,7 @@
 #include <quadrille/compiled/soup_channel_list.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/internal/cost/two_lanes.h>
+#include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/simplify.h>
@@ -146,10 +147,17 @@ struct SoupLabelMap {
   friend void put(const SoupLabelMap&, std::size_t, std::uint32_t) {}
 };
 
+/// The order of the options, so that one engine is compiled for both.
+inline AnyOrder order_of(const SoupOptions& options) {
+  if (options.order == SoupOptions::Order::greedy)
+    return GreedyOrder{options.eager};
+  return RelaxedOrder{options.share, options.refresh, options.threads};
+}
+
 /// By policies that the options say; `more` are labels, channels and a recorder, if there are any.
-template <class Cost, class Stop, class Order, class... More>
-Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placement, const Stop& stop,
-                   const Order& order, const More&... more) {
+template <class Cost, class... More>
+Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placement,
+                   const More&... more) {
   const SoupOptions& options = run.options;
   const SoupVisitor visitor{options.proceed};
   const auto named = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
@@ -157,8 +165,9 @@ Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placemen
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,
-                      ThresholdPairs(options.pairs_closer_than), stop, order,
-                      NormalFlip(options.normal_flip), more..., topology..., rest...);
+                      ThresholdPairs(options.pairs_closer_than), SoupStop(options),
+                      order_of(options), NormalFlip(options.normal_flip), more..., topology...,
+                      rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();
   };
@@ -168,21 +177,20 @@ Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placemen
   return simplify_soup(parameters::vertex_image_map(PointImages{&run.image}, named));
 }
 
-/// In the order of the options, until their targets are met.
-template <class Cost, class... More>
-Report simplify_in_order(SoupRun& run, const Cost& cost, const SoupPlacement& placement,
-                         const More&... more) {
-  const SoupOptions& options = run.options;
-  const SoupStop stop(options);
-  if (options.order == SoupOptions::Order::greedy)
-    return simplify_by(run, cost, placement, stop, GreedyOrder{options.eager}, more...);
-  return simplify_by(run, cost, placement, stop,
-                     RelaxedOrder{options.share, options.refresh, options.threads}, more...);
+/// The same with whatever a soup carries, in an engine of its own.
+template <class Cost>
+Report simplify_with_all(SoupRun& run, const Cost& cost, const SoupPlacement& placement) {
+  if (!run.is_carrying)
+    return simplify_by(run, cost, placement);
+  SoupRecorder recorder = run.options.recorder;
+  return simplify_by(run, cost, placement,
+                     Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
+                     SoupChannelList{run.soup.channels, &run.channels}, record_into(recorder));
 }
 
 /// With the placement of the options; by default, for a cost that has a minimizer, the optimal one.
-template <class Cost, class... More>
-Report simplify_by_cost(SoupRun& run, Cost cost, const More&... more) {
+template <class Cost>
+Report simplify_by_cost(SoupRun& run, Cost cost) {
   using Placement = SoupOptions::Placement;
   if constexpr (requires { cost.boundary_weight; })
     cost.boundary_weight = run.options.boundary_weight;
@@ -196,16 +204,7 @@ Report simplify_by_cost(SoupRun& run, Cost cost, const More&... more) {
   if (!has_minimizer && placement == Placement::optimal)
     throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
                                 "choose end points or midpoints");
-  return simplify_in_order(run, cost, SoupPlacement{placement}, more...);
-}
-
-/// The same of a soup with whatever it carries.
-template <class Cost>
-Report simplify_carrying_by_cost(SoupRun& run, const Cost& cost) {
-  SoupRecorder recorder(run.options.levels);
-  return simplify_by_cost(run, cost,
-                          Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
-                          SoupChannelList{run.soup.channels, &run.channels}, record_into(recorder));
+  return simplify_with_all(run, cost, SoupPlacement{placement});
 }
 
 } // namespace quadrille::internal

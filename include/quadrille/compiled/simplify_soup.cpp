@@ -41,27 +41,21 @@ void validate(const SoupView& soup, const SoupOptions& options) {
 }
 
 bool carries(const SoupView& soup, const SoupOptions& options) {
-  return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices || options.levels;
+  return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices ||
+         options.recorder.is_listening();
 }
 
 Report simplify_by_cost_of_options(SoupRun& run) {
-  const bool is_carrying = carries(run.soup, run.options);
-  const auto by = [&](auto plain, auto carrying) {
-    return is_carrying ? carrying(run) : plain(run);
-  };
   using Cost = SoupOptions::Cost;
-  namespace costs = internal;
   switch (run.options.cost) {
   case Cost::quadric:
-    return by(costs::simplify_by_quadric, costs::simplify_carrying_by_quadric);
+    return internal::simplify_by_quadric(run);
   case Cost::memoryless_quadric:
-    return by(costs::simplify_by_memoryless_quadric,
-              costs::simplify_carrying_by_memoryless_quadric);
+    return internal::simplify_by_memoryless_quadric(run);
   case Cost::thin_feature_quadric:
-    return by(costs::simplify_by_thin_feature_quadric,
-              costs::simplify_carrying_by_thin_feature_quadric);
+    return internal::simplify_by_thin_feature_quadric(run);
   case Cost::edge_length:
-    return by(costs::simplify_by_edge_length, costs::simplify_carrying_by_edge_length);
+    return internal::simplify_by_edge_length(run);
   }
   refuse("there is no such cost");
 }
@@ -79,6 +73,7 @@ SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
   validate(soup, options);
   SoupRun run{soup,
               options,
+              carries(soup, options),
               internal::SoupPointArray(soup.points),
               internal::SoupTriangleArray(soup.triangles),
               {},

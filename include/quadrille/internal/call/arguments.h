@@ -8,6 +8,7 @@
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/mesh_units.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
 #include <quadrille/order.h>
@@ -87,7 +88,7 @@ constexpr Kind kind_of() {
     return Kind::split_vertices;
   else if constexpr (is_recorder<T>)
     return Kind::recorder;
-  else if constexpr (std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder>)
+  else if constexpr (may_be<GreedyOrder, T> || may_be<RelaxedOrder, T>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)
     return CostPolicy<T> ? Kind::cost : Kind::unknown;

@@ -9,13 +9,13 @@
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/order/greedy_loop.h>
 #include <quadrille/internal/order/relaxed_passes.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/spatial_order.h>
 #include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <chrono>
-#include <concepts>
 #include <optional>
 #include <utility>
 
@@ -36,17 +36,17 @@ private:
 
 /// Of a surface of so many vertices and faces, most of which will go.
 template <class Policies>
-MemoryNeeds memory_needs(std::size_t vertices, std::size_t faces) {
+MemoryNeeds memory_needs(const Policies& policies, std::size_t vertices, std::size_t faces) {
   using Cost = typename Policies::Cost;
   constexpr bool has_labels = Policies::Carries::has_labels;
-  constexpr bool has_queue = std::same_as<typename Policies::Order, GreedyOrder>;
+  const bool has_queue = !has_passes(policies.order);
   constexpr std::size_t columns =
       bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +
       bytes_a_vertex<typename LocalTermsOf<Cost>::type> + bytes_a_vertex<LinkCondition> +
       bytes_a_vertex<MovedVertices<Cost::dimension>> + (has_labels ? bytes_a_vertex<SeamGraph> : 0);
   // Beside these: its list of corners, its label, what it has become part of; with a queue, since
   // when its pairs hold, and those that were refused.
-  constexpr std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
+  const std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
   // Its corners, and room for another one or its input index; its label, as read and in order.
   constexpr std::size_t a_face =
       sizeof(TriangleComplex::Triangle) + (has_labels ? 6 : 4) * sizeof(Index);
@@ -63,15 +63,19 @@ template <class Policies>
 StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
   if (surface.progress().is_cancelled())
     return StopReason::cancelled;
-  if constexpr (std::same_as<typename Policies::Order, RelaxedOrder>) {
-    report.seconds.prepare = watch.lap();
-    if (!surface.progress().begin_contracting() || !RelaxedPasses<Policies>(surface).run())
-      return StopReason::cancelled;
-    if (surface.progress().is_enough())
-      return surface.target_rules().reason_of_stop(surface.status());
-  }
+  [[maybe_unused]] const RelaxedOrder* const relaxed =
+      order_if<RelaxedOrder>(surface.policies().order);
+  if constexpr (may_be<RelaxedOrder, typename Policies::Order>)
+    if (relaxed) {
+      report.seconds.prepare = watch.lap();
+      if (!surface.progress().begin_contracting() ||
+          !RelaxedPasses<Policies>(surface, *relaxed).run())
+        return StopReason::cancelled;
+      if (surface.progress().is_enough())
+        return surface.target_rules().reason_of_stop(surface.status());
+    }
   GreedyLoop<Policies> loop(surface);
-  if constexpr (std::same_as<typename Policies::Order, GreedyOrder>)
+  if (!relaxed)
     report.seconds.prepare = watch.lap();
   return loop.run();
 }

@@ -119,6 +119,8 @@ public:
   }
 
   void vanished(const PartEvent& event) {
+    if (!policies_.recorder.is_listening())
+      return;
     std::vector<Index> faces;
     for (Index face : event.faces)
       faces.push_back(numbering_.faces[face]);
@@ -153,7 +155,10 @@ public:
     }
   }
 
-  void end(StopReason reason) { policies_.recorder.end(reason); }
+  void end(StopReason reason) {
+    if (policies_.recorder.is_listening())
+      policies_.recorder.end(reason);
+  }
 
 private:
   using Corners = std::array<Index, 3>;

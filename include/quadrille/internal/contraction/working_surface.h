@@ -28,16 +28,15 @@
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/internal/surface/surface_input.h>
-#include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <span>
 #include <tuple>
@@ -57,15 +56,16 @@ public:
 
   WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, box, policies)),
-        complex_(input.positions.size(), take_triangles(policies.pairs, input), merges_at_once,
-                 policies.threads),
+        complex_(input.positions.size(), take_triangles(policies.pairs, input),
+                 !has_passes(policies.order), policies.threads),
         scratches_(scratches_for(policies.threads, complex_)),
         pairs_(complex_, link_condition_, evaluator_,
                select_pairs(policies.pairs, input, complex_, scratch().labels)),
         is_topology_kept_(keeps_topology(policies.topology, pairs_.has_others())),
         creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.input_vertices)},
-                   {complex_.face_capacity(), std::move(input.input_faces)}, !merges_at_once),
+                   {complex_.face_capacity(), std::move(input.input_faces)},
+                   has_passes(policies.order)),
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
@@ -208,9 +208,6 @@ private:
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
         tie_if<has_local_terms<Cost>>(terms_));
   }
-
-  // Passes merge nothing before few faces are left.
-  static constexpr bool merges_at_once = !std::same_as<typename Policies::Order, RelaxedOrder>;
 
   void classify(const Box<dimension>& box) {
     if (is_topology_kept_)

@@ -8,10 +8,10 @@
 #include <quadrille/internal/order/flattened_vertices.h>
 #include <quadrille/internal/order/pair_stamps.h>
 #include <quadrille/internal/order/waiting_pairs.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/order.h>
 
-#include <concepts>
 #include <vector>
 
 namespace quadrille::internal {
@@ -55,10 +55,8 @@ public:
 private:
   // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
   bool is_eager() const {
-    if constexpr (has_local_terms<Cost> && std::same_as<typename Policies::Order, GreedyOrder>)
-      return surface_.policies().order.eager;
-    else
-      return false;
+    const GreedyOrder* const greedy = order_if<GreedyOrder>(surface_.policies().order);
+    return has_local_terms<Cost> && greedy && greedy->eager;
   }
   // Where a cost tells how uneven they are. Eager order costs their pairs anyway.
   bool looks_for_flattened() const { return tells_unevenness<Cost> && !is_eager(); }

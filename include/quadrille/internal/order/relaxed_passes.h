@@ -11,6 +11,7 @@
 #include <quadrille/internal/order/pass_plan.h>
 #include <quadrille/internal/order/proposals.h>
 #include <quadrille/internal/order/vanishing_parts.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/order.h>
 #include <quadrille/report.h>
@@ -29,8 +30,8 @@ namespace quadrille::internal {
 template <class Policies>
 class RelaxedPasses {
 public:
-  explicit RelaxedPasses(WorkingSurface<Policies>& surface)
-      : surface_(surface), count_(surface.is_topology_kept()),
+  RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
+      : surface_(surface), order_(order), count_(surface.is_topology_kept()),
         stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())
@@ -80,7 +81,7 @@ private:
   // What a block needs is loaded once: it is contracted right after its costs are known.
   void pass(std::size_t quota) {
     divide();
-    const PassPlan plan = PassPlan::make(samples(), surface_.policies().order.share, quota);
+    const PassPlan plan = PassPlan::make(samples(), order_.share, quota);
     for (std::size_t i = 0; i < blocks_.size(); ++i)
       blocks_[i].quota = plan.quotas[i];
     for_each_block([&](Block& block, Worker& worker) {
@@ -101,7 +102,7 @@ private:
     contract_between(workers_.front());
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
-    surface_.end_pass(surface_.policies().order.refresh);
+    surface_.end_pass(order_.refresh);
     let_parts_vanish(static_cast<double>(plan.cost_limit));
   }
 
@@ -281,6 +282,7 @@ private:
   }
 
   WorkingSurface<Policies>& surface_;
+  const RelaxedOrder& order_;
   ContractionCount count_;
   std::vector<Block> blocks_;
   BlockStars stars_;

@@ -280,15 +280,6 @@ inline constexpr bool ignores_indices = requires {
   requires Pairs::ignores_indices;
 };
 
-/// How many threads an order may use.
-template <class Order>
-unsigned threads_of(const Order& order) {
-  if constexpr (requires { order.threads; })
-    return order.threads;
-  else
-    return 1;
-}
-
 template <class Policy>
 void validate(const Policy& policy) {
   if constexpr (requires { policy.validate(); })
