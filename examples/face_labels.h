@@ -17,14 +17,6 @@
 
 namespace quadrille_examples {
 
-/// A face on its way through `simplify`, of which its region is the label: which face it was.
-struct FaceLabel {
-  std::uint32_t region, face;
-
-  friend bool operator==(const FaceLabel& a, const FaceLabel& b) { return a.region == b.region; }
-  friend bool operator<(const FaceLabel& a, const FaceLabel& b) { return a.region < b.region; }
-};
-
 /// To which region each face belongs. Regions are what differs by parts, by integers or by colours
 /// of faces, as segmentations have them. Where integers are different for more than every second
 /// face they are numbers of faces, and more than a few colours are a picture: their borders would
@@ -47,11 +39,11 @@ public:
     divide_by(colors, std::min(most_colors, regions_.size() / 2));
   }
 
-  std::vector<FaceLabel> labels() const {
-    std::vector<FaceLabel> result;
-    for (const std::uint32_t region : regions_)
-      result.push_back({region, static_cast<std::uint32_t>(result.size())});
-    return result;
+  /// The region of each face; empty if there is only one.
+  std::vector<std::uint32_t> labels() const {
+    const bool is_one = std::all_of(regions_.begin(), regions_.end(),
+                                    [&](std::uint32_t region) { return region == regions_[0]; });
+    return is_one ? std::vector<std::uint32_t>() : regions_;
   }
 
 private:
@@ -89,12 +81,13 @@ private:
   std::vector<std::uint32_t> regions_; // of the faces
 };
 
-/// Gives the faces of a mesh that are left, those of the first labels, what they had of their own.
-inline void take_faces(IndexedMesh& mesh, const std::vector<FaceLabel>& labels) {
+/// Gives the faces of a mesh that are left what they had of their own: which ones they were, in
+/// ascending order.
+inline void take_faces(IndexedMesh& mesh, const std::vector<std::uint32_t>& were) {
   const auto take = [&](auto& values) {
     // A face goes to the front or stays, so nothing is overwritten that is still needed.
     for (std::size_t face = 0; face < mesh.triangles.size() && !values.empty(); ++face)
-      values[face] = values[labels[face].face];
+      values[face] = values[were[face]];
     values.resize(std::min(values.size(), mesh.triangles.size()));
   };
   take(mesh.parts.of_faces);

@@ -5,17 +5,17 @@
 #include "mesh_io/face_parts.h"
 #include "mesh_io/indexed_mesh.h"
 #include "mesh_io/named_numbers.h"
+#include "soup_arrays.h"
 #include "vertex_values.h"
 
 #include <quadrille/channels.h>
-#include <quadrille/labels.h>
-#include <quadrille/parameters.h>
+#include <quadrille/compiled.h>
 #include <quadrille/report.h>
-
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,9 +37,8 @@ inline bool needs_channels(const IndexedMesh& mesh) {
          std::any_of(mesh.face_numbers.begin(), mesh.face_numbers.end(), differ);
 }
 
-/// What the vertices, the corners and the faces of a mesh have, on its way through `simplify`. One
-/// type of call serves all meshes: a channel without values is none, and so are labels that are all
-/// the same.
+/// A mesh on its way through `quadrille::simplified_soup`, with what its vertices, its corners and
+/// its faces have.
 class MeshChannels {
 public:
   explicit MeshChannels(IndexedMesh& mesh)
@@ -47,42 +46,56 @@ public:
         textures_(std::move(mesh.texture_coordinates), mesh), numbers_(mesh),
         labels_(FaceRegions(mesh).labels()) {}
 
-  /// Calls simplify(argument...) with arguments for `quadrille::simplify`, and gives the mesh what
-  /// that leaves of them.
-  template <class Simplify>
-  quadrille::Report take_through(Simplify simplify, const ChannelChoices& choices) {
-    const quadrille::Report report =
-        call(simplify, choices, std::make_index_sequence<VertexNumbers::most_channels>());
+  /// The channels are textures, normals, colours and numbers, in this order, as far as there are
+  /// any.
+  quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices) {
+    const quadrille::SoupPoints points = soup_points(mesh_.points);
+    const std::vector<Channel> channels = this->channels(choices);
+    quadrille::SoupView soup{points, mesh_.triangles, labels_, {}};
+    for (const Channel& channel : channels)
+      soup.channels.push_back(channel.view);
+    quadrille::SoupResult result = quadrille::simplified_soup(soup, options);
+    for (std::size_t i = 0; i < channels.size(); ++i)
+      channels[i].take(std::move(result.channels[i]));
+    mesh_.points = mesh_points(result.points);
+    mesh_.triangles = std::move(result.triangles);
     mesh_.colors = colors_.of_points(mesh_);
     mesh_.texture_coordinates = textures_.of_points(mesh_);
-    numbers_.restore(mesh_);
-    take_faces(mesh_, labels_);
-    return report;
+    numbers_.restore(mesh_, result.image);
+    take_faces(mesh_, result.input_faces);
+    return result.report;
   }
 
 private:
-  template <class Simplify, std::size_t... I>
-  quadrille::Report call(Simplify simplify, const ChannelChoices& choices,
-                         std::index_sequence<I...>) {
-    auto& textures = textures_.empty() ? mesh_.corner_textures : textures_.corners;
-    auto& normals = mesh_.corner_normals;
-    auto& colors = colors_.corners;
-    return simplify(
-        quadrille::Texture(textures.values, textures.triples,
-                           {.importance = choices.of_textures, .seams = choices.texture_seams}),
-        quadrille::Normals(normals.values, normals.triples, {.importance = choices.of_normals}),
-        quadrille::Colors(colors.values, colors.triples, {.importance = choices.of_colors}),
-        quadrille::Attributes(numbers_.channel(I).values, numbers_.channel(I).triples,
-                              {.importance = choices.of_numbers})...,
-        quadrille::Labels{CGAL::make_property_map(labels_)},
-        quadrille::parameters::vertex_image_map(CGAL::make_property_map(numbers_.images())));
+  struct Channel {
+    quadrille::SoupChannelView view;
+    std::function<void(quadrille::SoupChannel)> take;
+  };
+
+  std::vector<Channel> channels(const ChannelChoices& choices) {
+    using Kind = quadrille::SoupChannelView::Kind;
+    std::vector<Channel> channels;
+    const auto add = [&](auto& corners, Kind kind, const quadrille::ChannelOptions& options) {
+      if (!corners.empty())
+        channels.push_back(
+            {view_of(corners, kind, options), [&corners](quadrille::SoupChannel channel) {
+               quadrille_examples::take(corners, std::move(channel));
+             }});
+    };
+    add(textures_.empty() ? mesh_.corner_textures : textures_.corners, Kind::texture,
+        {.importance = choices.of_textures, .seams = choices.texture_seams});
+    add(mesh_.corner_normals, Kind::normals, {.importance = choices.of_normals});
+    add(colors_.corners, Kind::colors, {.importance = choices.of_colors});
+    for (VertexValues<1>& numbers : numbers_.channels())
+      add(numbers.corners, Kind::attributes, {.importance = choices.of_numbers});
+    return channels;
   }
 
   IndexedMesh& mesh_;
   VertexValues<4> colors_;
   VertexValues<2> textures_;
   VertexNumbers numbers_;
-  std::vector<FaceLabel> labels_;
+  std::vector<std::uint32_t> labels_;
 };
 
 } // namespace quadrille_examples

@@ -46,25 +46,21 @@ struct VertexValues {
 /// that have become it: there is nothing between two labels, or between a number and what is none.
 class VertexNumbers {
 public:
-  static constexpr std::size_t most_channels = 8;
-
   explicit VertexNumbers(const IndexedMesh& mesh)
-      : points_(mesh.points), images_(mesh.points.size()), channel_of_(mesh.vertex_numbers.size()) {
-    std::size_t channel = 0;
-    for (std::size_t i = 0; i < channel_of_.size() && channel < most_channels; ++i)
+      : points_(mesh.points), channel_of_(mesh.vertex_numbers.size()) {
+    for (std::size_t i = 0; i < channel_of_.size() && channels_.size() < most_channels; ++i)
       if (is_smooth(mesh.vertex_numbers[i])) {
-        channels_[channel] = VertexValues<1>(components(mesh.vertex_numbers[i].values), mesh);
-        channel_of_[i] = channel++;
+        channel_of_[i] = channels_.size();
+        channels_.emplace_back(components(mesh.vertex_numbers[i].values), mesh);
       }
   }
 
-  CornerValues<1>& channel(std::size_t i) { return channels_[i].corners; }
-  /// See quadrille::parameters::vertex_image_map.
-  std::vector<std::size_t>& images() { return images_; }
+  std::vector<VertexValues<1>>& channels() { return channels_; }
 
-  /// Gives the points of a mesh that are left their numbers.
-  void restore(IndexedMesh& mesh) const {
-    const std::vector<std::uint32_t> nearest = nearest_vertices(points_, images_, mesh.points);
+  /// Gives the points of a mesh that are left their numbers; `images` tells which one each has
+  /// become.
+  void restore(IndexedMesh& mesh, const std::vector<std::size_t>& images) const {
+    const std::vector<std::uint32_t> nearest = nearest_vertices(points_, images, mesh.points);
     for (std::size_t i = 0; i < channel_of_.size(); ++i) {
       NamedNumbers& numbers = mesh.vertex_numbers[i];
       if (channel_of_[i])
@@ -75,6 +71,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t most_channels = 8; // each takes time and memory
+
   /// No value is without an order, or beyond what weighs anything beside a length.
   static bool is_smooth(const NamedNumbers& numbers) {
     return !numbers.type.is_integer && std::all_of(numbers.values.begin(), numbers.values.end(),
@@ -109,8 +107,7 @@ private:
   }
 
   std::vector<Point> points_; // as they were
-  std::vector<std::size_t> images_;
-  std::array<VertexValues<1>, most_channels> channels_;
+  std::vector<VertexValues<1>> channels_;
   std::vector<std::optional<std::size_t>> channel_of_; // those that are channels
 };
 

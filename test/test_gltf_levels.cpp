@@ -7,8 +7,6 @@
 #include "folder.h"
 #include "gltf_assets.h"
 
-#include <quadrille/simplify.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -32,12 +30,7 @@ using Ids = std::vector<std::size_t>;
 
 void simplify_to(Surfaces& surfaces, double ratio) {
   for (GltfSurface& surface : surfaces)
-    surface.take_through(
-        [&](const auto&... channels) {
-          return quadrille::simplify(surface.points, surface.triangles, quadrille::FaceRatio{ratio},
-                                     channels...);
-        },
-        {});
+    surface.simplify({.ratio = ratio}, {});
 }
 
 GltfDocument read(const std::string& content) {

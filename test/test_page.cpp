@@ -191,8 +191,7 @@ TEST_CASE("a page has the colours that a run leaves, as attributes of its cost")
   auto carried = attributes.carried<2>();
   AttributeQuadric<2> cost;
   cost.weights.emplace().coordinates.fill(1);
-  simplify(shown.mesh.points, shown.mesh.triangles, cost, FaceCount{100},
-           record_into(static_cast<Recorder&>(recorder)),
+  simplify(shown.mesh.points, shown.mesh.triangles, cost, FaceCount{100}, record_into(recorder),
            quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)));
   attributes.restore(shown.mesh, carried);
 
@@ -234,13 +233,7 @@ TEST_CASE("a page has the textures and colours that a run leaves, as channels wi
   }
   Levels levels;
   AttributeRecorder recorder(shown, MeshAttributes(shown.mesh, {0.1, 0.1}), levels);
-  MeshChannels(shown.mesh)
-      .take_through(
-          [&](const auto&... channels) {
-            return simplify(shown.mesh.points, shown.mesh.triangles, FaceCount{200},
-                            record_into(static_cast<Recorder&>(recorder)), channels...);
-          },
-          {});
+  MeshChannels(shown.mesh).simplify({.faces = 200, .recorder = record_into(recorder)}, {});
   const RecordedAttributes recorded = recorder.take();
   REQUIRE(recorded.has_colors);
   REQUIRE_FALSE(recorded.has_textures);

@@ -45,7 +45,7 @@ private:
   enum Type : std::size_t { unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125 };
 
   explicit GltfRewriting(GltfDocument& document)
-      : document_(document), json_(document.json), old_accessors_(json_["accessors"]) {}
+      : json_(document.json), old_accessors_(json_["accessors"]) {}
 
   // --- What is replaced --------------------------------------------------------------------------
 
@@ -244,7 +244,6 @@ private:
       array[number] = filling;
   }
 
-  GltfDocument& document_;
   Json& json_;
   const Json old_accessors_;
   std::vector<std::size_t> old_buffers_ = buffers_of_views(); // of the old buffer views

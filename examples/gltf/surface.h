@@ -5,16 +5,14 @@
 #include "primitive.h"
 #include "skin.h"
 
-#include <quadrille/labels.h>
-#include <quadrille/parameters.h>
+#include <quadrille/compiled.h>
 #include <quadrille/report.h>
-
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -81,18 +79,20 @@ public:
     return count - different.size();
   }
 
-  /// As GltfChannels has it.
-  template <class Simplify>
-  quadrille::Report take_through(Simplify simplify, const ChannelChoices& choices) {
-    std::vector<std::size_t> images(points.size());
-    const std::vector<Point> before = points;
-    const auto simplify_labelled = [&](const auto&... channels) {
-      return simplify(channels..., quadrille::Labels{CGAL::make_property_map(label_of_)},
-                      quadrille::parameters::vertex_image_map(CGAL::make_property_map(images)));
-    };
-    const quadrille::Report report = channels_.take_through(simplify_labelled, choices);
-    skin_.follow(before, images, points);
-    return report;
+  quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices) {
+    quadrille::SoupPoints places;
+    for (const auto& [x, y, z] : points)
+      places.push_back({double{x}, double{y}, double{z}});
+    quadrille::SoupResult result = quadrille::simplified_soup(
+        {places, triangles, label_of_, channels_.views(choices)}, options);
+    channels_.take(std::move(result.channels));
+    const std::vector<Point> before = std::exchange(points, {});
+    for (const auto& [x, y, z] : result.points)
+      points.push_back({nearest_float(x), nearest_float(y), nearest_float(z)});
+    triangles = std::move(result.triangles);
+    label_of_ = std::move(result.labels);
+    skin_.follow(before, result.image, points);
+    return result.report;
   }
 
   /// The primitive that a face is in, by its number among those of the surface.
@@ -170,6 +170,11 @@ private:
     if (is_new)
       points.push_back(point);
     return place->second;
+  }
+
+  static float nearest_float(double x) {
+    constexpr double greatest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -greatest, greatest));
   }
 
   static Triangle moved_by(std::size_t first, Triangle corners) {

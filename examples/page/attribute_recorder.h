@@ -3,7 +3,6 @@
 
 #include "../mesh_attributes.h"
 #include "../program/position_recorder.h"
-#include "../program/recorder.h"
 #include "shown_mesh.h"
 #include "track.h"
 
@@ -34,7 +33,7 @@ struct RecordedAttributes {
 };
 
 /// Records positions as levels, and beside them what a page shows.
-class AttributeRecorder : public Recorder {
+class AttributeRecorder {
 public:
   /// Of a run that begins with `shown`.
   AttributeRecorder(const ShownMesh& shown, const MeshAttributes& attributes,
@@ -55,7 +54,7 @@ public:
       numbers_[4 + i].constant = mesh.texture_coordinates[any][i];
   }
 
-  void begin(quadrille::RecordedSurface surface) override {
+  void begin(quadrille::RecordedSurface surface) {
     if (surface.channels.empty())
       find_attributes();
     else
@@ -65,7 +64,7 @@ public:
     positions_.begin(std::move(surface));
   }
 
-  void record(const quadrille::RecordedContraction& contraction) override {
+  void record(const quadrille::RecordedContraction& contraction) {
     if (contraction.kept != quadrille::not_recorded)
       append(contraction.values, recorded_.changed_values);
     for (const quadrille::RecordedWedge& wedge : contraction.wedges)
@@ -76,7 +75,7 @@ public:
     positions_.record(contraction);
   }
 
-  void end() override { positions_.end(); }
+  void end() { positions_.end(); }
 
   RecordedAttributes take() { return std::move(recorded_); }
 

@@ -1,8 +1,6 @@
 #ifndef QUADRILLE_EXAMPLES_PROGRAM_POSITION_RECORDER_H
 #define QUADRILLE_EXAMPLES_PROGRAM_POSITION_RECORDER_H
 
-#include "recorder.h"
-
 #include <quadrille/levels.h>
 #include <quadrille/record.h>
 
@@ -14,11 +12,11 @@ namespace quadrille_examples {
 
 /// A recorder that tells levels of the positions only, whatever attributes vertices and corners
 /// have.
-class PositionRecorder : public Recorder {
+class PositionRecorder {
 public:
   explicit PositionRecorder(quadrille::Levels& levels) : levels_(levels) {}
 
-  void begin(quadrille::RecordedSurface surface) override {
+  void begin(quadrille::RecordedSurface surface) {
     std::size_t end = 0;
     for (std::size_t v = 0; v < surface.values.size(); v += surface.width)
       for (std::size_t k = 0; k < dimension; ++k)
@@ -28,13 +26,13 @@ public:
     surface.channels.clear();
     levels_.begin(std::move(surface));
   }
-  void record(const quadrille::RecordedContraction& contraction) override {
+  void record(const quadrille::RecordedContraction& contraction) {
     quadrille::RecordedContraction of_positions = contraction;
     of_positions.values = contraction.values.first(std::min(dimension, contraction.values.size()));
     of_positions.wedges = {};
     levels_.record(of_positions);
   }
-  void end() override { levels_.end(); }
+  void end() { levels_.end(); }
 
 private:
   static constexpr std::size_t dimension = 3;

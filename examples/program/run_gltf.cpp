@@ -1,7 +1,6 @@
 #include "../gltf.h"
 #include "../report_sum.h"
 #include "outcome.h"
-#include "run_engine.h"
 #include "runs.h"
 #include "simplify_mesh.h"
 
@@ -70,7 +69,8 @@ quadrille::Report simplify_surfaces(Surfaces& surfaces, const Options& options) 
     const std::size_t faces = surface->triangles.size();
     Options share = options;
     share.target = options.target.share(sum, faces, std::max<std::size_t>(rest, 1));
-    add_report(sum, simplify_channels(*surface, *surface, share));
+    add_report(sum, surface->simplify(soup_options(share, surface->points, surface->triangles),
+                                      channel_choices(options)));
     rest -= faces;
   }
   if (sum.stop != quadrille::StopReason::cancelled && !quadrille::is_target_reached(sum.stop) &&

@@ -148,8 +148,9 @@ private:
     }
     quadrille::Levels levels;
     PositionRecorder recorder(levels);
-    simplify_to(files_.front(), std::move(mesh), options_,
-                [&](IndexedMesh& m, const Options& o) { return simplify_mesh(m, o, recorder); });
+    simplify_to(files_.front(), std::move(mesh), options_, [&](IndexedMesh& m, const Options& o) {
+      return simplify_mesh(m, o, quadrille::record_into(recorder));
+    });
     files_.insert(files_.begin(), options_.record);
     contents_.insert(contents_.begin(), encoded_levels(levels));
   }

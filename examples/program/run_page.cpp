@@ -6,7 +6,6 @@
 #include "../page/file.h"
 #include "../page/gltf_scene.h"
 #include "../page/materials.h"
-#include "run_engine.h"
 #include "simplify_mesh.h"
 #endif
 
@@ -56,8 +55,9 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   if (!options.target.is_given())
     options.target.faces = least_faces_of_page;
   AttributeRecorder recorder(shown, MeshAttributes(shown.mesh, importance(options)), source.levels);
-  outcome.report =
-      with_errors_of_file(options, [&] { return simplify_mesh(shown.mesh, options, recorder); });
+  outcome.report = with_errors_of_file(options, [&] {
+    return simplify_mesh(shown.mesh, options, quadrille::record_into(recorder));
+  });
   require_not_interrupted(options);
   if (!outcome.target.is_given() && outcome.report.stop != quadrille::StopReason::cancelled)
     outcome.report.stop = quadrille::StopReason::target_met; // as far as it goes

@@ -1,27 +1,103 @@
-#include "run_engine.h"
+#include "../carrying_cost.h"
 #include "simplify_mesh.h"
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/compiled/run_soup.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/parameters.h>
+#include <quadrille/quadric.h>
+#include <quadrille/record.h>
+#include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
+#include <quadrille/threshold_pairs.h>
+
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace quadrille_examples {
 
+namespace {
+
+/// Attributes on their way through `simplify`.
+class AttributeRun {
+public:
+  AttributeRun(const MeshAttributes& attributes, IndexedMesh& mesh,
+               const quadrille::SoupOptions& options)
+      : attributes_(attributes), mesh_(mesh), options_(options) {}
+
+  /// With a cost that looks at positions only, along which attributes are carried.
+  template <class Cost>
+  quadrille::Report carry(const Cost& cost) {
+    return simplify<6>(CarryingCost<Cost, 6>(with_weight(cost)));
+  }
+
+  /// As further dimensions, as many as vary: rounded up, since each number takes an engine.
+  quadrille::Report simplify() {
+    if (attributes_.size() <= 2)
+      return simplify_dimensions<2>();
+    if (attributes_.size() == 3)
+      return simplify_dimensions<3>();
+    return simplify_dimensions<6>();
+  }
+
+private:
+  template <class Cost>
+  Cost with_weight(Cost cost) const {
+    if constexpr (requires { cost.boundary_weight; })
+      cost.boundary_weight = options_.boundary_weight;
+    return cost;
+  }
+
+  /// They are lengths already.
+  template <std::size_t N>
+  quadrille::Report simplify_dimensions() {
+    auto cost = with_weight(quadrille::AttributeQuadric<N>{});
+    cost.weights.emplace().coordinates.fill(1);
+    return simplify<N>(cost);
+  }
+
+  /// The engine places the attributes together with the positions.
+  template <std::size_t N, class Cost>
+  quadrille::Report simplify(const Cost& cost) {
+    namespace internal = quadrille::internal;
+    std::vector<CarriedAttributes<N>> carried = attributes_.carried<N>();
+    const internal::SoupVisitor visitor{options_.proceed};
+    quadrille::SoupRecorder recorder = options_.recorder;
+    const quadrille::Report report = quadrille::simplify(
+        mesh_.points, mesh_.triangles, cost,
+        internal::SoupPlacement{internal::placement_of<Cost>(options_)},
+        quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
+        *options_.topology, quadrille::record_into(recorder),
+        quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))
+            .vertex_is_constrained_map(internal::FixedPoints{&options_.fixed})
+            .visitor(std::cref(visitor)));
+    attributes_.restore(mesh_, carried);
+    return report;
+  }
+
+  const MeshAttributes& attributes_;
+  IndexedMesh& mesh_;
+  const quadrille::SoupOptions& options_;
+};
+
+} // namespace
+
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                      const Options& options) {
-  const auto carrying = [&](const auto& cost) {
-    return simplify_carrying(attributes, mesh, options, cost);
-  };
+                                      const Options& options, const quadrille::SoupOptions& soup) {
+  AttributeRun run(attributes, mesh, soup);
   if (options.cost == "length")
-    return carrying(quadrille::EdgeLength{});
+    return run.carry(quadrille::EdgeLength{});
   if (options.cost == "memoryless")
-    return carrying(with_weights(quadrille::MemorylessQuadric{}, options));
+    return run.carry(quadrille::MemorylessQuadric{});
   if (options.cost == "thin-features")
-    return carrying(with_weights(quadrille::ThinFeatureQuadric{}, options));
-  if (options.cost != "quadric")
-    return simplify_dimensions(attributes, mesh, options);
-  return carrying(with_weights(quadrille::Quadric{}, options));
+    return run.carry(quadrille::ThinFeatureQuadric{});
+  if (options.cost == "quadric")
+    return run.carry(quadrille::Quadric{});
+  return run.simplify();
 }
 
 } // namespace quadrille_examples

@@ -1,43 +1,96 @@
 #include "simplify_mesh.h"
 
-#include "run_engine.h"
+#include <quadrille/attribute_quadric.h>
 
-#include <algorithm>
-#include <array>
+#include <utility>
 
 namespace quadrille_examples {
 
 namespace {
 
+/// By how much less counts what shall hardly count.
+constexpr double hardly = 1. / 64;
+
+quadrille::SoupOptions::Cost cost(const Options& options) {
+  using Cost = quadrille::SoupOptions::Cost;
+  return options.cost == "length"          ? Cost::edge_length
+         : options.cost == "memoryless"    ? Cost::memoryless_quadric
+         : options.cost == "thin-features" ? Cost::thin_feature_quadric
+                                           : Cost::quadric;
+}
+
+/// Does a mesh take the way on which all of its attributes are channels? Attributes as further
+/// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
+bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
+  return options.is_relaxed || options.crease_degrees || needs_channels(mesh);
+}
+
 /// Without attributes that vary.
-quadrille::Report simplify_positions(IndexedMesh& mesh, const Options& options) {
-  quadrille::SoupPoints points(mesh.points.size());
-  std::transform(mesh.points.begin(), mesh.points.end(), points.begin(), [](const Point& p) {
-    return std::array{p.x(), p.y(), p.z()};
-  });
-  const quadrille::Report report = quadrille::simplify_soup(
-      points, mesh.triangles, soup_options(options, mesh.points, mesh.triangles));
-  mesh.points.resize(points.size());
-  std::transform(points.begin(), points.end(), mesh.points.begin(),
-                 [](const auto& p) { return Point(p[0], p[1], p[2]); });
+quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options) {
+  quadrille::SoupPoints points = soup_points(mesh.points);
+  const quadrille::Report report = quadrille::simplify_soup(points, mesh.triangles, options);
+  mesh.points = mesh_points(points);
   return report;
 }
 
 } // namespace
 
-quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options) {
-  if (goes_by_channels(mesh, options))
-    return simplify_by_channels(mesh, options);
-  const MeshAttributes attributes(mesh, importance(options));
-  if (attributes.size() > 0)
-    return simplify_attributes(attributes, mesh, options);
-  const quadrille::Report report = simplify_positions(mesh, options);
-  attributes.restore(mesh);
-  return report;
+quadrille::SoupOptions soup_options_without_fixed(const Options& options, double diagonal) {
+  using Soup = quadrille::SoupOptions;
+  Soup result;
+  options.target.tell(result);
+  result.cost = cost(options);
+  result.boundary_weight = options.boundary_weight;
+  if (options.crease_degrees)
+    result.crease_degrees = *options.crease_degrees;
+  if (options.placement == "endpoint")
+    result.placement = Soup::Placement::endpoint;
+  if (options.placement == "midpoint")
+    result.placement = Soup::Placement::midpoint;
+  if (options.is_relaxed) {
+    result.order = Soup::Order::relaxed;
+    result.threads = options.threads;
+  }
+  if (options.joins_pairs())
+    result.pairs_closer_than = length_of(options.pairs, diagonal);
+  result.topology = topology(options);
+  result.proceed = options.proceed;
+  return result;
 }
 
-quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options) {
-  return simplify_channels(mesh, MeshChannels(mesh), options);
+ChannelChoices channel_choices(const Options& options) {
+  const auto importance_if_asked_by = [&](const char* cost) {
+    return options.cost.empty() || options.cost == cost ? 1. : hardly;
+  };
+  return {.of_colors = importance_if_asked_by("color"),
+          .of_textures = importance_if_asked_by("texture"),
+          .of_normals = importance_if_asked_by(""),
+          .of_numbers = hardly, // they may be noise
+          .texture_seams = options.seams};
+}
+
+Importance importance(const Options& options) {
+  Importance importance{quadrille::ColorQuadric{}.importance,
+                        quadrille::TextureQuadric{}.importance};
+  if (options.cost == "color")
+    importance.of_textures *= hardly;
+  if (options.cost == "texture")
+    importance.of_colors *= hardly;
+  return importance;
+}
+
+quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
+                                const quadrille::SoupRecorder& recorder) {
+  quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
+  soup.recorder = recorder;
+  if (goes_by_channels(mesh, options))
+    return MeshChannels(mesh).simplify(soup, channel_choices(options));
+  const MeshAttributes attributes(mesh, importance(options));
+  if (attributes.size() > 0)
+    return simplify_attributes(attributes, mesh, options, soup);
+  const quadrille::Report report = simplify_positions(mesh, soup);
+  attributes.restore(mesh);
+  return report;
 }
 
 } // namespace quadrille_examples

@@ -2,13 +2,15 @@
 #define QUADRILLE_EXAMPLES_PROGRAM_SIMPLIFY_MESH_H
 
 /// \file
-/// Simplifies a mesh as options say. Each function has a source of its own.
+/// Simplifies a mesh as options say.
 
+#include "../bounding_box.h"
 #include "../mesh_attributes.h"
+#include "../mesh_channels.h"
 #include "../mesh_io.h"
 #include "options.h"
-#include "recorder.h"
 
+#include <quadrille/compiled.h>
 #include <quadrille/report.h>
 
 #include <stdexcept>
@@ -16,17 +18,32 @@
 namespace quadrille_examples {
 
 /// With all that the mesh has.
-quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options);
+quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
+                                const quadrille::SoupRecorder& recorder = {});
 
-/// The same to the same bits, recorded.
-quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options, Recorder& recorder);
-
-/// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order.
+/// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order,
+/// in a source of its own, since each number of attributes takes an engine.
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                      const Options& options);
+                                      const Options& options, const quadrille::SoupOptions& soup);
 
-/// By channels, whatever the mesh has.
-quadrille::Report simplify_by_channels(IndexedMesh& mesh, const Options& options);
+/// The options but for `fixed`.
+quadrille::SoupOptions soup_options_without_fixed(const Options& options, double diagonal);
+
+/// The options of a soup of these points.
+quadrille::SoupOptions soup_options(const Options& options, const auto& points,
+                                    const auto& triangles) {
+  quadrille::SoupOptions result = soup_options_without_fixed(options, diagonal(points, triangles));
+  if (options.locks_boundaries)
+    result.fixed = boundary_points(points.size(), triangles);
+  return result;
+}
+
+/// How much channels count. All do by default; else only those that the cost is asked for by name.
+ChannelChoices channel_choices(const Options& options);
+
+/// How much attributes that are further dimensions count: as AttributeQuadric has it for each kind.
+/// If one is asked for by name, the other hardly counts.
+Importance importance(const Options& options);
 
 /// What is wrong with attributes that no weight makes comparable with positions is told of the
 /// file.

@@ -55,10 +55,8 @@ inline py::object colors_of(const IndexedMesh& mesh) {
 
 /// The regions of faces, if there are several; or None.
 inline py::object labels_of(const IndexedMesh& mesh) {
-  std::vector<std::uint32_t> labels;
-  for (const FaceLabel& label : FaceRegions(mesh).labels())
-    labels.push_back(label.region);
-  if (std::all_of(labels.begin(), labels.end(), [&](auto label) { return label == labels[0]; }))
+  std::vector<std::uint32_t> labels = FaceRegions(mesh).labels();
+  if (labels.empty())
     return py::none();
   return array_of_numbers(std::move(labels));
 }

@@ -83,11 +83,7 @@ IndexedMesh read(const MeshFormat& format, const std::filesystem::path& path, st
 /// As the program does.
 void simplify(IndexedMesh& mesh) {
   if (needs_channels(mesh)) {
-    MeshChannels(mesh).take_through(
-        [&](const auto&... channels) {
-          return quadrille::simplify(mesh.points, mesh.triangles, channels...);
-        },
-        {});
+    MeshChannels(mesh).simplify({}, {});
     return;
   }
   const MeshAttributes attributes(mesh, {0.02, 0.2});

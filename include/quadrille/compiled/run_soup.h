@@ -154,20 +154,21 @@ inline AnyOrder order_of(const SoupOptions& options) {
   return RelaxedOrder{options.share, options.refresh, options.threads};
 }
 
-/// By policies that the options say; `more` are labels, channels and a recorder, if there are any.
+/// By policies that the options say; `more` are labels and channels, if there are any.
 template <class Cost, class... More>
 Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placement,
                    const More&... more) {
   const SoupOptions& options = run.options;
   const SoupVisitor visitor{options.proceed};
+  SoupRecorder recorder = options.recorder;
   const auto named = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
                          .visitor(std::cref(visitor));
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,
                       ThresholdPairs(options.pairs_closer_than), SoupStop(options),
-                      order_of(options), NormalFlip(options.normal_flip), more..., topology...,
-                      rest...);
+                      order_of(options), NormalFlip(options.normal_flip), record_into(recorder),
+                      more..., topology..., rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();
   };
@@ -182,29 +183,32 @@ template <class Cost>
 Report simplify_with_all(SoupRun& run, const Cost& cost, const SoupPlacement& placement) {
   if (!run.is_carrying)
     return simplify_by(run, cost, placement);
-  SoupRecorder recorder = run.options.recorder;
   return simplify_by(run, cost, placement,
                      Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
-                     SoupChannelList{run.soup.channels, &run.channels}, record_into(recorder));
+                     SoupChannelList{run.soup.channels, &run.channels});
 }
 
-/// With the placement of the options; by default, for a cost that has a minimizer, the optimal one.
+/// The placement of the options; by default, for a cost that has a minimizer, the optimal one.
+template <class Cost>
+SoupOptions::Placement placement_of(const SoupOptions& options) {
+  using Placement = SoupOptions::Placement;
+  constexpr bool has_minimizer = PlacementPolicy<OptimalPlacement, Cost>;
+  if (!has_minimizer && options.placement == Placement::optimal)
+    throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
+                                "choose end points or midpoints");
+  return options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint);
+}
+
+/// By a cost with the weights of the options.
 template <class Cost>
 Report simplify_by_cost(SoupRun& run, Cost cost) {
-  using Placement = SoupOptions::Placement;
   if constexpr (requires { cost.boundary_weight; })
     cost.boundary_weight = run.options.boundary_weight;
   if constexpr (requires { cost.crease_degrees; }) {
     cost.crease_weight = run.options.crease_weight;
     cost.crease_degrees = run.options.crease_degrees;
   }
-  constexpr bool has_minimizer = PlacementPolicy<OptimalPlacement, Cost>;
-  const Placement placement =
-      run.options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint);
-  if (!has_minimizer && placement == Placement::optimal)
-    throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
-                                "choose end points or midpoints");
-  return simplify_with_all(run, cost, SoupPlacement{placement});
+  return simplify_with_all(run, cost, SoupPlacement{placement_of<Cost>(run.options)});
 }
 
 } // namespace quadrille::internal

@@ -41,8 +41,7 @@ void validate(const SoupView& soup, const SoupOptions& options) {
 }
 
 bool carries(const SoupView& soup, const SoupOptions& options) {
-  return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices ||
-         options.recorder.is_listening();
+  return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices;
 }
 
 Report simplify_by_cost_of_options(SoupRun& run) {
