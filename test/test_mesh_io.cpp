@@ -2,6 +2,11 @@
 // here into a folder of their own.
 
 #include "../examples/mesh_io.h"
+#include "../examples/mesh_io/little_endian.h"
+#include "../examples/mesh_io/obj_writer.h"
+#include "../examples/mesh_io/ply_writer.h"
+#include "../examples/mesh_io/replace_file.h"
+#include "../examples/mesh_io/split_seams.h"
 #include "folder.h"
 
 #include <catch2/catch.hpp>
@@ -424,7 +429,7 @@ TEST_CASE("Vertices that only normals or texture coordinates at corners tell apa
                     "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n"
                     "f 5/2/2 6/2/2 7/2/2\nf 5/2/2 7/2/2 8/2/2\n");
   CHECK(mesh.points.size() == 6);
-  CHECK(OpenSeams::count(mesh) == 0);
+  CHECK(count_open_seams(mesh) == 0);
   CHECK(mesh.corner_normals.triples[0] == Triangle{0, 0, 0});
   CHECK(mesh.corner_normals.triples[2] == Triangle{1, 1, 1});
   CHECK(mesh.corner_textures.triples == mesh.corner_normals.triples);
@@ -1000,7 +1005,7 @@ TEST_CASE("Vertices that only normals tell apart are one, as normals are not kep
                            "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7";
   const IndexedMesh mesh = read("a.off", roof);
   CHECK(mesh.points.size() == 6);
-  CHECK(OpenSeams::count(mesh) == 0);
+  CHECK(count_open_seams(mesh) == 0);
   CHECK(mesh.remarks == std::vector<std::string>{"vertices that differed by their normals only, "
                                                  "which are not kept, made one: 2"});
   std::string without = roof; // without normals the file means what it says
@@ -1039,13 +1044,13 @@ TEST_CASE("Seams of which the two sides have vertices of their own are counted",
   // | / | | / |
   // 0---1,4---6
   const std::string points = "OFF 8 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
-  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 4 7 5")) == 2);
-  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 7 6\n3 4 5 7")) == 2);
-  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 1 6 7\n3 1 7 2")) == 0);
-  CHECK(OpenSeams::count(
+  CHECK(count_open_seams(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 4 7 5")) == 2);
+  CHECK(count_open_seams(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 7 6\n3 4 5 7")) == 2);
+  CHECK(count_open_seams(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 1 6 7\n3 1 7 2")) == 0);
+  CHECK(count_open_seams(
             read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 4 7 5", Weld::always)) == 0);
   // They touch in one point only.
-  CHECK(OpenSeams::count(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 3 6 7")) == 0);
+  CHECK(count_open_seams(read("a.off", points + "3 0 1 2\n3 0 2 3\n3 4 6 7\n3 3 6 7")) == 0);
 }
 
 TEST_CASE("The first of many vertices at one place is kept", "[mesh_io]") {

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_GLTF_ACCESSOR_H
 #define QUADRILLE_EXAMPLES_GLTF_ACCESSOR_H
 
-#include "../mesh_io/stl.h"
+#include "../mesh_io/little_endian.h"
 #include "document.h"
 #include "json.h"
 

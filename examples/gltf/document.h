@@ -8,7 +8,7 @@
 /// so all the rest goes through, extensions and extras that nobody here knows as well. A library
 /// that makes structs of a document and a document of structs drops what it has no field for.
 
-#include "../mesh_io/stl.h"
+#include "../mesh_io/little_endian.h"
 #include "../mesh_io/text.h"
 #include "base64.h"
 #include "json.h"

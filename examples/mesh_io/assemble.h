@@ -31,9 +31,8 @@ public:
   Assembly(PolygonSoup soup, const std::filesystem::path& path)
       : soup_(std::move(soup)), path_(path), keeps_corners_(!soup_.parts.of_faces.empty()) {}
 
-  /// Vertices that are to be welded always are so if they are no further from each other than the
-  /// tolerance.
-  IndexedMesh mesh(Weld weld, const Amount& tolerance = {}) {
+  /// See read_mesh().
+  IndexedMesh mesh(Weld weld, const Amount& tolerance) {
     mesh_.remarks = std::move(soup_.remarks);
     mesh_.losses = std::move(soup_.losses);
     mesh_.texture_comments = std::move(soup_.texture_comments);

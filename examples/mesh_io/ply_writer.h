@@ -2,13 +2,12 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_PLY_WRITER_H
 
 #include "indexed_mesh.h"
+#include "little_endian.h"
 #include "named_numbers.h"
 #include "ply_header.h"
 #include "split_seams.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -18,15 +17,6 @@
 #include <vector>
 
 namespace quadrille_examples {
-
-/// Appends the bytes of `value`, the lowest first.
-template <class Value>
-void append_little_endian(std::string& bytes, Value value) {
-  auto raw = std::bit_cast<std::array<char, sizeof(Value)>>(value);
-  if constexpr (std::endian::native == std::endian::big)
-    std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
-}
 
 /// Writes bytes, the lowest first. Properties are in the order of MeshLab, which reads coordinates
 /// and normals of both precisions, but texture coordinates of faces as `float` only.

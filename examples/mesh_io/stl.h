@@ -5,17 +5,15 @@
 /// Stereolithography files, binary or text. They give every facet points of its own.
 
 #include "indexed_mesh.h"
+#include "little_endian.h"
 #include "polygon_soup.h"
 #include "text.h"
 
 #include <CGAL/IO/STL.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -28,15 +26,6 @@ namespace quadrille_examples {
 
 inline constexpr std::size_t stl_header_size = 84; // 80 bytes of anything and the facet count
 inline constexpr std::size_t stl_facet_size = 50;  // a normal, three points and two spare bytes
-
-template <class Value>
-Value little_endian_at(std::string_view bytes, std::size_t offset) {
-  std::array<char, sizeof(Value)> raw;
-  std::memcpy(raw.data(), bytes.data() + offset, raw.size());
-  if constexpr (std::endian::native == std::endian::big)
-    std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<Value>(raw);
-}
 
 inline PolygonSoup read_binary_stl(const Source& source) {
   const std::string_view bytes = source.content;

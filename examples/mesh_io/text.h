@@ -52,6 +52,10 @@ inline bool is_standard_input(const std::filesystem::path& path) {
   return path == "-" || path == "/dev/stdin" || path == "/dev/fd/0" || path == "/proc/self/fd/0";
 }
 
+inline bool is_standard_output(const std::filesystem::path& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 /// All that is left in a stream.
 inline std::string content_of(std::istream& stream, const std::filesystem::path& path) {
   constexpr std::size_t step = std::size_t{1} << 20;

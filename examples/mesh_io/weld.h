@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_WELD_H
 #define QUADRILLE_EXAMPLES_MESH_IO_WELD_H
 
+#include "../mesh_io.h"
 #include "indexed_mesh.h"
 
 #include <algorithm>
@@ -13,13 +14,6 @@
 #include <vector>
 
 namespace quadrille_examples {
-
-/// When vertices at exactly the same place become one.
-enum class Weld {
-  loose_faces, ///< only where no two faces share a vertex, so that there is no surface yet, and
-               ///< only if they have the same colour, texture coordinate and named numbers
-  always
-};
 
 template <class Value>
 void keep_values(std::vector<Value>& values, const std::vector<bool>& kept) {
@@ -156,10 +150,9 @@ inline std::size_t weld_split_normals(IndexedMesh& mesh) {
   return count;
 }
 
-/// Finds seams along which a surface is cut, though its points lie at the same places.
+/// Finds seams along which a surface is cut: see count_open_seams().
 class OpenSeams {
 public:
-  /// How many boundary edges lie at the place of another boundary edge of other vertices.
   static std::size_t count(const IndexedMesh& mesh) {
     OpenSeams seams(mesh);
     seams.find_places();

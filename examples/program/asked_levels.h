@@ -7,8 +7,6 @@
 #include "../mesh_io/text.h"
 #include "target.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -50,17 +48,15 @@ inline std::vector<std::string> words_between_commas(const std::string& list) {
   return words;
 }
 
-inline CLI::Validator list_of_levels() {
-  const auto complaint = [](const std::string& list) -> std::string {
-    for (const std::string& word : words_between_commas(list))
-      if (!target_of_level(word))
-        return in_quotes(word) + " is neither a percentage of the faces nor a count of them";
-    return "";
-  };
-  return {complaint, ""};
+/// What is wrong with a list of levels; empty if nothing is.
+inline std::string complaint_of_levels(const std::string& list) {
+  for (const std::string& word : words_between_commas(list))
+    if (!target_of_level(word))
+      return in_quotes(word) + " is neither a percentage of the faces nor a count of them";
+  return "";
 }
 
-/// Of a list that list_of_levels() accepts.
+/// Of a list of which there is no complaint.
 inline AskedLevels asked_levels(const std::string& list) {
   AskedLevels levels;
   for (const std::string& word : words_between_commas(list))

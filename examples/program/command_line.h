@@ -91,7 +91,7 @@ inline void add_target(CLI::App& app, Options& options) {
           "several results, each coarser than the one before it: parts of the faces or counts of "
           "them, 50%,25%,1000; written to OUT-1, OUT-2, ... with the extension of OUT, or of glTF "
           "as MSFT_lod of the one file OUT"),
-      list_of_levels(), "LIST");
+      {complaint_of_levels, ""}, "LIST");
   for (const char* const name : {"--faces", "--keep", "--vertices", "--error"})
     levels->excludes(name);
 }

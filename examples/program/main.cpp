@@ -3,6 +3,7 @@
 // Exit status: 0 done; 1 the target was not reached, OUT holds how far it went; 2 bad usage or
 // file, or nothing to simplify, OUT is as it was; 130 interrupted, OUT is as it was.
 
+#include "../mesh_io/replace_file.h"
 #include "command_line.h"
 #include "interruption.h"
 #include "options.h"

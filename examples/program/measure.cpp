@@ -2,6 +2,8 @@
 // It includes <quadrille/distance.h>, which includes GPL parts of CGAL.
 #include "measure.h"
 
+#include "../mesh_io/indexed_mesh.h"
+
 #include <quadrille/distance.h>
 
 #include <CGAL/Kernel/global_functions.h>

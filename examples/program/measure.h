@@ -4,14 +4,14 @@
 /// \file
 /// How far a result is from the input, by measures that share nothing with the engine: --measure.
 
-#include "../mesh_io/indexed_mesh.h"
-
 #include <quadrille/texture_deviation.h>
 
 #include <optional>
 #include <vector>
 
 namespace quadrille_examples {
+
+struct IndexedMesh;
 
 /// Distances are in the units of the mesh.
 struct Measurement {

@@ -4,7 +4,8 @@
 /// \file
 /// What the program is asked for.
 
-#include "../mesh_io.h"
+#include "../mesh_io/format.h"
+#include "../mesh_io/text.h"
 #include "asked_levels.h"
 #include "target.h"
 
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -113,13 +115,6 @@ inline void require_fit(const Options& options, bool has_colors, bool has_textur
 [[noreturn]] inline void refuse_without_faces(const Options& options, std::size_t vertices) {
   throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
                            "vertices, " + std::to_string(vertices) + " vertices");
-}
-
-inline void require_fit(const Options& options, const IndexedMesh& mesh) {
-  require_fit(options, !mesh.colors.empty(),
-              !mesh.texture_coordinates.empty() || !mesh.corner_textures.empty());
-  if (mesh.triangles.empty() && !mesh.is_blank)
-    refuse_without_faces(options, mesh.points.size());
 }
 
 } // namespace quadrille_examples

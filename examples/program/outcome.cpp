@@ -1,5 +1,7 @@
 #include "outcome.h"
 
+#include "../mesh_io/replace_file.h"
+
 #include <quadrille/topology.h>
 #include <quadrille/version.h>
 

@@ -4,7 +4,6 @@
 /// \file
 /// What the program tells of its results: a line for people, hints, and figures as JSON.
 
-#include "../mesh_io.h"
 #include "figures.h"
 #include "measure.h"
 #include "options.h"

@@ -1,4 +1,6 @@
 #include "../bounding_box.h"
+#include "../mesh_io.h"
+#include "../mesh_io/replace_file.h"
 #include "outcome.h"
 #include "runs.h"
 

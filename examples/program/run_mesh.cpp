@@ -1,4 +1,6 @@
 #include "../bounding_box.h"
+#include "../mesh_io.h"
+#include "../mesh_io/replace_file.h"
 #include "outcome.h"
 #include "position_recorder.h"
 #include "runs.h"
@@ -18,12 +20,19 @@
 
 namespace quadrille_examples {
 
+void require_fit(const Options& options, const IndexedMesh& mesh) {
+  require_fit(options, !mesh.colors.empty(),
+              !mesh.texture_coordinates.empty() || !mesh.corner_textures.empty());
+  if (mesh.triangles.empty() && !mesh.is_blank)
+    refuse_without_faces(options, mesh.points.size());
+}
+
 void print_remarks(const Options& options, const IndexedMesh& mesh) {
   for (const std::string& remark : mesh.remarks)
     print_remark(options, remark);
   if (!mesh.losses.empty())
     print_remark(options, "not kept: " + mesh.losses.text());
-  const std::size_t open = options.joins_pairs() || options.is_quiet ? 0 : OpenSeams::count(mesh);
+  const std::size_t open = options.joins_pairs() || options.is_quiet ? 0 : count_open_seams(mesh);
   if (open > 0)
     print_remark(options,
                  "boundary edges at the place of another one, along which cracks may open, "

@@ -3,13 +3,15 @@
 
 #ifdef QUADRILLE_WITH_PAGE
 #include "../bounding_box.h"
+#include "../mesh_io.h"
+#include "../mesh_io/replace_file.h"
 #include "../page/file.h"
 #include "../page/gltf_scene.h"
 #include "../page/materials.h"
 #include "simplify_mesh.h"
-#endif
 
 #include <quadrille/levels_file.h>
+#endif
 
 #include <cstddef>
 #include <filesystem>

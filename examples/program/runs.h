@@ -18,6 +18,8 @@
 
 namespace quadrille_examples {
 
+struct IndexedMesh;
+
 /// Of a mesh in any format but glTF: to one result, with a record, or to several levels.
 bool run_mesh(const Options& options, ProgressLine& progress);
 
@@ -29,6 +31,9 @@ bool run_from_record(const Options& options, ProgressLine& progress);
 
 /// Of any of these, to a page that shows all levels.
 bool run_page(const Options& options, ProgressLine& progress);
+
+/// Throws for a mesh that has no faces, or not what the cost looks at.
+void require_fit(const Options& options, const IndexedMesh& mesh);
 
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, const IndexedMesh& mesh);

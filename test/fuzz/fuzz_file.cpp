@@ -75,7 +75,7 @@ void require_valid(const IndexedMesh& mesh) {
 
 IndexedMesh read(const MeshFormat& format, const std::filesystem::path& path, std::string content,
                  Weld weld) {
-  IndexedMesh mesh = Assembly(format.read({path, std::move(content)}), path).mesh(weld);
+  IndexedMesh mesh = read_mesh({path, std::move(content)}, format, weld);
   require_valid(mesh);
   return mesh;
 }
@@ -109,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     IndexedMesh mesh = read(format, path, std::string(data + 1, data + size), weld);
     const std::string losses = mesh.losses.text();
     require(losses.find('\n') == std::string::npos, "losses in more than one line");
-    require(OpenSeams::count(mesh) <= 3 * mesh.triangles.size(), "more seams than edges");
+    require(count_open_seams(mesh) <= 3 * mesh.triangles.size(), "more seams than edges");
     simplify(mesh);
     require_valid(mesh);
     const std::string written = format.encode(mesh);

@@ -1,0 +1,35 @@
+#ifndef QUADRILLE_EXAMPLES_MESH_IO_FORMAT_H
+#define QUADRILLE_EXAMPLES_MESH_IO_FORMAT_H
+
+/// \file
+/// The formats of meshes: OFF, OBJ, PLY, STL and GOCAD (.ts), told apart by the extension.
+
+#include <filesystem>
+#include <string>
+
+namespace quadrille_examples {
+
+struct IndexedMesh;
+struct PolygonSoup;
+struct Source;
+
+struct MeshFormat {
+  const char* extension;
+  PolygonSoup (*read)(const Source&);
+  std::string (*encode)(const IndexedMesh&);
+  bool holds_attributes; ///< colours and texture coordinates
+  bool holds_corners;    ///< several texture coordinates at a vertex, normals
+  bool holds_parts;      ///< materials, groups and objects
+  bool holds_numbers;    ///< numbers of vertices and faces by any name, comments
+};
+
+/// The format of an extension, in any case of letters; nothing if there is none.
+const MeshFormat* find_format(const std::string& extension);
+
+/// The format that the extension of a path names. Throws if it names none; the message lists all,
+/// and others that a caller knows.
+const MeshFormat& mesh_format(const std::filesystem::path& path, const char* others = "");
+
+} // namespace quadrille_examples
+
+#endif

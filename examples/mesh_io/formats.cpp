@@ -1,0 +1,125 @@
+// The formats, each of which has a header with its reader and its writer, and how meshes go to
+// files.
+//
+// CGAL triangulates the polygons, and writes STL and GOCAD. It does not read here: the readers of
+// CGAL 5.5 take indices that are out of range, NaN and files that are cut off for good, allocate
+// what a header claims, and pass over texture coordinates and most colours.
+#include "../mesh_io.h"
+#include "gocad.h"
+#include "obj.h"
+#include "obj_writer.h"
+#include "off.h"
+#include "ply.h"
+#include "ply_writer.h"
+#include "replace_file.h"
+#include "split_seams.h"
+#include "stl.h"
+#include "text.h"
+
+#include <stdexcept>
+
+namespace quadrille_examples {
+
+namespace {
+
+constexpr MeshFormat mesh_formats[] = {
+    {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true, false,
+     false, false},
+    {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true, true,
+     true, false},
+    {".ply", read_ply, encode_ply, true, true, false, true},
+    {".stl", read_stl, encode_stl, false, false, false, false},
+    {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad, false,
+     false, false, false}};
+
+/// Takes the names of parts of a mesh, and tells them.
+void lose_parts(IndexedMesh& mesh) {
+  const auto lose = [&](bool has, const char* what) {
+    if (has)
+      mesh.losses.add(what);
+  };
+  lose(!mesh.parts.libraries.empty(), "material libraries (mtllib)");
+  lose(mesh.parts.has(&FacePart::material), "materials (usemtl)");
+  lose(mesh.parts.has(&FacePart::object), "objects");
+  lose(mesh.parts.has(&FacePart::group), "groups");
+  lose(mesh.parts.has(&FacePart::smoothing), "smoothing groups");
+  mesh.parts.forget_names();
+}
+
+/// The same of the normals of its corners.
+void lose_normals(IndexedMesh& mesh) {
+  if (!mesh.corner_normals.empty())
+    mesh.losses.add("normals");
+  mesh.corner_normals = {};
+  for (FacePart& part : mesh.parts.parts)
+    part.has_normals = false;
+}
+
+/// The same of its comments and named numbers.
+void lose_numbers(IndexedMesh& mesh) {
+  for (const std::string& comment : mesh.texture_comments)
+    mesh.losses.add("comment " + in_quotes(comment, 100));
+  for (const NamedNumbers& numbers : mesh.vertex_numbers)
+    mesh.losses.add("vertex property " + in_quotes(numbers.name));
+  for (const NamedNumbers& numbers : mesh.face_numbers)
+    mesh.losses.add("face property " + in_quotes(numbers.name));
+  mesh.texture_comments.clear();
+  mesh.vertex_numbers.clear();
+  mesh.face_numbers.clear();
+}
+
+} // namespace
+
+const MeshFormat* find_format(const std::string& extension) {
+  for (const MeshFormat& format : mesh_formats)
+    if (equal_ignoring_case(extension, format.extension))
+      return &format;
+  return nullptr;
+}
+
+const MeshFormat& mesh_format(const std::filesystem::path& path, const char* others) {
+  const std::string extension = path.extension().string();
+  if (const MeshFormat* format = find_format(extension))
+    return *format;
+  if (std::filesystem::is_directory(path))
+    fail(path, "is a folder");
+  fail(path,
+       "the extension " + in_quotes(extension) + " is none of .off .obj .ply .stl .ts" + others);
+}
+
+void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
+  if (!format.holds_numbers)
+    lose_numbers(mesh);
+  if (!format.holds_attributes) {
+    if (!mesh.colors.empty())
+      mesh.losses.add("colours");
+    if (!mesh.texture_coordinates.empty() || !mesh.corner_textures.empty())
+      mesh.losses.add("texture coordinates");
+  }
+  if (!format.holds_corners)
+    lose_normals(mesh);
+  if (!format.holds_parts)
+    lose_parts(mesh);
+}
+
+std::string encoded(const std::filesystem::path& path, const IndexedMesh& mesh,
+                    const MeshFormat& format) {
+  try {
+    if (format.holds_attributes && !format.holds_corners && !mesh.corner_textures.empty())
+      return format.encode(with_vertex_textures(mesh));
+    return format.encode(mesh);
+  } catch (const std::runtime_error& error) {
+    fail(path, error.what());
+  }
+}
+
+void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
+                const MeshFormat& format, bool is_forced) {
+  replace_file(path, encoded(path, mesh, format), is_forced);
+}
+
+void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  write_mesh(path, mesh, mesh_format(path));
+}
+
+} // namespace quadrille_examples
