@@ -7,6 +7,7 @@
 #include "../examples/mesh_io/ply_writer.h"
 #include "../examples/mesh_io/replace_file.h"
 #include "../examples/mesh_io/split_seams.h"
+#include "../examples/mesh_io/stl.h"
 #include "folder.h"
 
 #include <catch2/catch.hpp>

@@ -16,7 +16,7 @@ namespace quadrille_examples {
 inline std::string with_commas(std::size_t n) {
   std::string digits = std::to_string(n);
   for (std::size_t i = digits.size(); i > 3;)
-    digits.insert(i -= 3, ",");
+    digits.insert(i -= 3, 1, ',');
   return digits;
 }
 
