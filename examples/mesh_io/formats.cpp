@@ -1,4 +1,4 @@
-// The formats, each of which has a header with its reader and its writer, and how meshes go to
+// The table of formats, whose readers and writers are in headers of their own, and how meshes go to
 // files.
 //
 // CGAL triangulates the polygons, and writes STL and GOCAD. It does not read here: the readers of
