@@ -428,13 +428,18 @@ struct MayAsk {
 
 TEMPLATE_TEST_CASE("What a stop policy does not ask for this time is not measured", "[error_limit]",
                    GreedyOrder, RelaxedOrder) {
-  test::Soup plain = test::with_noise(test::sphere(4), 1, 0.02), with = plain, without = plain;
+  const test::Soup noisy = test::with_noise(test::sphere(4), 1, 0.02);
+  test::Soup plain = noisy, with = noisy, without = noisy;
   const auto simplified = [](test::Soup& soup, const auto& stop) {
     return simplify(soup.points, soup.triangles, stop, TestType{});
   };
   const Report expected = simplified(plain, FaceCount{200});
   const Report asked = simplified(with, MayAsk{true, 200});
   const Report unasked = simplified(without, MayAsk{false, 200});
+  test::Soup any = noisy, all = noisy;
+  const auto and_fewer = [](bool asks) { return AnyOf{MayAsk{asks, 200}, FaceCount{100}}; };
+  CHECK(std::isinf(simplified(any, and_fewer(false)).distance_bound));
+  CHECK(std::isfinite(simplified(all, AllOf{and_fewer(true), FaceCount{300}}).distance_bound));
   CHECK(asked.distance_bound > 0);
   CHECK(std::isfinite(asked.distance_bound));
   CHECK(std::isinf(unasked.distance_bound));

@@ -63,7 +63,8 @@ inline py::object labels_of(const IndexedMesh& mesh) {
 
 /// A type as numpy names it: i2, u1, f4, …
 inline std::string name_of(const NumberType& type) {
-  return (type.is_integer ? (type.is_signed ? "i" : "u") : "f") + std::to_string(type.size);
+  const char letter = type.is_integer ? (type.is_signed ? 'i' : 'u') : 'f';
+  return std::string(1, letter) + std::to_string(type.size);
 }
 inline NumberType number_type(const std::string& name) {
   return {static_cast<std::size_t>(name.at(1) - '0'), name[0] != 'f', name[0] != 'u'};

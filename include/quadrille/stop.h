@@ -114,6 +114,12 @@ class AnyOf {
 public:
   /// Looks at Status::next_distance: see StopPolicy.
   static constexpr bool asks_for_distance = (internal::asks_for_distance<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_distance() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_for_distance(stop) || ...); },
+        stops_);
+  }
 
   explicit AnyOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type
 
@@ -141,6 +147,12 @@ class AllOf {
 public:
   /// Looks at Status::next_distance: see StopPolicy.
   static constexpr bool asks_for_distance = (internal::asks_for_distance<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_distance() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_for_distance(stop) || ...); },
+        stops_);
+  }
 
   explicit AllOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type
 

@@ -22,7 +22,11 @@ void refuse_argument() {
                 "An argument of this call is no cost, placement, pairs, stop, order or filter: its "
                 "position and its type are those of ArgumentIsNoPolicy<position, type>.");
   using Argument = typename UnknownArgument::type;
-  if constexpr (LooksLikeCost<Argument>) {
+  if constexpr (std::is_arithmetic_v<Argument>) {
+    static_assert(!std::is_arithmetic_v<Argument>,
+                  "A number does not tell what it counts: write FaceCount{1000}, FaceRatio{0.1} or "
+                  "ErrorLimit{0.01}.");
+  } else if constexpr (LooksLikeCost<Argument>) {
     static_assert(CostPolicy<Argument>, "It is no cost.");
   } else if constexpr (LooksLikePlacement<Argument, Cost>) {
     static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
