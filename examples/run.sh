@@ -37,7 +37,7 @@ prepare() {
 mkdir -p "$build" || exit 3
 [ -x "$program" ] ||
   echo "The first run installs what is missing and builds $program;" \
-    "this takes several minutes, up to 5 GB of memory, and tells how far it is in $log" >&2
+    "this takes some minutes, up to 1.6 GB of memory for each core, and tells how far it is in $log" >&2
 if ! prepare >"$log" 2>&1; then
   cat "$log" >&2
   echo "The program $target could not be built; what is above is in $log" >&2

@@ -85,6 +85,8 @@ run 0 plain.off out.off --vertices 50
 [ "$(sed -n 2p out.off | cut -d' ' -f1)" -le 50 ] || fail "more than 50 vertices"
 run 0 plain.off out.off --ratio 1
 expect_faces out.off 800
+run 0 plain.off out.off --faces 5000
+expect stdout ', nothing to contract for that target$'
 run 0 plain.off out.off --error 0.05
 expect stdout ', within 0\.1[0-9]* % of the diagonal$'
 run 0 plain.off out.off --error 1e300
