@@ -927,7 +927,8 @@ awk 'BEGIN {
 }' >large.off
 interrupt() { # arguments...
   arguments=$*
-  timeout --preserve-status --signal=INT 2 "$program" "$@" >stdout 2>stderr
+  # In the foreground it sends one signal, else a second one to all that it has started.
+  timeout --foreground --preserve-status --signal=INT 2 "$program" "$@" >stdout 2>stderr
   status=$?
 }
 cp plain.off out.off

@@ -65,7 +65,8 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += measured_text(*outcome.measured, outcome.diagonal);
   if (report.vanished_parts > 0)
     text += ", " + with_commas(report.vanished_parts) + " parts vanished";
-  if (outcome.is_target_met() && report.contractions + report.vanished_parts == 0)
+  if (options.from.empty() && outcome.is_target_met() &&
+      report.contractions + report.vanished_parts == 0)
     text += ", nothing to contract for that target";
   return text;
 }
