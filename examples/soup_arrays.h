@@ -8,7 +8,6 @@
 
 #include <quadrille/compiled.h>
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>

@@ -86,7 +86,7 @@ run 0 plain.off out.off --vertices 50
 run 0 plain.off out.off --ratio 1
 expect_faces out.off 800
 run 0 plain.off out.off --faces 5000
-expect stdout ', nothing to contract for that target$'
+expect stdout ' of the diagonal: IN meets the target already$'
 run 0 plain.off out.off --error 0.05
 expect stdout ', within 0\.1[0-9]* % of the diagonal$'
 run 0 plain.off out.off --error 1e300

@@ -236,6 +236,31 @@ TEST_CASE("Levels that the compiled library records are those of the templates")
   }
 }
 
+TEST_CASE("Of a soup without triangles nothing is left") {
+  const std::vector<double> texture = {0, 0, 1, 0, 0, 1, 1, 1};
+  SoupView soup{in_charts.points, {}, {}, {{.values = texture}}};
+  soup.channels.push_back(
+      {.kind = Kind::colors, .components = 3, .values = numbers_of(in_charts.colors)});
+  const SoupResult result = simplified_soup(soup);
+  CHECK(result.points.empty());
+  REQUIRE(result.channels.size() == 2);
+  for (const SoupChannel& channel : result.channels) {
+    CHECK(channel.values.empty());
+    CHECK(channel.triangles.empty());
+  }
+  CHECK(result.channels[1].components == 3);
+  CHECK(result.image.size() == in_charts.points.size());
+}
+
+TEST_CASE("A recorder that does not listen is none") {
+  SoupRecorder none;
+  CHECK(!none.is_listening());
+  CHECK(!SoupRecorder(record_into(none)).is_listening());
+  Levels levels;
+  SoupRecorder some = record_into(levels);
+  CHECK(SoupRecorder(record_into(some)).is_listening());
+}
+
 TEST_CASE("Parts of a soup with labels may vanish in the compiled library, recorded or not") {
   SoupPoints points = in_charts.points;
   SoupTriangles triangles = in_charts.triangles;

@@ -411,6 +411,22 @@ TEST_CASE("what cannot be carried is refused") {
              Catch::Contains("EXT_meshopt_compression"));
 }
 
+TEST_CASE("a mesh of degenerate triangles only is no hindrance") {
+  Asset asset = ball();
+  Json degenerate = asset.primitive(0);
+  degenerate["indices"] = asset.add_indices({0, 0, 1, 2, 1, 2});
+  asset.json()["meshes"].push_back({{"primitives", Json::array({degenerate})}});
+  const std::vector<GltfPrimitive> primitives = primitives_of(simplified(asset, 0.3));
+  const auto faces = [&](std::size_t mesh) {
+    std::size_t count = 0;
+    for (const GltfPrimitive& primitive : primitives)
+      count += primitive.mesh == mesh ? primitive.triangles.size() : 0;
+    return count;
+  };
+  CHECK(faces(0) == 230); // of 768
+  CHECK(faces(1) == 0);
+}
+
 TEST_CASE("any number of sets of texture coordinates go along") {
   Asset asset = ball(6);
   for (int i = 1; i < 12; ++i)

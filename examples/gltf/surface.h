@@ -42,7 +42,7 @@ public:
   std::vector<Point> points; // in single precision, as they are written
   std::vector<Triangle> triangles;
 
-  /// Throws for more attributes than there are channels for.
+  /// Throws for primitives that differ in what joints and weights they have.
   explicit GltfSurface(std::vector<GltfPrimitive> primitives)
       : primitives_(std::move(primitives)), channel_of_(primitives_.size()) {
     GltfSkin::require_one_kind(primitives_);

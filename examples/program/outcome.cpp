@@ -65,9 +65,12 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += measured_text(*outcome.measured, outcome.diagonal);
   if (report.vanished_parts > 0)
     text += ", " + with_commas(report.vanished_parts) + " parts vanished";
-  if (options.from.empty() && outcome.is_target_met() &&
-      report.contractions + report.vanished_parts == 0)
-    text += ", nothing to contract for that target";
+  const quadrille::Status input{.initial_faces = report.faces_before,
+                                .initial_vertices = report.vertices_before,
+                                .faces = report.faces_before,
+                                .vertices = report.vertices_before};
+  if (options.from.empty() && outcome.target.is_given() && outcome.target.is_coarse_enough(input))
+    text += ": IN meets the target already";
   return text;
 }
 

@@ -2,8 +2,6 @@
 
 #include <quadrille/attribute_quadric.h>
 
-#include <utility>
-
 namespace quadrille_examples {
 
 namespace {

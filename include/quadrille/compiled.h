@@ -37,28 +37,36 @@ public:
 
   /// One that is not owned.
   template <ContractionRecorder R>
-  SoupRecorder(const RecordInto<R>& into)
-      : begin_([&r = *into.recorder](RecordedSurface&& surface) { r.begin(std::move(surface)); }),
-        record_([&r = *into.recorder](const RecordedContraction& done) { r.record(done); }),
-        end_([&r = *into.recorder] { r.end(); }) {
-    if constexpr (requires(StopReason reason) { into.recorder->stop(reason); })
-      stop_ = [&r = *into.recorder](StopReason reason) { r.stop(reason); };
+  SoupRecorder(const RecordInto<R>& into) {
+    R& recorder = *into.recorder;
+    if constexpr (requires { recorder.is_listening(); })
+      if (!recorder.is_listening())
+        return;
+    begin_ = [&recorder](RecordedSurface&& surface) { recorder.begin(std::move(surface)); };
+    record_ = [&recorder](const RecordedContraction& done) { recorder.record(done); };
+    end_ = [&recorder] { recorder.end(); };
+    if constexpr (requires(StopReason reason) { recorder.stop(reason); })
+      stop_ = [&recorder](StopReason reason) { recorder.stop(reason); };
   }
 
   bool is_listening() const { return static_cast<bool>(begin_); } ///< is there one?
+  /// Tells it, as ContractionRecorder has it; there has to be one.
   void begin(RecordedSurface surface) const { begin_(std::move(surface)); }
+  /// The same.
   void record(const RecordedContraction& contraction) const { record_(contraction); }
+  /// Tells it if it wants to know.
   void stop(StopReason reason) const {
     if (stop_)
       stop_(reason);
   }
+  /// As begin().
   void end() const { end_(); }
 
 private:
   std::function<void(RecordedSurface&&)> begin_;
   std::function<void(const RecordedContraction&)> record_;
   std::function<void()> end_;
-  std::function<void(StopReason)> stop_; // where the recorder wants to know
+  std::function<void(StopReason)> stop_;
 };
 
 /// What simplified_soup() and simplify_soup() are asked for. Each field is a policy of `simplify`,
@@ -147,7 +155,8 @@ struct SoupResult {
 };
 
 /// Simplifies a polygon soup as `simplify(points, triangles, …)` does with the same policies, to
-/// the same bits. No array of the input is copied or changed.
+/// the same bits. No array of the input is copied or changed. Of a soup without triangles nothing
+/// is left, neither points nor values.
 ///
 /// Throws std::invalid_argument for options, labels or channels that make no sense, and what
 /// `simplify` throws.

@@ -29,10 +29,11 @@ mkdir -p "$folder"
 
 # compiled_library: quadrille::compiled, for the tests that link it
 compiled_library() {
+  rm -rf "$folder/compiled" "$folder/compiled.a" && mkdir "$folder/compiled" || return
   for source in include/quadrille/compiled/*.cpp; do
-    object=$folder/$(basename "$source" .cpp).o
-    $compile -Iinclude -c "$source" -o "$object" && ar rc "$folder/compiled.a" "$object" || return
+    $compile -Iinclude -c "$source" -o "$folder/compiled/$(basename "$source" .cpp).o" || return
   done
+  ar rc "$folder/compiled.a" "$folder"/compiled/*.o
 }
 [ -e "$folder/compiled.a" ] && [ -z "$(find include -newer "$folder/compiled.a")" ] ||
   compiled_library || exit 2

@@ -59,8 +59,10 @@ Report simplify_by_cost_of_options(SoupRun& run) {
   refuse("there is no such cost");
 }
 
-// Of a soup that has been cancelled before it was touched.
-SoupChannel copy_of(const SoupChannelView& channel) {
+// Of a soup without triangles nothing is left; else it has been cancelled before it was touched.
+SoupChannel untouched(const SoupChannelView& channel, bool has_values) {
+  if (!has_values)
+    return {channel.components, {}, {}};
   return {channel.components,
           {channel.values.begin(), channel.values.end()},
           {channel.triangles.begin(), channel.triangles.end()}};
@@ -70,7 +72,9 @@ SoupChannel copy_of(const SoupChannelView& channel) {
 
 SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
   validate(soup, options);
-  SoupRun run{soup,
+  const bool has_values = !soup.triangles.empty();
+  const SoupView bare{soup.points, soup.triangles, {}, {}};
+  SoupRun run{has_values ? soup : bare,
               options,
               carries(soup, options),
               internal::SoupPointArray(soup.points),
@@ -88,7 +92,7 @@ SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
   result.channels = std::move(run.channels);
   if (result.channels.empty())
     for (const SoupChannelView& channel : soup.channels)
-      result.channels.push_back(copy_of(channel));
+      result.channels.push_back(untouched(channel, has_values));
   if (!soup.labels.empty())
     for (const std::uint32_t face : result.input_faces)
       result.labels.push_back(soup.labels[face]);
