@@ -80,11 +80,11 @@ struct SoupOptions {
   enum class Order { greedy, relaxed };
 
   // --- Targets: it stops at the first that is met; FaceRatio{0.5} where there is none.
-  std::optional<std::size_t> faces;     ///< see FaceCount
-  std::optional<double> ratio;          ///< see FaceRatio, in [0, 1]
-  std::optional<std::size_t> vertices;  ///< see VertexCount
-  std::optional<double> error;          ///< see ErrorLimit: a distance, at least 0
-  std::optional<double> relative_error; ///< see ErrorLimit::relative: a part of the diagonal
+  std::optional<std::size_t> faces = {};     ///< see FaceCount
+  std::optional<double> ratio = {};          ///< see FaceRatio, in [0, 1]
+  std::optional<std::size_t> vertices = {};  ///< see VertexCount
+  std::optional<double> error = {};          ///< see ErrorLimit: a distance, at least 0
+  std::optional<double> relative_error = {}; ///< see ErrorLimit::relative: a part of the diagonal
 
   Cost cost = Cost::quadric;                          ///< what a contraction costs
   double boundary_weight = Quadric{}.boundary_weight; ///< of costs that have one; at least 0
