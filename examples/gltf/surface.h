@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_GLTF_SURFACE_H
 #define QUADRILLE_EXAMPLES_GLTF_SURFACE_H
 
+#include "../mesh_io/named_numbers.h"
 #include "channels.h"
 #include "primitive.h"
 #include "skin.h"
@@ -12,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -79,6 +79,7 @@ public:
     return count - different.size();
   }
 
+  /// With all attributes. Throws as `quadrille::simplified_soup` does.
   quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices) {
     quadrille::SoupPoints places;
     for (const auto& [x, y, z] : points)
@@ -170,11 +171,6 @@ private:
     if (is_new)
       points.push_back(point);
     return place->second;
-  }
-
-  static float nearest_float(double x) {
-    constexpr double greatest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(x, -greatest, greatest));
   }
 
   static Triangle moved_by(std::size_t first, Triangle corners) {

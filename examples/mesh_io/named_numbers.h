@@ -34,6 +34,12 @@ struct NamedNumbers {
   }
 };
 
+/// The finite number of single precision next to one.
+inline float nearest_float(double x) {
+  constexpr double greatest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -greatest, greatest));
+}
+
 /// The value of a type next to a number. What is no number, or infinite, is of each type that is
 /// not of integers.
 inline double nearest_of(const NumberType& type, double x) {
@@ -44,8 +50,7 @@ inline double nearest_of(const NumberType& type, double x) {
   }
   if (type.size == 8 || !std::isfinite(x))
     return x;
-  constexpr double greatest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(x, -greatest, greatest));
+  return nearest_float(x);
 }
 
 /// Makes the numbers some of their types; a text may hold others. Returns how many integers were

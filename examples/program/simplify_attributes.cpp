@@ -32,7 +32,7 @@ public:
   /// With a cost that looks at positions only, along which attributes are carried.
   template <class Cost>
   quadrille::Report carry(const Cost& cost) {
-    return simplify<6>(CarryingCost<Cost, 6>(with_weight(cost)));
+    return simplify<6>(CarryingCost<Cost, 6>(quadrille::internal::with_weights(cost, options_)));
   }
 
   /// As further dimensions, as many as vary: rounded up, since each number takes an engine.
@@ -45,17 +45,10 @@ public:
   }
 
 private:
-  template <class Cost>
-  Cost with_weight(Cost cost) const {
-    if constexpr (requires { cost.boundary_weight; })
-      cost.boundary_weight = options_.boundary_weight;
-    return cost;
-  }
-
   /// They are lengths already.
   template <std::size_t N>
   quadrille::Report simplify_dimensions() {
-    auto cost = with_weight(quadrille::AttributeQuadric<N>{});
+    auto cost = quadrille::internal::with_weights(quadrille::AttributeQuadric<N>{}, options_);
     cost.weights.emplace().coordinates.fill(1);
     return simplify<N>(cost);
   }

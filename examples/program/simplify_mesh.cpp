@@ -33,7 +33,7 @@ quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOpt
 
 } // namespace
 
-quadrille::SoupOptions soup_options_without_fixed(const Options& options, double diagonal) {
+quadrille::SoupOptions soup_options(const Options& options) {
   using Soup = quadrille::SoupOptions;
   Soup result;
   options.target.tell(result);
@@ -49,8 +49,6 @@ quadrille::SoupOptions soup_options_without_fixed(const Options& options, double
     result.order = Soup::Order::relaxed;
     result.threads = options.threads;
   }
-  if (options.joins_pairs())
-    result.pairs_closer_than = length_of(options.pairs, diagonal);
   result.topology = topology(options);
   result.proceed = options.proceed;
   return result;

@@ -26,13 +26,15 @@ quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
                                       const Options& options, const quadrille::SoupOptions& soup);
 
-/// The options but for `fixed`.
-quadrille::SoupOptions soup_options_without_fixed(const Options& options, double diagonal);
+/// The options but for what depends on the soup.
+quadrille::SoupOptions soup_options(const Options& options);
 
 /// The options of a soup of these points.
 quadrille::SoupOptions soup_options(const Options& options, const auto& points,
                                     const auto& triangles) {
-  quadrille::SoupOptions result = soup_options_without_fixed(options, diagonal(points, triangles));
+  quadrille::SoupOptions result = soup_options(options);
+  if (options.joins_pairs())
+    result.pairs_closer_than = length_of(options.pairs, diagonal(points, triangles));
   if (options.locks_boundaries)
     result.fixed = boundary_points(points.size(), triangles);
   return result;

@@ -181,7 +181,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placemen
 /// The same with whatever a soup carries, in an engine of its own.
 template <class Cost>
 Report simplify_with_all(SoupRun& run, const Cost& cost, const SoupPlacement& placement) {
-  if (!run.is_carrying)
+  if (!run.is_carrying())
     return simplify_by(run, cost, placement);
   return simplify_by(run, cost, placement,
                      Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
@@ -199,16 +199,22 @@ SoupOptions::Placement placement_of(const SoupOptions& options) {
   return options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint);
 }
 
-/// By a cost with the weights of the options.
+/// A cost with the weights of the options.
 template <class Cost>
-Report simplify_by_cost(SoupRun& run, Cost cost) {
+Cost with_weights(Cost cost, const SoupOptions& options) {
   if constexpr (requires { cost.boundary_weight; })
-    cost.boundary_weight = run.options.boundary_weight;
+    cost.boundary_weight = options.boundary_weight;
   if constexpr (requires { cost.crease_degrees; }) {
-    cost.crease_weight = run.options.crease_weight;
-    cost.crease_degrees = run.options.crease_degrees;
+    cost.crease_weight = options.crease_weight;
+    cost.crease_degrees = options.crease_degrees;
   }
-  return simplify_with_all(run, cost, SoupPlacement{placement_of<Cost>(run.options)});
+  return cost;
+}
+
+template <class Cost>
+Report simplify_by_cost(SoupRun& run, const Cost& cost) {
+  return simplify_with_all(run, with_weights(cost, run.options),
+                           SoupPlacement{placement_of<Cost>(run.options)});
 }
 
 } // namespace quadrille::internal

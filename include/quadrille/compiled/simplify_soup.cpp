@@ -40,10 +40,6 @@ void validate(const SoupView& soup, const SoupOptions& options) {
     refuse("more than one thread is for the relaxed order");
 }
 
-bool carries(const SoupView& soup, const SoupOptions& options) {
-  return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices;
-}
-
 Report simplify_by_cost_of_options(SoupRun& run) {
   using Cost = SoupOptions::Cost;
   switch (run.options.cost) {
@@ -76,7 +72,6 @@ SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
   const SoupView bare{soup.points, soup.triangles, {}, {}};
   SoupRun run{has_values ? soup : bare,
               options,
-              carries(soup, options),
               internal::SoupPointArray(soup.points),
               internal::SoupTriangleArray(soup.triangles),
               {},

@@ -15,11 +15,15 @@ namespace quadrille::internal {
 struct SoupRun {
   const SoupView& soup;
   const SoupOptions& options;
-  bool is_carrying; ///< is there anything beside points and triangles?
   SoupPointArray points;
   SoupTriangleArray triangles;
   std::vector<SoupChannel> channels; ///< empty until they are rewritten
   std::vector<std::size_t> image;
+
+  /// Is there anything beside points and triangles?
+  bool is_carrying() const {
+    return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices;
+  }
 };
 
 // For each cost.

@@ -63,8 +63,7 @@ template <class Policies>
 StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
   if (surface.progress().is_cancelled())
     return StopReason::cancelled;
-  [[maybe_unused]] const RelaxedOrder* const relaxed =
-      order_if<RelaxedOrder>(surface.policies().order);
+  const RelaxedOrder* const relaxed = order_if<RelaxedOrder>(surface.policies().order);
   if constexpr (may_be<RelaxedOrder, typename Policies::Order>)
     if (relaxed) {
       report.seconds.prepare = watch.lap();
