@@ -160,13 +160,15 @@ inline void add_topology(CLI::App& app, Options& options) {
       ->group("Policies");
   const std::vector<std::pair<std::string, quadrille::Seams>> seams{
       {"kept", quadrille::Seams::kept},
+      {"held", quadrille::Seams::held},
       {"priced", quadrille::Seams::priced},
       {"free", quadrille::Seams::free}};
-  app.add_option("--seams", options.seams,
-                 "do charts of a texture stay, or may their seams vanish, for a price or for none? "
-                 "(default: kept)")
+  app.add_option(
+         "--seams", options.seams,
+         "do charts of a texture stay, or may their seams vanish: for the price of all that this "
+         "shows (held), of the jump of the values (priced), or for none? (default: held)")
       ->transform(CLI::CheckedTransformer(seams).description(""))
-      ->type_name("kept|priced|free")
+      ->type_name("kept|held|priced|free")
       ->group("Policies");
 }
 

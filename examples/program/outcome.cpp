@@ -183,10 +183,17 @@ std::vector<std::string> hints(const Options& options, const Outcome& outcome) {
   add_if(topology(options) != quadrille::Topology::free && report.components_after <= 1 &&
              counts(report.rejected(Rejection::topology)),
          "topology is kept: --topology free lets holes close and thin parts become sheets");
-  add_if(counts(report.rejected(Rejection::seam) + report.rejected(Rejection::texture)),
-         "borders of materials and labels stay, and seams of textures (" +
-             refused(Rejection::seam) + " contractions refused" +
-             (options.seams ? ")" : "): --seams priced lets seams vanish where that costs little"));
+  const bool keeps_seams = options.seams == quadrille::Seams::kept;
+  add_if(counts(report.rejected(Rejection::seam)),
+         "borders of materials and labels stay" +
+             std::string(keeps_seams ? ", and seams of textures" : "") + " (" +
+             refused(Rejection::seam) + " contractions refused)" +
+             (keeps_seams ? ": --seams held lets seams vanish where that shows little" : ""));
+  add_if(
+      report.rejected(Rejection::destruction) > 0,
+      with_commas(report.faces_after) +
+          " faces are the least that can be reached like that: most of the surface can lose none, "
+          "and the rest would lose its shape");
   add_if(counts(report.rejected(Rejection::constraint)) && options.locks_boundaries,
          "the boundary is locked (" + refused(Rejection::constraint) +
              " contractions refused): --boundary WEIGHT lets it move");

@@ -35,6 +35,9 @@ namespace quadrille {
 /// What a simplification does with the edges at which a channel is discontinuous.
 enum class Seams {
   kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or turned over
+  held,   ///< they may vanish, at the price of what that shows: the disagreement of the values, and
+          ///< the area over which faces show what lies beside their chart of a texture. No face is
+          ///< turned over in a texture. Of other channels the same as priced
   priced, ///< they may vanish; what that costs is in the error. Wedges stay apart until then
   free    ///< the values around a vertex are one from the beginning: their mean, or the first if
           ///< only existing values may be
@@ -59,11 +62,14 @@ struct ChannelOptions {
   /// by itself, so that a texture that slides counts as it slides; for others 0.02 · (diagonal of
   /// the bounding box) / (largest range of the components).
   std::vector<double> weights = {};
-  /// By default kept for texture coordinates, priced for others.
+  /// By default held for texture coordinates, priced for others.
   std::optional<Seams> seams = {};
-  /// How firmly charts of a texture whose seams are kept hold their borders in the texture, for
-  /// each square of an edge's length; at least 0. The same along an edge as off it is 1.
-  double border_weight = 10;
+  /// How firmly charts of a texture whose seams are kept or held hold their borders in the texture,
+  /// for each square of an edge's length; at least 0. The same along an edge as off it is 1. Where
+  /// seams are held, also how firmly borders hold their place in the surface, by lines as open
+  /// borders do, which count 100: 0 is priced, and the higher the more is given up of the shape. By
+  /// default 10 where seams are kept, 0.05 where they are held.
+  std::optional<double> border_weight = {};
   NewValues new_values = NewValues::optimal; ///< what corners have whose values change
   /// Of Colors in sRGB, numbers in [0, 1] or in the whole range of an integral type: they are
   /// averaged as light is, and so are their default weights. Alpha is linear already.
@@ -79,9 +85,9 @@ struct ChannelOptions {
     require_positive("importance", importance);
     for (double weight : weights)
       require_positive("a weight", weight);
-    if (!(border_weight >= 0) || !std::isfinite(border_weight))
+    if (border_weight && (!(*border_weight >= 0) || !std::isfinite(*border_weight)))
       throw std::invalid_argument("quadrille::ChannelOptions: border_weight " +
-                                  internal::text_of(border_weight) + " is not a weight");
+                                  internal::text_of(*border_weight) + " is not a weight");
   }
 };
 
@@ -124,9 +130,11 @@ struct ChannelArgument {
 /// `Texture{values, triples}`: vectors, which are rewritten with the soup, so that values that
 /// nothing uses any more are gone. What a value may be: see AttributeQuadric's maps.
 ///
-/// Where seams are kept, a contraction that would tear or merge charts, or make their borders meet
-/// elsewhere, is refused and counted as Rejection::seam, and one that would turn a face over in the
-/// texture as Rejection::texture. Edges where the texture is mirrored are seams too.
+/// A contraction that would turn a face over in the texture is refused and counted as
+/// Rejection::texture, unless seams are priced or free. Where they are kept, one that would tear or
+/// merge charts, or make their borders meet elsewhere, is refused as Rejection::seam. Edges where
+/// the texture is mirrored are seams too. Coordinates that change stay in the range of those that
+/// there were.
 template <class Source>
 struct Texture : internal::ChannelArgument<Source> {
   using internal::ChannelArgument<Source>::ChannelArgument;

@@ -49,8 +49,9 @@ enum class StopReason {
   no_pair_left,  ///< every pair has been contracted
   all_pairs_rejected, ///< pairs are left, and each of them is refused by the topology or by a
                       ///< filter
-  target_unreachable, ///< the topology of the parts that is kept does not let the target be
-                      ///< reached, and what is left would only destroy some on the way to it
+  target_unreachable, ///< most of the surface is held by what is to be kept (topology, constraints,
+                      ///< seams, filters), so the rest would have lost its shape on the way to the
+                      ///< target. A coarser target ends with the same surface
   cancelled           ///< the visitor said so
 };
 
@@ -68,7 +69,7 @@ enum class Rejection {
   degree,      ///< the vertex would have too many edges
   distance,    ///< the surface would leave the distance that the stop policy allows
   position,    ///< the placement gave a position that is not finite
-  destruction, ///< a part would lose its shape for a target that can't be reached
+  destruction, ///< what is left free of a surface that is held would lose its shape
   seam,    ///< a region of labels, or a chart of a texture, would not stay: see Labels and Texture
   texture, ///< a face would turn over in a texture: see Texture
   hull,    ///< no place that the planes around it allow: see OuterHull

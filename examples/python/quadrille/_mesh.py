@@ -26,10 +26,12 @@ class Channel:
     weights       lengths in the unit of the points that a step of 1 in each component counts as, times
                   importance; by default for texture coordinates as long as on the surface, for others
                   0.02 diagonals of the bounding box for the range of the values
-    seams         what becomes of the edges at which values jump: 'kept' (they stay; by default for
-                  uv), 'priced' (they may vanish, which costs; by default for others) or 'free' (values
-                  around a point are made one from the beginning)
-    border_weight how firmly charts of a texture with kept seams hold their borders in the texture
+    seams         what becomes of the edges at which values jump: 'kept' (they stay), 'held' (they may
+                  vanish, which costs what it shows of what lies beside a chart; by default for uv),
+                  'priced' (they may vanish, which costs the jump; by default for others) or 'free'
+                  (values around a point are made one from the beginning)
+    border_weight how firmly charts of a texture with kept or held seams hold their borders; by default
+                  10 or 0.05
     new_values    'optimal' (what costs least), 'weights' (the same, at least 0 and of sum 1: of a
                   skin), 'existing' (one of those that have become one: for classes; not for uv) or
                   'recomputed' (of normals only: from the faces of the result)
@@ -43,7 +45,7 @@ class Channel:
     importance: float = 1.0
     weights: Optional[Sequence[float]] = None
     seams: Optional[str] = None
-    border_weight: float = 10.0
+    border_weight: Optional[float] = None
     new_values: str = "optimal"
     linear_light: bool = False
     kind: Optional[str] = None
@@ -135,7 +137,8 @@ class ReadChannel:
         options.weights = [float(weight) for weight in (() if channel.weights is None else channel.weights)]
         if channel.seams is not None:
             options.seams = _choice(f"the seams of {self.name}", channel.seams, _core.Seams)
-        options.border_weight = float(channel.border_weight)
+        if channel.border_weight is not None:
+            options.border_weight = float(channel.border_weight)
         options.new_values = _choice(f"new_values of {self.name}", channel.new_values, _core.NewValues)
         options.linear_light = bool(channel.linear_light)
         return (self.kind, self.values, self.indices, options)

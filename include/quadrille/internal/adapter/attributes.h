@@ -60,18 +60,21 @@ public:
     return attributes;
   }
 
-  /// Colours will stay in the range of those that faces use, or in [0, 1] where these lie there.
+  /// Colours and texture coordinates will stay in the range of those that faces use, colours in
+  /// [0, 1] where these lie there.
   template <class Surface>
   void limit([[maybe_unused]] const Surface& surface) {
-    if constexpr (A == Attribute::color) {
+    if constexpr (A == Attribute::color || A == Attribute::texture) {
       const auto box = surface.box();
       limit_to(attributes_of(box.low), attributes_of(box.high));
     }
   }
   void limit_to(const Vector<N>& lowest, const Vector<N>& highest) {
-    if constexpr (A == Attribute::color) {
+    if constexpr (A == Attribute::color || A == Attribute::texture) {
       low_ = lowest;
       high_ = highest;
+    }
+    if constexpr (A == Attribute::color) {
       const auto &low = low_.coordinates, &high = high_.coordinates;
       if (*std::min_element(low.begin(), low.end()) >= 0 &&
           *std::max_element(high.begin(), high.end()) <= 1) {
@@ -81,7 +84,8 @@ public:
     }
   }
 
-  /// Attributes in the range of their type: a colour stays in its limits, a normal gets length 1.
+  /// Attributes in the range of their type: colours and texture coordinates stay in their limits, a
+  /// normal gets length 1.
   template <class Key>
   void write(const Key& key, const Vector<N>& attributes) {
     put(map_, key, changed(get(map_, key), attributes));
@@ -92,7 +96,7 @@ public:
   }
   /// Nothing where opposite normals have met, so that the old one is left.
   std::optional<Vector<N>> in_range(Vector<N> attributes) const {
-    if constexpr (A == Attribute::color)
+    if constexpr (A == Attribute::color || A == Attribute::texture)
       for (std::size_t i = 0; i < N; ++i)
         attributes[i] = std::clamp(attributes[i], low_[i], high_[i]);
     if constexpr (A == Attribute::normal) {

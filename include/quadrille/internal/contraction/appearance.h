@@ -64,9 +64,9 @@ public:
     seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
       if (sides.size() == 2)
         edges.push_back({v, w});
-      if constexpr (has_channels)
-        channels_.hold_borders(seams_.labels(), sides, v, w);
     });
+    if constexpr (has_channels)
+      channels_.hold_borders(seams_.labels(), !seams_.is_empty());
     memories_.remember_creases(policies_.cost, policies_.carries.label_border_weight,
                                geometry_.positions(), complex_, edges);
   }

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
 #define QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
 
+#include <quadrille/internal/complex/edge_sides.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/channel.h>
@@ -42,9 +43,9 @@ public:
       return;
     kind_.resize(complex.vertex_capacity(), SeamKind::free);
     bool is_any_inside = false;
-    Edges edges;
+    EdgeSides edges;
     for (Index v = 0; v < kind_.size(); ++v) {
-      gather(edges, v);
+      edges.gather(complex, v);
       std::size_t seams = 0;
       for_each_edge(edges, v, [&](Index, bool is_seam, const auto& sides) {
         seams += is_seam;
@@ -79,11 +80,11 @@ public:
   /// Calls visit(v, w, sides) for each seam, once; the second of each side is a face.
   template <class Visit>
   void for_each_seam(Visit visit) const {
-    Edges edges;
+    EdgeSides edges;
     for (Index v = 0; v < kind_.size(); ++v) {
       if (kind_[v] == SeamKind::free)
         continue;
-      gather(edges, v);
+      edges.gather(*complex_, v);
       for_each_edge(edges, v, [&](Index w, bool is_seam, const auto& sides) {
         if (is_seam && v < w)
           visit(v, w, sides);
@@ -105,36 +106,17 @@ public:
   }
 
 private:
-  // Edges at a vertex: the other end, a face. Those of one edge are side by side once sorted.
-  using Edges = std::vector<std::pair<Index, Index>>;
-
   bool keeps_channels() const {
     return std::any_of(channels_.begin(), channels_.end(),
                        [](const Channel& channel) { return channel.are_seams_kept(); });
   }
 
-  static void add(Edges& edges, const StarFace& f) {
-    edges.push_back({f.second, f.face});
-    edges.push_back({f.third, f.face});
-  }
-  void gather(Edges& edges, Index v) const {
-    edges.clear();
-    complex_->for_each_corner(
-        v, [&](Index face, Index i) { add(edges, star_face_at(*complex_, face, i)); });
-  }
-
   // Calls visit(other, is_seam, sides) for each edge at a vertex, in the order of the other ends.
   template <class Visit>
-  void for_each_edge(Edges& edges, Index v, Visit visit) const {
-    std::sort(edges.begin(), edges.end());
-    for (auto side = edges.begin(); side != edges.end();) {
-      const auto end = std::find_if(
-          side, edges.end(), [w = side->first](const auto& next) { return next.first != w; });
-      const std::span sides(side, end);
-      visit(side->first,
-            sides.size() != 2 || is_seam(sides[0].second, sides[1].second, v, side->first), sides);
-      side = end;
-    }
+  void for_each_edge(EdgeSides& edges, Index v, Visit visit) const {
+    edges.for_each([&](Index w, std::span<const EdgeSides::Side> sides) {
+      visit(w, sides.size() != 2 || is_seam(sides[0].second, sides[1].second, v, w), sides);
+    });
   }
 
   // Is the edge vw of two faces a seam?
@@ -155,11 +137,11 @@ private:
   // at that end alone are given.
   std::vector<Index> seam_neighbours(Index v, const AppendBuffer<StarFace>& faces,
                                      const PairStar& star, Index b) const {
-    Edges edges;
+    EdgeSides edges;
     for (const StarFace& f : faces)
-      add(edges, f);
+      edges.add(f);
     for (const StarFace& f : star.shared)
-      edges.push_back({f.other_than(b), f.face});
+      edges.add(f.other_than(b), f.face);
     std::vector<Index> neighbours;
     for_each_edge(edges, v, [&](Index other, bool is_seam, const auto&) {
       if (is_seam)

@@ -1,22 +1,18 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 #define QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 
-#include <quadrille/internal/complex/least_surface.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace quadrille::internal {
 
@@ -29,12 +25,10 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
-              TriangleComplex& complex, const Geometry<Cost::dimension>& geometry,
-              const LinkCondition& link_condition, const Parts<Cost::dimension>& parts,
-              const SeamGraph& seams, bool is_topology_kept)
-      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        link_condition_(link_condition), parts_(parts), seams_(seams),
-        is_topology_kept_(is_topology_kept) {}
+              TriangleComplex& complex, const LinkCondition& link_condition, const SeamGraph& seams,
+              bool is_topology_kept)
+      : policies_(policies), scale_(scale), complex_(complex), link_condition_(link_condition),
+        seams_(seams), is_topology_kept_(is_topology_kept) {}
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
@@ -75,35 +69,11 @@ public:
       return false;
   }
 
-  /// Might contractions satisfy the stop policy? Not if the topology of several parts is kept and
-  /// even the smallest ones that have it are too large; one part alone may go as far as it can, and
-  /// so may one beside parts that may vanish. Takes linear time.
-  bool is_reachable(const Status& status) const {
-    if (!is_topology_kept_)
-      return true;
-    const auto [faces, vertices, parts] = least_surface(
-        complex_, link_condition_, [this](Index v) { return geometry_.is_fixed(v); },
-        [this](Index v) { return parts_.stays(v); });
-    if (parts <= 1)
-      return true;
-    Status least = status;
-    std::size_t contractions = least.vertices - (std::min)(least.vertices, vertices);
-    least.faces = (std::min)(least.faces, faces);
-    least.vertices = (std::min)(least.vertices, vertices);
-    least.next_error = least.next_distance = std::numeric_limits<double>::infinity();
-    for (; !policies_.stop(least); ++least.contractions) // it may look at their number
-      if (contractions-- == 0)
-        return false;
-    return true;
-  }
-
 private:
   const Policies& policies_;
   const Scale<Cost::dimension>& scale_;
   TriangleComplex& complex_;
-  const Geometry<Cost::dimension>& geometry_;
   const LinkCondition& link_condition_;
-  const Parts<Cost::dimension>& parts_;
   const SeamGraph& seams_;
   bool is_topology_kept_;
 };

@@ -79,8 +79,8 @@ public:
                 appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
-        target_rules_(policies, scale_, complex_, geometry_, link_condition_, parts_,
-                      appearance_.seams(), is_topology_kept_),
+        target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
+                      is_topology_kept_),
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       Cleanup(complex_, scratch(), labels_by_face(input.labels, numbering_.faces, complex_))

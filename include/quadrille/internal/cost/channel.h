@@ -30,6 +30,11 @@
 
 namespace quadrille::internal {
 
+/// An edge vw of a face at which its chart ends.
+struct ChartEnd {
+  Index v, w, face;
+};
+
 /// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
 /// to it, ChannelContraction tells.
 class Channel {
@@ -54,6 +59,9 @@ public:
 
   bool is_texture() const { return is_texture_; }
   bool are_seams_kept() const { return seams_ == Seams::kept; }
+  bool are_seams_held() const { return is_texture_ && seams_ == Seams::held; }
+  /// Must no face turn over in the texture?
+  bool keeps_faces_up() const { return is_texture_ && (are_seams_kept() || are_seams_held()); }
   bool has_seams() const { return table_.has_seams(); }
   std::size_t components() const { return records_.components(); }
 
@@ -129,7 +137,9 @@ public:
     return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
   }
   /// Are charts held where they end?
-  bool holds_borders() const { return is_texture_ && seams_ == Seams::kept && border_weight_ > 0; }
+  bool holds_borders() const { return keeps_faces_up() && border_weight_ > 0; }
+  /// How firmly: see ChannelOptions.
+  double border_weight() const { return border_weight_; }
   /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
   /// along the edge and not off it. What that leaves at v goes to `form`.
   void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COST_CHANNELS_H
 #define QUADRILLE_INTERNAL_COST_CHANNELS_H
 
+#include <quadrille/internal/complex/edge_sides.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/channel.h>
 #include <quadrille/internal/cost/channel_contraction.h>
@@ -13,6 +14,7 @@
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/vector.h>
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -68,23 +70,26 @@ public:
                        });
   }
 
-  /// Holds the charts that end at the edge vw; the second of each of its sides is a face.
-  template <class Sides>
-  void hold_borders(const Array<Index>& labels, const Sides& sides, Index v, Index w) {
-    const double area =
-        weight_of_area(squared_distance(geometry_.position(v), geometry_.position(w)));
+  /// Holds charts where they end, of a surface that has seams of other kinds or not: a border of
+  /// the surface holds no chart where there is no seam.
+  void hold_borders(const Array<Index>& labels, bool has_other_seams) {
     for (Channel& channel : channels_) {
-      if (!channel.holds_borders() ||
-          (sides.size() == 2 &&
-           !channel.ends_between(complex_, sides[0].second, sides[1].second, v, w)))
+      if (!channel.holds_borders())
         continue;
-      for (const auto& [other_end, face] : sides)
-        for (const auto& [end, other] : {std::pair(v, w), std::pair(w, v)}) {
-          QuadricForm<3> held;
-          channel.hold_border(complex_, labels, face, end, other, area, held);
-          form_at(end) += held;
-          traces_[end] += held.trace();
-        }
+      bool has_seams = has_other_seams;
+      std::vector<ChartEnd> ends;
+      for_each_edge(complex_, [&](Index v, Index w, const auto& sides) {
+        if (sides.size() == 2 &&
+            !channel.ends_between(complex_, sides[0].second, sides[1].second, v, w))
+          return;
+        has_seams = has_seams || sides.size() > 1;
+        for (const auto& side : sides)
+          ends.push_back({v, w, side.second});
+      });
+      if (!has_seams)
+        continue;
+      for (const ChartEnd& end : ends)
+        hold_border(channel, labels, end);
     }
   }
 
@@ -132,7 +137,7 @@ public:
   bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
     const ContractedPair pair = contracted(a, b);
     for (const Channel& channel : channels_) {
-      if (!channel.is_texture() || !channel.are_seams_kept())
+      if (!channel.keeps_faces_up())
         continue;
       if (ChannelContraction(channel, complex_, pair)
               .turns_over(star, target - geometry_.position(a)))
@@ -183,6 +188,33 @@ private:
       return Cost::channel_weight(area);
     else
       return area;
+  }
+
+  // What that leaves in the texture; where seams are held, a line in the surface as well.
+  void hold_border(Channel& channel, const Array<Index>& labels, const ChartEnd& border) {
+    const Vector<3> along = geometry_.position(border.w) - geometry_.position(border.v);
+    const double area = weight_of_area(squared_length(along));
+    const QuadricForm<3> line =
+        channel.are_seams_held()
+            ? squared_plane(off(border, along), 0, channel.border_weight() * area)
+            : QuadricForm<3>();
+    for (const auto& [end, other] :
+         {std::pair(border.v, border.w), std::pair(border.w, border.v)}) {
+      QuadricForm<3> held = line;
+      channel.hold_border(complex_, labels, border.face, end, other, area, held);
+      form_at(end) += held;
+      traces_[end] += held.trace();
+    }
+  }
+  // The direction in the face that leads off its edge, of length 1, or 0 if it can't be told.
+  Vector<3> off(const ChartEnd& border, const Vector<3>& along) const {
+    const auto& corners = complex_.vertices(border.face);
+    const Vector<3> normal =
+        normal_vector(geometry_.position(corners[0]), geometry_.position(corners[1]),
+                      geometry_.position(corners[2]));
+    const Vector<3> off = cross(along, normal);
+    const double squared = squared_length(off);
+    return squared > 0 ? (1 / std::sqrt(squared)) * off : Vector<3>();
   }
 
   QuadricForm<3>& form_at(Index v) {

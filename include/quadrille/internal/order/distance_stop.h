@@ -19,6 +19,7 @@ public:
   explicit DistanceStop(WorkingSurface<Policies>& surface)
       : surface_(surface), is_asking_(is_asking_for_distance(surface.policies().stop)) {}
 
+  bool is_asking() const { return may_ask && is_asking_; }
   /// The contraction may get another target.
   bool is_too_far(Contraction<Cost>& contraction) {
     if constexpr (may_ask) {

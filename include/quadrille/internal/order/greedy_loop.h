@@ -175,14 +175,17 @@ private:
     return false;
   }
 
-  // Is it for nothing, since the target can't be reached? Asked when the surface has few faces
-  // left.
-  bool destroys(const Contraction& contraction) {
-    if (!surface_.target_rules().is_destructive(contraction))
-      return false;
-    if (!is_target_reachable_)
-      is_target_reachable_ = surface_.target_rules().is_reachable(surface_.status());
-    return !*is_target_reachable_;
+  // Is what is left free being destroyed, since so much of the surface is held that all
+  // contractions have to be there? A bound of the distance is rule enough where the stop policy
+  // asks for one.
+  bool destroys(const Contraction& contraction) const {
+    return is_mostly_held() && !distance_stop_.is_asking() &&
+           surface_.target_rules().is_destructive(contraction);
+  }
+  // Is more than half of the pairs refused? This does not depend on the target, so a coarser one
+  // leaves no more faces.
+  bool is_mostly_held() const {
+    return 2 * waiting_.held() > surface_.pairs().count(surface_.status().faces);
   }
 
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
@@ -206,7 +209,7 @@ private:
     internal::refuse(surface_, {pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
-    waiting_.add(pair);
+    waiting_.add(pair, is_hold(cause));
   }
 
   void contract(const Contraction& contraction) {
@@ -291,7 +294,6 @@ private:
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: key and partner
   bool is_last_resort_ = false;                    // has one of the deferred pairs its turn?
   std::size_t pairs_seen_ = 0;
-  std::optional<bool> is_target_reachable_; // if it has been asked
   bool has_met_distance_ = false, has_met_destruction_ = false;
 };
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace quadrille::internal {
@@ -20,12 +21,14 @@ public:
   explicit RefusedPairs(std::size_t vertices, Workspace* workspace = nullptr)
       : last_entry_(vertices, none, workspace) {}
 
-  void add(const QueuedPair& pair) {
+  /// `is_held`: is it one of those that held() counts?
+  void add(const QueuedPair& pair, bool is_held = false) {
     const Index slot = new_slot();
-    slots_[slot] = {pair, {none, none}, 2};
+    slots_[slot] = {pair, {none, none}, 2, is_held};
     link(pair.first, slot, 0);
     link(pair.second, slot, 1);
     ++size_;
+    held_ += is_held;
   }
 
   bool has(Index vertex) const {
@@ -47,6 +50,7 @@ public:
       if (--slot.lists == 1) {
         --size_;
         --most;
+        held_ -= slot.is_held;
         visit(slot.pair); // the other list forgets it later
       } else {
         free_.push_back(entry / 2);
@@ -61,6 +65,7 @@ public:
   }
 
   std::size_t size() const { return size_; }
+  std::size_t held() const { return held_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
     internal::prefetch(&last_entry_[vertex]);
@@ -70,7 +75,8 @@ private:
   struct Slot {
     QueuedPair pair;
     std::array<Index, 2> next; // in the lists of the two ends, behind the last the first
-    int lists;                 // how many lists it is in; refused while in both
+    std::int16_t lists;        // how many lists it is in; refused while in both
+    bool is_held;
   };
 
   Index new_slot() {
@@ -101,7 +107,7 @@ private:
   std::vector<Slot> slots_;
   std::vector<Index> free_;
   Array<Index> last_entry_; // of the list of each vertex
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, held_ = 0;
 };
 
 } // namespace quadrille::internal

@@ -68,10 +68,6 @@ public:
     }
     if (surface_.progress().is_enough())
       return false;
-    if (!is_target_reachable()) {
-      refuse(Rejection::destruction);
-      return true;
-    }
     const std::span<const Index> vertices = this->vertices(part);
     surface_.remove_part(part, vertices);
     std::for_each(vertices.begin(), vertices.end(), gone);
@@ -136,12 +132,6 @@ private:
     return part;
   }
 
-  bool is_target_reachable() {
-    if (!is_target_reachable_)
-      is_target_reachable_ = surface_.target_rules().is_reachable(surface_.status());
-    return *is_target_reachable_;
-  }
-
   void refuse(Rejection cause) {
     internal::refuse(surface_, {none, none}, cause);
     has_met_distance_ |= cause == Rejection::distance;
@@ -154,8 +144,7 @@ private:
   DistanceStop<Policies> distance_stop_;
   PartLists lists_;
   std::vector<Entry> heap_;
-  std::optional<float> waiting_price_;      // of a part that would go beyond the target
-  std::optional<bool> is_target_reachable_; // if it has been asked
+  std::optional<float> waiting_price_; // of a part that would go beyond the target
   bool has_met_distance_ = false;
 };
 

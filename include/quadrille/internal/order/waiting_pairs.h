@@ -27,7 +27,10 @@ public:
   explicit WaitingPairs(const TriangleComplex& complex)
       : complex_(complex), refused_(complex.vertex_capacity(), complex.workspace()) {}
 
-  void add(const QueuedPair& pair) { refused_.add(pair); }
+  /// `is_held`: see held().
+  void add(const QueuedPair& pair, bool is_held = false) { refused_.add(pair, is_held); }
+  /// How many wait that were refused for what holds the surface.
+  std::size_t held() const { return refused_.held(); }
   /// Some pairs of a vertex of many faces have been added, and others are in the queue.
   void note_left_behind(Index v) { left_behind_.push_back(v); }
   bool empty() const { return refused_.size() == 0; }

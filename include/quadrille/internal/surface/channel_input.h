@@ -27,8 +27,8 @@ struct ChannelInput {
     weights = options.weights;
     importance = options.importance;
     is_texture = holds_texture;
-    seams = options.seams.value_or(is_texture ? Seams::kept : Seams::priced);
-    border_weight = options.border_weight;
+    seams = options.seams.value_or(is_texture ? Seams::held : Seams::priced);
+    border_weight = options.border_weight.value_or(seams == Seams::held ? 0.05 : 10);
     new_values = options.new_values;
   }
 
