@@ -88,7 +88,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement, false>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_face_graph(mesh, policies, carried, named);
@@ -118,7 +118,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
     Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement, true>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(points, triangles, policies, carried, named);
@@ -152,7 +152,7 @@ requires internal::BufferedSoup<std::remove_reference_t<Points>,
   auto&& rows_of_points = internal::as_rows(points, "point");
   auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement, true>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(rows_of_points, rows_of_triangles, policies, carried, named);

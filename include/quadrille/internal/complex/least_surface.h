@@ -21,6 +21,7 @@ struct SurfaceSize {
 struct PartTally {
   std::size_t faces = 0, vertices = 0, fixed = 0;
   bool is_closed = true; // and a manifold
+  bool has_backs = true; // do all faces have one?
 
   /// It has no fewer faces and vertices. Of a closed part with Euler characteristic χ these are
   /// V = ⌈(7 + √(49 − 24 χ)) / 2⌉ and 2 (V − χ): a vertex has at most V − 1 neighbours (Heawood
@@ -50,13 +51,16 @@ SurfaceSize least_surface(const TriangleComplex& complex, const LinkCondition& l
       part.is_closed &= link_condition.is_interior(v);
     }
   for (Index face = 0; face < complex.face_capacity(); ++face)
-    if (!complex.is_removed(face))
-      ++parts[root[complex.vertices(face)[0]]].faces;
+    if (!complex.is_removed(face)) {
+      PartTally& part = parts[root[complex.vertices(face)[0]]];
+      ++part.faces;
+      part.has_backs &= complex.backs().has(face);
+    }
   SurfaceSize size{0, 0, 0};
   for (const PartTally& part : parts)
     if (part.vertices > 0) {
       const SurfaceSize least = part.least();
-      size.faces += least.faces;
+      size.faces += part.has_backs ? 2 * least.faces : least.faces;
       size.vertices += least.vertices;
       size.parts += least.parts;
     }
