@@ -95,7 +95,7 @@ public:
     if (!progress_.proceed())
       return;
     remember();
-    recording_.begin();
+    recording_.begin(back_channels_);
     if constexpr (Progress<Policies>::has_visitor)
       progress_.expect(ContractionCount(is_topology_kept_, complex_.backs())
                            .contractions(policies.stop, status()));
