@@ -1279,6 +1279,44 @@ TEST_CASE("STL is written in single precision and refuses what that does not hol
   CHECK(content_of(folder.path("a.stl")) == tiny);
 }
 
+TEST_CASE("Facets of STL keep their colours, and have the attribute 0 where there is none",
+          "[mesh_io]") {
+  const Folder folder;
+  const auto attributes = [&](const std::string& name) {
+    const std::string content = content_of(folder.path(name));
+    std::vector<std::uint16_t> result;
+    for (std::size_t end = stl_header_size + stl_facet_size; end <= content.size();
+         end += stl_facet_size)
+      result.push_back(little_endian_at<std::uint16_t>(content, end - 2));
+    return result;
+  };
+  using Attributes = std::vector<std::uint16_t>;
+  const auto file = [&](std::string header, const Attributes& of_facets) {
+    header.resize(80, ' ');
+    header += bytes(static_cast<std::uint32_t>(of_facets.size()));
+    for (const std::uint16_t attribute : of_facets)
+      header += std::string(12, '\0') + float_points() + bytes(attribute);
+    return header;
+  };
+  const auto rewritten = [&](const std::string& content) {
+    IndexedMesh mesh = read("a.stl", content);
+    fit_to_format(mesh, *find_format(".stl"));
+    write_mesh(folder.path("b.stl"), mesh);
+    return attributes("b.stl");
+  };
+  const std::string magics = std::string("a COLOR=") + "\x10\x20\x30\x40";
+  CHECK(rewritten(file("", {0, 0})) == Attributes{0, 0});
+  CHECK(rewritten(file("", {0xFC00, 0, 0x801F})) == Attributes{0xFC00, 0, 0x801F});
+  CHECK(rewritten(file("", {0x2020, 0x801F})) == Attributes{0, 0x801F}); // spaces are no colour
+  CHECK(losses("a.stl", file("", {0x2020})) == "attributes of facets that are no colours");
+  CHECK(losses("a.stl", file("", {0x8000})).empty());
+  CHECK(rewritten(file(magics, {0x001F, 0x8000, 0})) == Attributes{0x001F, 0x8000, 0});
+  CHECK(content_of(folder.path("b.stl")).starts_with(magics));
+  IndexedMesh mesh = read("a.stl", file("", {0xFC00, 0x801F}));
+  fit_to_format(mesh, *find_format(".obj"));
+  CHECK(mesh.losses.text() == "colours of facets");
+}
+
 TEST_CASE("An empty mesh is written as a valid file", "[mesh_io]") {
   const Folder folder;
   for (const std::string name : {"a.off", "a.obj", "a.ply", "a.stl", "a.ts"}) {
