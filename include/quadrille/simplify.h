@@ -109,7 +109,9 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
 /// `points` and `triangles` are random-access containers: of points of a CGAL kernel or of three
 /// floating-point numbers, as std::array<float, 3> (or of anything, with `point_map`), and of three
 /// indices each. Points and triangles that are left keep their order; points of no triangle,
-/// degenerate and doubled triangles are dropped. Property maps of the named parameters are over the
+/// degenerate triangles, and those on the vertices of another one that runs the same way round, are
+/// dropped. Two that run against each other are the sides of a sheet: both stay, each with what it
+/// has, and each counts as a face. Property maps of the named parameters are over the
 /// index of a point, CGAL::make_property_map(vector) say, and hold the results at the new indices;
 /// the vector behind one keeps its length, with old values at the end. There are no maps over
 /// edges, and no duplicates. Otherwise as above.
