@@ -996,7 +996,7 @@ expect stderr '^cut.glb: the file is cut off: it has 900 of the [0-9]+ bytes tha
 write_sides() { # material of the back, factor: 1 turns it round, 0 does not
   awk -v back="$1" -v turns="$2" 'BEGIN {
     n = 20
-    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print "v", i, j, sin(i) * cos(j)
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print "v", i, j, 2 * sin(i / 5) * cos(j / 5)
     for (side = 0; side < 2; ++side) {
       print "usemtl", side ? back : "A"
       for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
@@ -1010,8 +1010,7 @@ write_sides() { # material of the back, factor: 1 turns it round, 0 does not
 count_sides() { # file.obj: faces of A and of B that look up, and that look down
   awk '$1 == "v" { x[++n] = $2; y[n] = $3 }
     $1 == "usemtl" { material = $2 }
-    $1 == "f" { split($2, a, "/"); split($3, b, "/"); split($4, c, "/")
-      a = a[1]; b = b[1]; c = c[1]
+    $1 == "f" { a = $2 + 0; b = $3 + 0; c = $4 + 0
       ++count[material, (x[b] - x[a]) * (y[c] - y[a]) > (y[b] - y[a]) * (x[c] - x[a])] }
     END { print 0 + count["A", 1], 0 + count["A", 0], 0 + count["B", 1], 0 + count["B", 0] }' "$1"
 }
