@@ -5,6 +5,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/labels.h>
 #include <quadrille/levels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/stop.h>
@@ -197,6 +198,20 @@ TEST_CASE(
           for (std::uint32_t v : t)
             CHECK(sheet.points[v][0] < 0.52);
     }
+}
+
+TEST_CASE("Fronts run the same way round, in whatever order the faces come") {
+  // Memoryless costs keep the volume below a sheet: faces that run against each other would not.
+  const auto error_of = [](bool interleaved, auto has_back) {
+    Sheet<double> sheet = two_sided(bumps(), has_back, interleaved);
+    sheet.labels.clear();
+    const Report report = simplify<MemorylessQuadric, OptimalPlacement>(
+        sheet.points, sheet.triangles,
+        [](const Status& status) { return status.contractions >= 500; }, NormalFlip{180});
+    return report.error;
+  };
+  for (const auto& has_back : {+everywhere, +on_the_left})
+    CHECK(error_of(true, has_back) == Approx(error_of(false, has_back)).epsilon(0.01));
 }
 
 TEST_CASE("A closed surface may have an inside") {
