@@ -1279,6 +1279,26 @@ TEST_CASE("STL is written in single precision and refuses what that does not hol
   CHECK(content_of(folder.path("a.stl")) == tiny);
 }
 
+TEST_CASE("The sides of a sheet that differ by their normals only get the same vertices",
+          "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string vertices;
+  for (const char* normal : {" 0 0 1\n", " 0 0 -1\n"})
+    for (const char* place : {"0 0 0", "1 0 0", "0 1 0", "1 1 0"})
+      vertices += std::string(place) + normal;
+  const IndexedMesh mesh =
+      read("a.ply", header + vertices + "3 0 1 2\n3 1 3 2\n3 6 5 4\n3 6 7 5\n");
+  CHECK(mesh.points.size() == 4);
+  CHECK(mesh.triangles.size() == 4);
+  CHECK(mesh.corner_normals.triples.size() == 4);
+  // Of the same way round they would be faces twice.
+  CHECK(read("a.ply", header + vertices + "3 0 1 2\n3 1 3 2\n3 4 5 6\n3 5 7 6\n").points.size() ==
+        8);
+}
+
 TEST_CASE("Facets of STL keep their colours, and have the attribute 0 where there is none",
           "[mesh_io]") {
   const Folder folder;
