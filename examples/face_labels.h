@@ -50,7 +50,8 @@ private:
   static constexpr std::size_t most_colors = 64;
 
   static bool is_color(std::string_view name) {
-    constexpr std::array<std::string_view, 4> names = {"red", "green", "blue", "alpha"};
+    constexpr std::array<std::string_view, 5> names = {"red", "green", "blue", "alpha",
+                                                       stl_color_name};
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 

@@ -24,7 +24,7 @@ inline void add_report(quadrille::Report& sum, const quadrille::Report& report) 
         &Report::vertices_after, &Report::contractions, &Report::non_edge_contractions,
         &Report::components_before, &Report::components_after, &Report::vanished_parts,
         &Report::non_manifold_edges, &Report::non_manifold_vertices, &Report::duplicated_vertices,
-        &Report::doubled_labels})
+        &Report::counted_faces, &Report::doubled_faces, &Report::doubled_labels})
     sum.*count += report.*count;
   for (std::size_t cause = 0; cause < quadrille::rejection_causes; ++cause)
     sum.rejections[cause] += report.rejections[cause];

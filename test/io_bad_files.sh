@@ -74,8 +74,8 @@ check_mesh='
     if (a == b || b == c || c == a)
       complain("two equal corners")
     low = a < b ? (a < c ? a : c) : (b < c ? b : c)
-    high = a > b ? (a > c ? a : c) : (b > c ? b : c)
-    if (seen[low, a + b + c - low - high, high]++)
+    next_to_low = low == a ? b : low == b ? c : a # the other way round it is a back
+    if (seen[low, next_to_low, a + b + c - low - next_to_low]++)
       complain("a doubled face")
   }
   END { if (!is_bad && NR != 2 + vertices + faces) print "not as many lines as vertices and faces" }'

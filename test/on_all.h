@@ -109,13 +109,16 @@ struct OnSoup {
   }
 };
 
-/// Neither degenerate nor duplicate faces, no point without a face, all finite.
-inline bool is_clean(const Soup& soup) {
+/// Neither degenerate nor duplicate faces, but for those with a back if there may be any; no point
+/// without a face, all finite.
+inline bool is_clean(const Soup& soup, bool may_have_backs = false) {
   std::set<Triangle> seen;
   std::set<std::uint32_t> used;
-  for (Triangle t : soup.triangles) {
-    std::sort(t.begin(), t.end());
-    if (t[0] == t[1] || t[1] == t[2] || t[2] >= soup.points.size() || !seen.insert(t).second)
+  for (const Triangle& t : soup.triangles) {
+    Triangle sorted = t;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || sorted[2] >= soup.points.size() ||
+        !seen.insert(may_have_backs ? canonical(t) : sorted).second)
       return false;
     used.insert(t.begin(), t.end());
   }

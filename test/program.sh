@@ -991,6 +991,52 @@ run 2 cut.glb old.glb
 expect stderr '^cut.glb: the file is cut off: it has 900 of the [0-9]+ bytes that it says$'
 [ "$(cat old.glb)" = old ] || fail "the output has changed"
 
+# Both sides of a sheet stay, each with its material and wound as it was; of faces doubled the same
+# way round one is left, which is told, and shares are of what counts.
+write_sides() { # material of the back, factor: 1 turns it round, 0 does not
+  awk -v back="$1" -v turns="$2" 'BEGIN {
+    n = 20
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print "v", i, j, 2 * sin(i / 5) * cos(j / 5)
+    for (side = 0; side < 2; ++side) {
+      print "usemtl", side ? back : "A"
+      for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+        v = i * (n + 1) + j + 1
+        if (side && turns) print "f", v + n + 2, v + n + 1, v "\nf", v + 1, v + n + 2, v
+        else print "f", v, v + n + 1, v + n + 2 "\nf", v, v + n + 2, v + 1
+      }
+    }
+  }'
+}
+count_sides() { # file.obj: faces of A and of B that look up, and that look down
+  awk '$1 == "v" { x[++n] = $2; y[n] = $3 }
+    $1 == "usemtl" { material = $2 }
+    $1 == "f" { a = $2 + 0; b = $3 + 0; c = $4 + 0
+      ++count[material, (x[b] - x[a]) * (y[c] - y[a]) > (y[b] - y[a]) * (x[c] - x[a])] }
+    END { print 0 + count["A", 1], 0 + count["A", 0], 0 + count["B", 1], 0 + count["B", 0] }' "$1"
+}
+write_sides B 1 >sides.obj
+for part in 50 10 3; do
+  run 0 sides.obj out.obj --keep $part%
+  expect stdout '^sides.obj: 1,600 -> [0-9]+ faces \([0-9.]+ %\)'
+  expect_nothing stderr
+  set -- $(count_sides out.obj)
+  [ "$1" = 0 ] || set -- "$2" "$1" "$4" "$3"
+  [ "$1 $4" = "0 0" ] && [ "$2" = "$3" ] && [ $((200 * $2)) -gt $((1600 * part - 800)) ] &&
+    [ $((200 * $2)) -le $((1600 * part)) ] || fail "sides of $* faces at $part %"
+done
+write_sides A 1 >same.obj
+run 0 same.obj out.obj --keep 50%
+set -- $(count_sides out.obj)
+[ "$1" = "$2" ] && [ "$1" -gt 390 ] || fail "sides of $* faces"
+write_sides A 0 >doubled.obj
+run 0 doubled.obj out.obj --keep 10% --report report.json
+expect stdout '^doubled.obj: 1,600 -> (80|79) faces \([0-9.]+ % of the 800 that count\)'
+expect stderr '^doubled.obj: faces left out for having the corners of another one, the same way round: 800$'
+expect report.json '"counted_faces": 800'
+expect report.json '"doubled_faces": 800'
+run 0 doubled.obj out.obj --keep 10% --quiet
+expect_nothing stderr
+
 # The input may be the output
 run 0 plain.off plain.off
 expect_ratio plain.off 400

@@ -1015,12 +1015,12 @@ TEST_CASE("Vertices that only normals tell apart are one, as normals are not kep
       without.replace(i, 7, "\n");
   CHECK(read("a.off", "OFF" + without.substr(4)).points.size() == 8);
 
-  // The two sides of a card stay two sheets.
+  // The two sides of a card are one sheet: both stay, on the same vertices.
   const IndexedMesh card =
       read("a.off", "NOFF 8 4 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n"
                     "0 0 0 0 0 -1\n1 0 0 0 0 -1\n1 1 0 0 0 -1\n0 1 0 0 0 -1\n"
                     "3 0 1 2\n3 0 2 3\n3 4 6 5\n3 4 7 6");
-  CHECK(card.points.size() == 8);
+  CHECK(card.points.size() == 4);
   CHECK(card.triangles.size() == 4);
 }
 
@@ -1277,6 +1277,65 @@ TEST_CASE("STL is written in single precision and refuses what that does not hol
       write_mesh(folder.path("a.stl"), mesh),
       Catch::EndsWith("a.stl: a coordinate is too large for STL, which is of single precision"));
   CHECK(content_of(folder.path("a.stl")) == tiny);
+}
+
+TEST_CASE("The sides of a sheet that differ by their normals only get the same vertices",
+          "[mesh_io]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string vertices;
+  for (const char* normal : {" 0 0 1\n", " 0 0 -1\n"})
+    for (const char* place : {"0 0 0", "1 0 0", "0 1 0", "1 1 0"})
+      vertices += std::string(place) + normal;
+  const IndexedMesh mesh =
+      read("a.ply", header + vertices + "3 0 1 2\n3 1 3 2\n3 6 5 4\n3 6 7 5\n");
+  CHECK(mesh.points.size() == 4);
+  CHECK(mesh.triangles.size() == 4);
+  CHECK(mesh.corner_normals.triples.size() == 4);
+  // Of the same way round they would be faces twice.
+  CHECK(read("a.ply", header + vertices + "3 0 1 2\n3 1 3 2\n3 4 5 6\n3 5 7 6\n").points.size() ==
+        8);
+}
+
+TEST_CASE("Facets of STL keep their colours, and have the attribute 0 where there is none",
+          "[mesh_io]") {
+  const Folder folder;
+  const auto attributes = [&](const std::string& name) {
+    const std::string content = content_of(folder.path(name));
+    std::vector<std::uint16_t> result;
+    for (std::size_t end = stl_header_size + stl_facet_size; end <= content.size();
+         end += stl_facet_size)
+      result.push_back(little_endian_at<std::uint16_t>(content, end - 2));
+    return result;
+  };
+  using Attributes = std::vector<std::uint16_t>;
+  const auto file = [&](std::string header, const Attributes& of_facets) {
+    header.resize(80, ' ');
+    header += bytes(static_cast<std::uint32_t>(of_facets.size()));
+    for (const std::uint16_t attribute : of_facets)
+      header += std::string(12, '\0') + float_points() + bytes(attribute);
+    return header;
+  };
+  const auto rewritten = [&](const std::string& content) {
+    IndexedMesh mesh = read("a.stl", content);
+    fit_to_format(mesh, *find_format(".stl"));
+    write_mesh(folder.path("b.stl"), mesh);
+    return attributes("b.stl");
+  };
+  const std::string magics = std::string("a COLOR=") + "\x10\x20\x30\x40";
+  CHECK(rewritten(file("", {0, 0})) == Attributes{0, 0});
+  CHECK(rewritten(file("", {0xFC00, 0, 0x801F})) == Attributes{0xFC00, 0, 0x801F});
+  CHECK(rewritten(file("", {0x2020, 0x801F})) == Attributes{0, 0x801F}); // spaces are no colour
+  CHECK(read("a.stl", file("", {0x2020})).losses.text() ==
+        "attributes of facets that are no colours");
+  CHECK(read("a.stl", file("", {0x8000})).losses.empty());
+  CHECK(rewritten(file(magics, {0x001F, 0x8000, 0})) == Attributes{0x001F, 0x8000, 0});
+  CHECK(content_of(folder.path("b.stl")).starts_with(magics));
+  IndexedMesh mesh = read("a.stl", file("", {0xFC00, 0x801F}));
+  fit_to_format(mesh, *find_format(".obj"));
+  CHECK(mesh.losses.text() == "colours of facets");
 }
 
 TEST_CASE("An empty mesh is written as a valid file", "[mesh_io]") {

@@ -65,15 +65,16 @@ public:
   }
 
   /// How many triangles of the primitives do not go through `simplify`: those of two equal corners,
-  /// which are not among the triangles, and all but one of those of the same corners. To be asked
-  /// before.
+  /// which are not among the triangles, and all but one of those of the same corners that run the
+  /// same way round. To be asked before.
   std::size_t count_left_out() const {
     std::size_t count = 0;
     for (const GltfPrimitive& primitive : primitives_)
       count += primitive.triangles.size();
     std::set<Triangle> different;
     for (Triangle triangle : triangles) {
-      std::sort(triangle.begin(), triangle.end());
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                  triangle.end());
       different.insert(triangle);
     }
     return count - different.size();

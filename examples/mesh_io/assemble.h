@@ -36,6 +36,7 @@ public:
     mesh_.remarks = std::move(soup_.remarks);
     mesh_.losses = std::move(soup_.losses);
     mesh_.texture_comments = std::move(soup_.texture_comments);
+    mesh_.stl_header = std::move(soup_.stl_header);
     mesh_.points = std::move(soup_.points);
     mesh_.is_blank = mesh_.points.empty() && soup_.polygon_ends.empty();
     if (mesh_.points.size() > most_points)

@@ -21,6 +21,7 @@ struct MeshFormat {
   bool holds_corners;    ///< several texture coordinates at a vertex, normals
   bool holds_parts;      ///< materials, groups and objects
   bool holds_numbers;    ///< numbers of vertices and faces by any name, comments
+  bool holds_stl_colors; ///< of these at least the colours of facets
 };
 
 /// The format of an extension, in any case of letters; nothing if there is none.

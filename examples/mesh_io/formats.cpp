@@ -16,6 +16,7 @@
 #include "stl.h"
 #include "text.h"
 
+#include <functional>
 #include <stdexcept>
 
 namespace quadrille_examples {
@@ -24,13 +25,13 @@ namespace {
 
 constexpr MeshFormat mesh_formats[] = {
     {".off", [](const Source& source) { return OffReader(source).read(); }, encode_off, true, false,
-     false, false},
+     false, false, false},
     {".obj", [](const Source& source) { return ObjReader(source).read(); }, encode_obj, true, true,
-     true, false},
-    {".ply", read_ply, encode_ply, true, true, false, true},
-    {".stl", read_stl, encode_stl, false, false, false, false},
+     true, false, false},
+    {".ply", read_ply, encode_ply, true, true, false, true, true},
+    {".stl", read_stl, encode_stl, false, false, false, false, true},
     {".ts", [](const Source& source) { return GocadReader(source).read(); }, encode_gocad, false,
-     false, false, false}};
+     false, false, false, false}};
 
 /// Takes the names of parts of a mesh, and tells them.
 void lose_parts(IndexedMesh& mesh) {
@@ -55,17 +56,23 @@ void lose_normals(IndexedMesh& mesh) {
     part.has_normals = false;
 }
 
-/// The same of its comments and named numbers.
-void lose_numbers(IndexedMesh& mesh) {
+/// The same of its comments and named numbers; colours of facets may be held.
+void lose_numbers(IndexedMesh& mesh, bool holds_stl_colors) {
   for (const std::string& comment : mesh.texture_comments)
     mesh.losses.add("comment " + in_quotes(comment, 100));
   for (const NamedNumbers& numbers : mesh.vertex_numbers)
     mesh.losses.add("vertex property " + in_quotes(numbers.name));
+  const auto is_held = [&](const NamedNumbers& numbers) {
+    return holds_stl_colors && numbers.name == stl_color_name;
+  };
   for (const NamedNumbers& numbers : mesh.face_numbers)
-    mesh.losses.add("face property " + in_quotes(numbers.name));
+    if (numbers.name == stl_color_name && !is_held(numbers))
+      mesh.losses.add("colours of facets");
+    else if (!is_held(numbers))
+      mesh.losses.add("face property " + in_quotes(numbers.name));
   mesh.texture_comments.clear();
   mesh.vertex_numbers.clear();
-  mesh.face_numbers.clear();
+  std::erase_if(mesh.face_numbers, std::not_fn(is_held));
 }
 
 } // namespace
@@ -89,7 +96,7 @@ const MeshFormat& mesh_format(const std::filesystem::path& path, const char* oth
 
 void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
   if (!format.holds_numbers)
-    lose_numbers(mesh);
+    lose_numbers(mesh, format.holds_stl_colors);
   if (!format.holds_attributes) {
     if (!mesh.colors.empty())
       mesh.losses.add("colours");

@@ -41,10 +41,23 @@ struct IndexedMesh {
   std::vector<NamedNumbers> vertex_numbers;  ///< each of them one per point
   std::vector<NamedNumbers> face_numbers;    ///< each of them one per triangle
   std::vector<std::string> texture_comments; ///< those of a PLY file that name textures
+  std::string stl_header;                    ///< of a binary STL file, if it names a colour
   std::vector<std::string> remarks;          ///< what reading left out or changed
   Losses losses;                             ///< what the file has besides
   bool is_blank = true;                      ///< did the file hold neither a vertex nor a face?
 };
+
+/// The name of the face number that holds the colours of facets of a binary STL file, as they are
+/// there: 0 where there is none.
+inline constexpr const char* stl_color_name = "stl_color";
+
+/// These, if a mesh has them.
+inline const NamedNumbers* stl_colors(const IndexedMesh& mesh) {
+  for (const NamedNumbers& numbers : mesh.face_numbers)
+    if (numbers.name == stl_color_name)
+      return &numbers;
+  return nullptr;
+}
 
 } // namespace quadrille_examples
 

@@ -44,6 +44,7 @@ struct PolygonSoup {
   std::vector<NamedNumbers> vertex_numbers; ///< each of them one per point
   std::vector<NamedNumbers> face_numbers;   ///< each of them one per polygon
   std::vector<std::string> texture_comments;
+  std::string stl_header; ///< see IndexedMesh
 
   bool has_normals = false;
 

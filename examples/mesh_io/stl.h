@@ -25,7 +25,38 @@
 namespace quadrille_examples {
 
 inline constexpr std::size_t stl_header_size = 84; // 80 bytes of anything and the facet count
-inline constexpr std::size_t stl_facet_size = 50;  // a normal, three points and two spare bytes
+inline constexpr std::size_t stl_facet_size = 50;  // a normal, three points and an attribute
+
+/// Has a facet a colour of its own, with five bits for each component? Where the header names a
+/// colour of all facets, as of Magics, each attribute tells of one; else, as of VisCAM and
+/// SolidView, if its highest bit is set.
+inline bool names_stl_color(std::string_view header) {
+  return header.find("COLOR=") != std::string_view::npos;
+}
+inline bool is_stl_color(std::uint16_t attribute, bool header_names_color) {
+  return header_names_color || (attribute & 0x8000) != 0;
+}
+
+/// The colours of the facets, as a number of each that a mesh carries along: 0 where there is none.
+inline void read_stl_colors(std::string_view bytes, std::size_t facets, PolygonSoup& soup) {
+  const std::string_view header = bytes.substr(0, stl_header_size - 4);
+  NamedNumbers colors{stl_color_name, {2, true, false}, {}};
+  bool is_any = false;
+  for (std::size_t i = 0; i < facets; ++i) {
+    const auto attribute =
+        little_endian_at<std::uint16_t>(bytes, stl_header_size + (i + 1) * stl_facet_size - 2);
+    const bool is_color = is_stl_color(attribute, names_stl_color(header));
+    colors.values.push_back(is_color ? attribute : 0);
+    is_any |= is_color;
+    if (attribute != 0 && !is_color)
+      soup.losses.add("attributes of facets that are no colours");
+  }
+  if (!is_any)
+    return;
+  soup.face_numbers.push_back(std::move(colors));
+  if (names_stl_color(header))
+    soup.stl_header = header;
+}
 
 inline PolygonSoup read_binary_stl(const Source& source) {
   const std::string_view bytes = source.content;
@@ -49,9 +80,8 @@ inline PolygonSoup read_binary_stl(const Source& source) {
       soup.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
     }
     soup.end_polygon();
-    if (little_endian_at<std::uint16_t>(bytes, stl_header_size + (i + 1) * stl_facet_size - 2) != 0)
-      soup.losses.add("attributes of facets, as their colours");
   }
+  read_stl_colors(bytes, facets, soup);
   if (bytes.size() != stl_header_size + facets * stl_facet_size)
     soup.remarks.push_back("the bytes after the last facet are left out");
   return soup;
@@ -214,6 +244,19 @@ inline PolygonSoup read_stl(const Source& source) {
   return is_binary_stl(source) ? read_binary_stl(source) : StlTextReader(source).read();
 }
 
+/// Writes the header and the attributes of facets into a binary file: colours, and 0 where there is
+/// none.
+inline void put_stl_colors(const IndexedMesh& mesh, std::string& bytes) {
+  const NamedNumbers* const colors = stl_colors(mesh);
+  if (colors && !mesh.stl_header.empty())
+    bytes.replace(0, mesh.stl_header.size(), mesh.stl_header);
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    std::string attribute;
+    append_little_endian(attribute, static_cast<std::uint16_t>(colors ? colors->values[face] : 0));
+    bytes.replace(stl_header_size + (face + 1) * stl_facet_size - 2, 2, attribute);
+  }
+}
+
 /// Binary, hence with coordinates of type `float`.
 inline std::string encode_stl(const IndexedMesh& mesh) {
   std::vector<Point> rounded; // beforehand, lest CGAL divide by lengths that underflow
@@ -227,7 +270,9 @@ inline std::string encode_stl(const IndexedMesh& mesh) {
   std::ostringstream stream;
   CGAL::IO::set_binary_mode(stream);
   CGAL::IO::write_STL(stream, rounded, mesh.triangles);
-  return std::move(stream).str();
+  std::string bytes = std::move(stream).str();
+  put_stl_colors(mesh, bytes);
+  return bytes;
 }
 
 } // namespace quadrille_examples

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -120,17 +121,43 @@ inline Welded weld_points(IndexedMesh& mesh, Weld weld) {
   return welded;
 }
 
-/// How many edges of more than two faces there are, and faces with the vertices of another one.
+/// The triangles with their corners in order, but one of two that run against each other on the
+/// same vertices: these are the sides of a sheet.
+inline std::vector<std::array<std::uint32_t, 3>> sorted_fronts(const IndexedMesh& mesh) {
+  struct Side {
+    std::array<std::uint32_t, 3> corners;
+    bool is_turned;
+    bool operator<(const Side& other) const {
+      return std::tie(corners, is_turned) < std::tie(other.corners, other.is_turned);
+    }
+  };
+  std::vector<Side> sides;
+  for (auto t : mesh.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    sides.push_back({t, t[2] < t[1]});
+    std::sort(sides.back().corners.begin(), sides.back().corners.end());
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<std::array<std::uint32_t, 3>> fronts;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool is_back = i > 0 && sides[i].corners == sides[i - 1].corners && sides[i].is_turned &&
+                         !sides[i - 1].is_turned;
+    if (!is_back)
+      fronts.push_back(sides[i].corners);
+  }
+  return fronts;
+}
+
+/// How many edges of more than two faces there are, and faces with the vertices of another one. The
+/// two sides of a sheet are one face.
 inline std::size_t count_overfull(const IndexedMesh& mesh) {
   std::vector<std::array<std::uint32_t, 2>> edges;
-  std::vector<std::array<std::uint32_t, 3>> faces = mesh.triangles;
-  for (auto& t : faces) {
+  const std::vector<std::array<std::uint32_t, 3>> faces = sorted_fronts(mesh);
+  for (const auto& t : faces) {
     for (std::size_t i = 0; i < 3; ++i)
       edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
-    std::sort(t.begin(), t.end());
   }
   std::sort(edges.begin(), edges.end());
-  std::sort(faces.begin(), faces.end());
   std::size_t count = 0;
   for (std::size_t i = 2; i < edges.size(); ++i)
     count += edges[i] == edges[i - 2];

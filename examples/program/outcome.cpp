@@ -49,11 +49,13 @@ std::string line(const Options& options, const Outcome& outcome) {
   const Report& report = outcome.report;
   std::string text = options.input + ": " + with_commas(report.faces_before) + arrow() +
                      with_commas(report.faces_after) + " faces";
-  if (report.faces_before > 0)
+  if (report.counted_faces > 0)
     text += " (" +
             percent_text(static_cast<double>(report.faces_after) /
-                         static_cast<double>(report.faces_before)) +
-            ")";
+                         static_cast<double>(report.counted_faces)) +
+            (report.counted_faces < report.faces_before
+                 ? " of the " + with_commas(report.counted_faces) + " that count)"
+                 : ")");
   if (!options.levels.empty())
     text += " in " + outcome.file;
   text += ", " + duration_text(report.seconds.total());
@@ -65,9 +67,9 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += measured_text(*outcome.measured, outcome.diagonal);
   if (report.vanished_parts > 0)
     text += ", " + with_commas(report.vanished_parts) + " parts vanished";
-  const quadrille::Status input{.initial_faces = report.faces_before,
+  const quadrille::Status input{.initial_faces = report.counted_faces,
                                 .initial_vertices = report.vertices_before,
-                                .faces = report.faces_before,
+                                .faces = report.counted_faces,
                                 .vertices = report.vertices_before};
   if (options.from.empty() && outcome.target.is_given() && outcome.target.is_coarse_enough(input))
     text += ": IN meets the target already";
@@ -116,6 +118,8 @@ Json json_of(const Outcome& outcome) {
                {"target_met", outcome.is_target_met()},
                {"stop", to_string(report.stop)},
                {"faces", before_and_after(report.faces_before, report.faces_after)},
+               {"counted_faces", report.counted_faces},
+               {"doubled_faces", report.doubled_faces},
                {"vertices", before_and_after(report.vertices_before, report.vertices_after)},
                {"components", before_and_after(report.components_before, report.components_after)},
                {"contractions", report.contractions},

@@ -49,7 +49,7 @@ IndexedMesh mesh_of(const quadrille::Level& level) {
 /// As of a run; but a record does not know why it ends.
 quadrille::Report report_of(const LevelInfo& finest, const LevelInfo& level, const Target& target) {
   quadrille::Report report;
-  report.faces_before = finest.faces;
+  report.faces_before = report.counted_faces = finest.faces;
   report.vertices_before = finest.vertices;
   report.faces_after = level.faces;
   report.vertices_after = level.vertices;

@@ -41,10 +41,9 @@ void print_remarks(const Options& options, GltfMeshes& meshes) {
   std::size_t left_out = 0;
   for (const GltfSurface& surface : meshes.surfaces())
     left_out += surface.count_left_out();
-  remark(
-      "triangles left out for having two equal corners, or the corners of another one, whichever "
-      "way round",
-      left_out);
+  remark("triangles left out for having two equal corners, or the corners of another one, the same "
+         "way round",
+         left_out);
   const auto folder = [](const std::string& file) {
     return std::filesystem::absolute(file).lexically_normal().parent_path();
   };
@@ -74,7 +73,7 @@ quadrille::Report simplify_surfaces(Surfaces& surfaces, const Options& options) 
     rest -= faces;
   }
   if (sum.stop != quadrille::StopReason::cancelled && !quadrille::is_target_reached(sum.stop) &&
-      options.target.is_coarse_enough({.initial_faces = sum.faces_before,
+      options.target.is_coarse_enough({.initial_faces = sum.counted_faces,
                                        .initial_vertices = sum.vertices_before,
                                        .faces = sum.faces_after,
                                        .vertices = sum.vertices_after}))

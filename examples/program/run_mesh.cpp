@@ -119,6 +119,7 @@ public:
     else
       simplify_to(files_.front(), std::move(mesh), options_);
     write();
+    print_remark_of_doubled_faces();
     return tell(options_, outcomes_);
   }
 
@@ -162,6 +163,14 @@ private:
     });
     files_.insert(files_.begin(), options_.record);
     contents_.insert(contents_.begin(), encoded_levels(levels));
+  }
+
+  /// Those that run against each other stay: these are the sides of a sheet.
+  void print_remark_of_doubled_faces() const {
+    if (const std::size_t faces = outcomes_.front().report.doubled_faces; faces > 0)
+      print_remark(options_, "faces left out for having the corners of another one, the same way "
+                             "round: " +
+                                 std::to_string(faces));
   }
 
   /// All or, where something has gone wrong before, nothing.

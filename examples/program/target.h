@@ -53,7 +53,7 @@ struct Target {
     };
     Target result = *this;
     if (ratio || !is_given()) {
-      const double wanted = ratio.value_or(0.5) * static_cast<double>(done.faces_before + rest);
+      const double wanted = ratio.value_or(0.5) * static_cast<double>(done.counted_faces + rest);
       result.ratio = std::min(1., left(wanted, done.faces_after) / static_cast<double>(rest));
     }
     if (faces)

@@ -106,6 +106,7 @@ inline void set_faces(IndexedMesh& mesh, const IndexedMesh& source,
   mesh.parts = source.parts;
   mesh.face_numbers = source.face_numbers;
   mesh.texture_comments = source.texture_comments;
+  mesh.stl_header = source.stl_header;
   mesh.corner_textures.are_double = source.corner_textures.are_double;
   mesh.corner_normals.are_double = source.corner_normals.are_double;
   const auto take = [&](auto& values) {

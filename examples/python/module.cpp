@@ -175,6 +175,10 @@ void add_report(py::module_& m) {
   py::class_<Report> report(m, "Report", "What simplify() did. str(report) is one line.");
   report.def_readonly("faces_before", &Report::faces_before)
       .def_readonly("faces_after", &Report::faces_after)
+      .def_readonly("counted_faces", &Report::counted_faces,
+                    "of the input, without degenerate and doubled ones: what shares are of")
+      .def_readonly("doubled_faces", &Report::doubled_faces,
+                    "of the input, left out for having the corners of another one")
       .def_readonly("vertices_before", &Report::vertices_before)
       .def_readonly("vertices_after", &Report::vertices_after)
       .def_readonly("contractions", &Report::contractions, "pairs of vertices made one")

@@ -42,7 +42,8 @@ struct RecordedSurface {
   std::size_t width;
   std::vector<double> values; ///< of each input vertex these numbers, in the mesh's units
   /// The vertices of each input face; not_recorded, three times, for faces that are not there from
-  /// the beginning: degenerate ones, and doubled ones where they are dropped.
+  /// the beginning: degenerate ones, and doubled ones where they are dropped. Both sides of a sheet
+  /// are there, and go at the same time.
   std::vector<std::array<RecordedIndex, 3>> triangles;
   std::vector<RecordedChannel> channels; ///< in the order of the call
   bool knows_distances; ///< does a stop policy ask for distances, so that contractions tell them?

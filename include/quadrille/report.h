@@ -103,6 +103,7 @@ constexpr std::string_view to_string(Rejection cause) {
 /// What `simplify` did. It prints itself in one line.
 struct Report {
   std::size_t faces_before = 0;    ///< of the input, with degenerate and doubled ones
+  std::size_t counted_faces = 0;   ///< the same without them: what stop policies count
   std::size_t faces_after = 0;     ///< of the result
   std::size_t vertices_before = 0; ///< of the input, with isolated ones
   std::size_t vertices_after = 0;  ///< of the result
@@ -116,6 +117,9 @@ struct Report {
   std::size_t non_manifold_edges = 0;    ///< of the result: edges of three faces or more
   std::size_t non_manifold_vertices = 0; ///< of the result: neither a disc nor half a disc around
   std::size_t duplicated_vertices = 0;   ///< added to write a non-manifold result to a FaceGraph
+  /// Faces of the input that were left out before the first contraction because another one on the
+  /// same vertices is left. Of a soup, the two sides of a sheet are no such faces: both are left.
+  std::size_t doubled_faces = 0;
   /// Faces that went because another one of the same corners is left, which has another label: of
   /// the input, or where topology is free.
   std::size_t doubled_labels = 0;
@@ -186,6 +190,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";
+  if (report.doubled_faces > 0)
+    out << ", " << report.doubled_faces << " doubled faces left out";
   if (report.doubled_labels > 0)
     out << ", " << report.doubled_labels << " doubled faces of other labels";
   const char* separator = ", rejected: ";

@@ -88,7 +88,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement, false>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_face_graph(mesh, policies, carried, named);
@@ -109,7 +109,9 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
 /// `points` and `triangles` are random-access containers: of points of a CGAL kernel or of three
 /// floating-point numbers, as std::array<float, 3> (or of anything, with `point_map`), and of three
 /// indices each. Points and triangles that are left keep their order; points of no triangle,
-/// degenerate and doubled triangles are dropped. Property maps of the named parameters are over the
+/// degenerate triangles, and those on the vertices of another one that runs the same way round, are
+/// dropped. Two that run against each other are the sides of a sheet: both stay, each with what it
+/// has, and each counts as a face. Property maps of the named parameters are over the
 /// index of a point, CGAL::make_property_map(vector) say, and hold the results at the new indices;
 /// the vector behind one keeps its length, with old values at the end. There are no maps over
 /// edges, and no duplicates. Otherwise as above.
@@ -118,7 +120,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
     Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement, true>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(points, triangles, policies, carried, named);
@@ -152,7 +154,7 @@ requires internal::BufferedSoup<std::remove_reference_t<Points>,
   auto&& rows_of_points = internal::as_rows(points, "point");
   auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement, true>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(rows_of_points, rows_of_triangles, policies, carried, named);

@@ -6,7 +6,9 @@ namespace quadrille {
 /// Whether contractions may change the topology of the surface.
 enum class Topology {
   kept, ///< the link condition is asked: a manifold stays one, with its genus, borders and parts
-  free, ///< as in the 1997 paper: parts join, holes close, edges of three faces may arise
+  /// As in the 1997 paper: parts join, holes close, edges of three faces may arise. Of faces that
+  /// come to lie on the same three vertices the lower one is left, whichever way round they are.
+  free,
 
   /// Kept, but that a part, what no vertex connects with the rest, may vanish whole where that is
   /// the cheapest thing to do. It costs the squared radius of the part, as it was in the input,

@@ -391,12 +391,22 @@ bool has_finite(const Numbers& numbers) {
   return std::isfinite(numbers[0]) && std::isfinite(numbers[1]);
 }
 
-/// The triangles without those that have two equal corners and without doubles.
-Soup cleaned(Soup soup) {
-  std::set<Triangle> seen;
-  std::erase_if(soup.triangles, [&](Triangle t) {
+/// The same for all triangles on the same vertices; or, if sides are told apart, for those of them
+/// that run the same way round.
+Triangle key_of(Triangle t, bool tells_sides) {
+  if (tells_sides)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  else
     std::sort(t.begin(), t.end());
-    return t[0] == t[1] || t[1] == t[2] || !seen.insert(t).second;
+  return t;
+}
+
+/// The triangles without those that have two equal corners and without doubles.
+Soup cleaned(Soup soup, bool tells_sides) {
+  std::set<Triangle> seen;
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+           !seen.insert(key_of(t, tells_sides)).second;
   });
   return soup;
 }
@@ -455,7 +465,7 @@ class Judge {
 public:
   Judge(const Case& input, const Outcome& outcome)
       : input_(input), call_(input.call), report_(outcome.report), outcome_(outcome),
-        before_(cleaned(input.soup)), topology_before_(topology_of(before_)) {
+        before_(cleaned(input.soup, !input.is_mesh)), topology_before_(topology_of(before_)) {
     for (const Point& p : outcome.points)
       after_.points.push_back(to_position(p));
     after_.triangles = outcome.triangles;
@@ -503,13 +513,16 @@ private:
 
   void require_clean() {
     require(!topology_after_.has_collapsed_faces, "a face with two equal corners");
-    require(!topology_after_.has_duplicate_faces || report_.duplicated_vertices > 0,
+    const bool has_sides = topology_before_.has_duplicate_faces && !input_.is_mesh;
+    require(cleaned(after_, has_sides).triangles.size() == after_.triangles.size() ||
+                report_.duplicated_vertices > 0,
             "a duplicate face");
     require(topology_after_.vertices == after_.points.size(), "a point of no face");
   }
 
   void require_report() {
     require(report_.faces_before == input_.soup.triangles.size(), "faces_before");
+    require(input_.is_mesh || report_.counted_faces == before_.triangles.size(), "counted_faces");
     require(report_.vertices_before == input_.soup.points.size(), "vertices_before");
     require(report_.faces_after == after_.triangles.size(), "faces_after");
     require(report_.vertices_after == after_.points.size(), "vertices_after");

@@ -104,6 +104,20 @@ class Results(Folder):
         few = quadrille.simplify(points, faces, faces=0)
         self.assertFalse(few.report.is_target_reached)
 
+    def test_both_sides_of_a_sheet_stay(self):
+        points, faces, _ = sheet(12)
+        both = np.concatenate([faces, faces[:, ::-1], faces[:7]])
+        result = quadrille.simplify(points, both, ratio=0.25)
+        report = result.report
+        self.assertEqual((report.faces_before, report.counted_faces, report.doubled_faces),
+                         (len(both), 2 * len(faces), 7))
+        is_back = result.input_faces >= len(faces)
+        self.assertEqual(2 * is_back.sum(), len(result.faces))
+        self.assertLess(abs(len(result.faces) - 0.5 * len(faces)), 4)
+        around = lambda triangles: {tuple(np.roll(t, -t.argmin())) for t in triangles}
+        self.assertEqual(around(result.faces[~is_back]), around(result.faces[is_back][:, ::-1]))
+        self.assertTrue(is_back.any())
+
     def test_image_and_input_faces(self):
         points, faces, _ = sheet(12)
         result = quadrille.simplify(points, faces, faces=60, placement="endpoint")

@@ -55,8 +55,10 @@ def simplify(
 
     points     numbers of the shape (n, 3), finite, in any unit; or a Mesh, with all that it has
     triangles  integers of the shape (m, 3) in [0, n): the points of each triangle. Any triangles will
-               do: open, non-manifold, of several parts. Degenerate and doubled ones are dropped, and
-               so are points of no triangle. What is left keeps its order.
+               do: open, non-manifold, of several parts. Degenerate ones are dropped, those doubled
+               the same way round but one, and points of no triangle. Two on the same points that run
+               against each other are the sides of a sheet, and both stay. What is left keeps its
+               order.
 
     Targets, of which the first that is met ends it; half of the faces where there is none:
 

@@ -125,8 +125,8 @@ private:
               std::vector<double>& values) const {
     std::vector<double> components(maps_[c].channel().components);
     for (std::size_t k = 0; k < components.size(); ++k)
-      components[k] = result.channel(c).value(wedge, k);
-    maps_[c].append(components, result.channel(c).origin(wedge) == none, old, values);
+      components[k] = result.value(c, wedge, k);
+    maps_[c].append(components, result.origin(c, wedge) == none, old, values);
   }
 
   std::vector<SoupChannelMap> maps_;

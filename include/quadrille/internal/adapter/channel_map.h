@@ -145,10 +145,10 @@ public:
                                const Value& old) const {
     Vector<size> value;
     for (std::size_t c = 0; c < size; ++c)
-      value[c] = result.channel(channel).value(wedge, c);
+      value[c] = result.value(channel, wedge, c);
     if (components(old) == value)
       return std::nullopt;
-    const bool is_new = result.channel(channel).origin(wedge) == none;
+    const bool is_new = result.origin(channel, wedge) == none;
     const std::optional<Vector<size>> inside = is_new ? in_range(value) : value;
     return inside ? with_components(old, *inside) : old;
   }

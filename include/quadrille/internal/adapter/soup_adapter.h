@@ -44,7 +44,7 @@ public:
   SurfaceInput<dimension> read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
     SurfaceInput<dimension> surface(workspace_);
-    surface.has_duplicate_faces = true;
+    surface.has_duplicate_faces = surface.may_have_backs = true;
     surface.reserve(std::ranges::size(points_), std::ranges::size(triangles_));
     for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
       surface.positions.push_back(read_position(v));

@@ -77,10 +77,10 @@ std::vector<WedgeUse> uses_of(const Result& result, const Array<Index>& faces, C
   for (Index wedge = 0; wedge < old.size(); ++wedge) {
     if (old[wedge] == none)
       continue;
-    const Index origin = result.channel(c.number).origin(wedge);
+    const Index origin = result.origin(c.number, wedge);
     WedgeUse use{origin == none ? old[wedge] : origin, {}, wedge};
     for (std::size_t k = 0; k < c.components && origin == none; ++k)
-      use.wedge_value.push_back(result.channel(c.number).value(wedge, k));
+      use.wedge_value.push_back(result.value(c.number, wedge, k));
     uses.push_back(std::move(use));
   }
   std::sort(uses.begin(), uses.end());

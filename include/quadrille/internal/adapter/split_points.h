@@ -33,8 +33,8 @@ public:
                       i,
                       3 * f + i};
         for (std::size_t c : channels)
-          for (std::size_t k = 0; k < result.channel(c).components(); ++k)
-            corner.values.push_back(result.channel(c).value(result.wedge(c, faces[f], i), k));
+          for (std::size_t k = 0; k < result.components(c); ++k)
+            corner.values.push_back(result.value(c, result.wedge(c, faces[f], i), k));
         corners.push_back(std::move(corner));
       }
     std::sort(corners.begin(), corners.end());

@@ -42,7 +42,7 @@ public:
   SurfaceInput<3> read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
     SurfaceInput<3> surface(workspace_);
-    surface.has_duplicate_faces = true;
+    surface.has_duplicate_faces = surface.may_have_backs = true;
     weld(surface);
     Array<TriangleComplex::Triangle> corners(workspace_);
     for (std::size_t face = 0; face < std::ranges::size(triangles_); ++face) {

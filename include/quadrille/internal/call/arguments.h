@@ -245,7 +245,7 @@ inline namespace QUADRILLE_THREADING {
 
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
-template <class CostArgument, class PlacementArgument, class... Arguments>
+template <class CostArgument, class PlacementArgument, bool of_soup, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
   using CGAL::parameters::get_parameter;
   using Cost = CostOf<CostArgument, Arguments...>;
@@ -268,7 +268,7 @@ auto pick_policies(const Arguments&... arguments) {
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       ThreadsHere(threads_of(order)),
-      carries(pick_carried<Cost>(arguments...)),
+      carries<of_soup>(pick_carried<Cost>(arguments...)),
       pick_recorder<Cost>(arguments...),
       topology,
       pick_filters<Cost>(arguments...)};

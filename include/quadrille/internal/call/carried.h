@@ -108,9 +108,9 @@ auto pick_carried(const Arguments&... arguments) {
 }
 
 /// What the engine knows of it.
-template <class Carried>
+template <bool may_have_backs, class Carried>
 auto carries(const Carried& carried) {
-  Carries<Carried::has_labels, Carried::has_channels> carries;
+  Carries<Carried::has_labels, Carried::has_channels, may_have_backs> carries;
   if constexpr (Carried::has_labels)
     carries.label_border_weight = carried.labels.border_weight;
   return carries;

@@ -106,7 +106,7 @@ bool proceeds_at_beginning(const Policies& policies, const Report& report) {
 
 /// Of a surface that is left as it was, since the visitor has cancelled.
 inline Report untouched(Report report) {
-  report.faces_after = report.faces_before;
+  report.counted_faces = report.faces_after = report.faces_before;
   report.vertices_after = report.vertices_before;
   report.stop = StopReason::cancelled;
   return report;

@@ -8,8 +8,11 @@
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/report.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace quadrille::internal {
 
@@ -54,12 +57,41 @@ struct TopologyCount {
   }
 };
 
+/// Is a vertex that has faces with backs neither a disc nor half a disc around? It is a disc where
+/// a face is alone with its back. Edges of more than two faces, backs being such, are counted.
+inline bool is_non_manifold_with_backs(const TriangleComplex& complex, Index v,
+                                       TopologyCount& count) {
+  std::vector<std::pair<Index, std::size_t>> edges; // the other end, how many faces
+  std::size_t faces = 0;
+  complex.for_each_corner(v, [&](Index face, Index i) {
+    const StarFace f = star_face_at(complex, face, i);
+    for (Index other : {f.second, f.third})
+      edges.emplace_back(other, complex.backs().count(face));
+    ++faces;
+  });
+  std::sort(edges.begin(), edges.end());
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    std::size_t at_edge = 0;
+    const Index other = begin->first;
+    for (; begin != edges.end() && begin->first == other; ++begin)
+      at_edge += begin->second;
+    count.non_manifold_edges += at_edge > 2 && v < other;
+  }
+  return faces > 1;
+}
+
 inline TopologyCount count_topology(TriangleComplex& complex, VertexLabels& labels) {
   TopologyCount count{count_components(complex)};
   VertexClassifier classify;
   EdgeStar star;
   for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-    if (!complex.has_faces(v) || classify(complex, v, labels) < VertexKind::spine)
+    if (!complex.has_faces(v))
+      continue;
+    if (complex.any_corner(v, [&](Index face, Index) { return complex.backs().has(face); })) {
+      count.non_manifold_vertices += is_non_manifold_with_backs(complex, v, count);
+      continue;
+    }
+    if (classify(complex, v, labels) < VertexKind::spine)
       continue;
     ++count.non_manifold_vertices;
     for (const EdgeAt& edge : star.gather(complex, v, labels))

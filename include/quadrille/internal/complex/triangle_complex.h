@@ -4,14 +4,14 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/base/ranges.h>
+#include <quadrille/internal/complex/backs.h>
+#include <quadrille/internal/complex/too_large.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace quadrille::internal {
@@ -44,10 +44,7 @@ public:
 
   static void check_size(std::size_t vertices, std::size_t faces) {
     if (vertices >= max_vertices || faces >= max_faces)
-      throw std::length_error(
-          "quadrille::simplify: " + std::to_string(vertices) + " vertices and " +
-          std::to_string(faces) + " faces do not fit into 32-bit indices (at most " +
-          std::to_string(max_vertices - 1) + " and " + std::to_string(max_faces - 1) + ")");
+      throw_too_large(vertices, faces, max_vertices - 1, max_faces - 1);
   }
 
   /// Where its arrays are, and others may be.
@@ -55,10 +52,12 @@ public:
 
   std::size_t vertex_capacity() const { return lists_.size(); }
   std::size_t face_capacity() const { return faces_.size(); }
-  /// Counts those that have not been removed.
+  /// Counts those that have not been removed, and their backs.
   std::size_t count_faces() const {
-    return static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(),
-                                                  [](const Triangle& f) { return f[0] != none; }));
+    std::size_t count = 0;
+    for (Index face = 0; face < faces_.size(); ++face)
+      count += is_removed(face) ? 0 : backs_.count(face);
+    return count;
   }
   /// Counts those that have faces.
   std::size_t count_vertices() const {
@@ -67,6 +66,9 @@ public:
 
   bool is_removed(Index face) const { return faces_[face][0] == none; }
   const Triangle& vertices(Index face) const { return faces_[face]; }
+  /// Which faces have one. Contractions do not look at them.
+  const Backs& backs() const { return backs_; }
+  void set_backs(Backs backs) { backs_ = std::move(backs); }
   /// At most this many faces are at a vertex.
   std::size_t degree_bound(Index vertex) const { return lists_[vertex].size; }
   /// A face that has been removed counts until a walk drops it.
@@ -226,6 +228,7 @@ private:
   Array<Triangle> faces_;
   Array<Index> pool_;
   Array<List> lists_; // of each vertex
+  Backs backs_;
 };
 
 template <class Threads>
@@ -281,7 +284,9 @@ inline void TriangleComplex::pack(const Array<Index>& vertices) {
     list.size = 0;
   for (Index v = 0; v < vertices.size(); ++v)
     lists_[vertices[v]].begin = v; // until fill_lists()
-  pack_if(faces_, [this](Index face) { return !is_removed(face); });
+  const auto is_left = [this](Index face) { return !is_removed(face); };
+  backs_.pack_if(is_left);
+  pack_if(faces_, is_left);
   for (Triangle& face : faces_)
     for (Index& v : face) {
       v = lists_[v].begin;

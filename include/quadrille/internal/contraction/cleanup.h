@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
 #define QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
 
+#include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
@@ -48,9 +49,10 @@ struct Loss {
 
 /// The most that contracting the star may take where topology is free: duplicate faces go too, and
 /// what is isolated then.
-inline Loss most_loss(const PairStar& star) {
+inline Loss most_loss(const PairStar& star, const Backs& backs) {
   const std::size_t duplicates = (std::min)(star.first.size(), star.second.size());
-  return {star.shared.size() + duplicates, star.shared.size() + 2};
+  return {backs.count_all(star.shared) + (backs.is_empty() ? 1 : 2) * duplicates,
+          star.shared.size() + 2};
 }
 
 /// What contractions leave behind where topology is free, taken away and tallied: duplicate faces,
@@ -61,27 +63,12 @@ public:
   Cleanup(TriangleComplex& complex, Scratch& scratch, const Array<Index>& labels)
       : complex_(complex), scratch_(scratch), labels_(labels) {}
 
-  /// Of the faces at a vertex with the same three vertices, one is left.
-  void remove_duplicate_faces(Index v) {
-    scratch_.faces.clear();
-    complex_.prune_corners(
-        v, [&](Index face, Index i) { scratch_.faces.push_back(star_face_at(complex_, face, i)); });
-    remove_duplicates();
-  }
-
-  /// The same at all vertices, before the first contraction: of what goes only labels are tallied.
-  void remove_all_duplicate_faces() {
-    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
-      remove_duplicate_faces(v);
-    scratch_.tally.faces = 0;
-  }
-
   /// The faces of both ends of the star go.
   void remove_shared_faces() {
     scratch_.duplicates.clear();
     for (const StarFace& f : scratch_.star.shared)
       complex_.remove_face(f.face);
-    scratch_.tally.faces += scratch_.star.shared.size();
+    scratch_.tally.faces += complex_.backs().count_all(scratch_.star.shared);
     scratch_.tally.non_edge_contractions += scratch_.star.shared.empty();
   }
 
@@ -103,9 +90,9 @@ public:
   /// How many faces and vertices the contraction of the star will take.
   Loss loss(Index b) {
     const PairStar& star = scratch_.star;
-    Loss loss{star.shared.size(), 1};
+    Loss loss{complex_.backs().count_all(star.shared), 1};
     gather_changed();
-    for_each_duplicate([&](Index, Index) { ++loss.faces; });
+    for_each_duplicate([&](Index face, Index) { loss.faces += complex_.backs().count(face); });
     for_each_cut_off(star, b, [&](Index v) { loss.vertices += !has_others(v); });
     loss.vertices += star.first.empty() && star.second.empty();
     return loss;
@@ -122,7 +109,7 @@ private:
     for_each_duplicate([this](Index face, Index left) {
       complex_.remove_face(face);
       scratch_.duplicates.push_back(face);
-      ++scratch_.tally.faces;
+      scratch_.tally.faces += complex_.backs().count(face);
       scratch_.tally.doubled_labels += !labels_.empty() && labels_[face] != labels_[left];
     });
   }

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_COUNT_H
 
 #include <quadrille/concepts.h>
+#include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/report.h>
@@ -13,10 +14,12 @@ namespace quadrille::internal {
 
 /// How many contractions a pass may do without asking the stop policy, and what each counts as.
 /// Where topology is free, duplicate faces go too, and all faces at an edge, and what is isolated
-/// then: such a contraction counts as several.
+/// then: such a contraction counts as several. Where faces have backs, these go with them.
 class ContractionCount {
 public:
-  explicit ContractionCount(bool is_topology_kept) : is_topology_kept_(is_topology_kept) {}
+  /// `backs`: of the surface; it stays where it is.
+  ContractionCount(bool is_topology_kept, const Backs& backs)
+      : is_topology_kept_(is_topology_kept), backs_(backs) {}
 
   /// As many as `stop`, asked before each, would let pass in a row from `now` on.
   template <StopPolicy Stop>
@@ -46,14 +49,17 @@ public:
   /// The most that contracting the star may count.
   std::size_t most_used(const PairStar& star) const {
     const auto [faces, vertices] =
-        is_topology_kept_ ? Loss{star.shared.size(), 1} : most_loss(star);
+        is_topology_kept_ ? Loss{backs_.count_all(star.shared), 1} : most_loss(star, backs_);
     return used(faces, vertices);
   }
 
 private:
-  std::size_t faces_each() const { return is_topology_kept_ ? 2 : 4; }
+  std::size_t faces_each() const {
+    return (is_topology_kept_ ? 2 : 4) * (backs_.is_empty() ? std::size_t{1} : 2);
+  }
 
   bool is_topology_kept_;
+  const Backs& backs_;
 };
 
 } // namespace quadrille::internal

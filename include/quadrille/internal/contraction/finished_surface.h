@@ -8,6 +8,7 @@
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace quadrille::internal {
@@ -23,6 +24,7 @@ struct FinishedSurface {
   UninitializedArray<typename Cost::Memory> memories; ///< if they were asked for
   Numbering numbering;
   std::vector<Channel> channels;
+  std::vector<std::size_t> back_channels; ///< see BackValues
 };
 
 } // namespace quadrille::internal

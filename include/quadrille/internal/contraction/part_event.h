@@ -42,11 +42,14 @@ void remove_part(TriangleComplex& complex, std::span<const Index> vertices, doub
   const std::vector<Index> faces = faces_of(complex, vertices);
   const PartEvent event{vertices, faces, radius};
   std::apply([&](auto&... observer) { (tell_vanished(observer, event), ...); }, observers);
-  for (Index face : faces)
+  std::size_t count = 0; // with backs
+  for (Index face : faces) {
+    count += complex.backs().count(face);
     complex.remove_face(face);
+  }
   for (Index v : vertices)
     complex.prune_corners(v);
-  tally.count_part(event);
+  tally.count_part(event, count);
 }
 
 } // namespace quadrille::internal

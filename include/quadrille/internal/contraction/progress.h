@@ -40,6 +40,7 @@ public:
     status_.vertices -= tally.vertices;
     status_.contractions += tally.contractions;
     total_.non_edge_contractions += tally.non_edge_contractions;
+    total_.doubled_faces += tally.doubled_faces;
     total_.doubled_labels += tally.doubled_labels;
     total_.vanished_parts += tally.vanished_parts;
     total_.error = (std::max)(total_.error, tally.error);
@@ -67,6 +68,8 @@ public:
     report.vertices_after = status_.vertices;
     report.contractions = status_.contractions;
     report.non_edge_contractions = total_.non_edge_contractions;
+    report.counted_faces = status_.initial_faces;
+    report.doubled_faces = total_.doubled_faces;
     report.doubled_labels = total_.doubled_labels;
     report.vanished_parts = total_.vanished_parts;
     report.rejections = total_.rejections;

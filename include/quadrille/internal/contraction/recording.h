@@ -9,6 +9,7 @@
 #include <quadrille/internal/contraction/record_order.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/told_channels.h>
 #include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -41,13 +42,14 @@ public:
       : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
         geometry_(geometry), channels_(channels), scratches_(scratches) {}
 
-  /// Of the surface as it is before the first contraction.
-  void begin() {
+  /// Of the surface as it is before the first contraction. `back_channels`: see BackValues.
+  void begin(const std::vector<std::size_t>& back_channels) {
     if (!policies_.recorder.is_listening())
       return;
     const std::size_t vertices = numbering_.vertices.input_count();
-    for (Channel& channel : all_channels())
-      width_ += channel.has_seams() ? 0 : channel.components();
+    told_ = told_channels(all_channels(), back_channels, complex_.vertex_capacity());
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      width_ += told_[c].has_wedges ? 0 : all_channels()[c].components();
     RecordedSurface surface{dimension, width_, std::vector<double>(width_ * vertices),
                             {},        {},     is_asking_for_distance(policies_.stop)};
     std::vector<double> memory;
@@ -58,11 +60,13 @@ public:
                 surface.values.begin() +
                     static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
     }
-    surface.triangles = by_input_face([this](Index face, std::size_t i) {
-      return numbering_.vertices[complex_.vertices(face)[i]];
-    });
-    for (Channel& channel : all_channels())
-      surface.channels.push_back(read(channel));
+    surface.triangles =
+        corners_by_input_face(complex_, numbering_.faces, [this](Index face, std::size_t i, bool) {
+          return numbering_.vertices[complex_.vertices(face)[i]];
+        });
+    for (const ToldChannel& told : told_)
+      if (!told.is_of_backs)
+        surface.channels.push_back(read(told));
     policies_.recorder.begin(std::move(surface));
     for (Scratch& scratch : scratches_)
       scratch.recorded.list = empty_list();
@@ -77,10 +81,12 @@ public:
     corners.clear();
     const auto channels = all_channels();
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      if (!channels[c].has_seams())
+      if (!told_[c].has_wedges)
         continue;
       const auto note = [&](Index face, Index end) {
         Channel& channel = channels[c];
+        if (told_[c].is_of_backs && !complex_.backs().has(face))
+          return;
         corners.push_back(
             {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
       };
@@ -100,9 +106,9 @@ public:
     const Vector<dimension> position = scale_.position_of_mesh(event.contraction.target());
     buffer.faces.clear();
     for (const StarFace& f : scratch.star.shared)
-      buffer.faces.push_back(numbering_.faces[f.face]);
+      add_inputs(f.face, buffer.faces);
     for (Index face : scratch.duplicates)
-      buffer.faces.push_back(numbering_.faces[face]);
+      add_inputs(face, buffer.faces);
     if constexpr (Policies::Carries::has_channels)
       gather_wedges(event.kept, buffer);
     const RecordedContraction contraction{numbering_.vertices[event.kept],
@@ -123,7 +129,7 @@ public:
       return;
     std::vector<Index> faces;
     for (Index face : event.faces)
-      faces.push_back(numbering_.faces[face]);
+      add_inputs(face, faces);
     RecordedContraction removal;
     removal.error = event.radius;
     removal.removed_faces = faces;
@@ -161,8 +167,6 @@ public:
   }
 
 private:
-  using Corners = std::array<Index, 3>;
-
   std::span<Channel> all_channels() {
     if constexpr (Policies::Carries::has_channels)
       return channels_.all();
@@ -177,32 +181,39 @@ private:
     if (width_ == dimension)
       return position.coordinates;
     memory.assign(position.coordinates.begin(), position.coordinates.end());
-    for (Channel& channel : all_channels())
-      if (!channel.has_seams())
-        channel.append_final_values(v, memory);
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      if (!told_[c].has_wedges)
+        all_channels()[c].append_final_values(v, memory);
     return memory;
   }
 
-  template <class At>
-  std::vector<Corners> by_input_face(At at) const {
-    std::vector<Corners> corners(numbering_.faces.input_count(), Corners{none, none, none});
-    for (Index face = 0; face < complex_.face_capacity(); ++face)
-      if (!complex_.is_removed(face))
-        corners[numbering_.faces[face]] = {at(face, 0), at(face, 1), at(face, 2)};
-    return corners;
+  // The input index of a face, and that of its back.
+  void add_inputs(Index face, auto& faces) const {
+    faces.push_back(numbering_.faces[face]);
+    if (complex_.backs().has(face))
+      faces.push_back(complex_.backs().input_face(face));
   }
 
-  RecordedChannel read(Channel& channel) const {
-    RecordedChannel recorded{channel.components(), {}, {}};
-    if (!channel.has_seams())
+  RecordedChannel read(const ToldChannel& told) {
+    Channel& fronts = all_channels()[told.number];
+    RecordedChannel recorded{fronts.components(), {}, {}};
+    if (!told.has_wedges)
       return recorded;
-    channel.records().identify();
-    recorded.corners = by_input_face([&](Index face, std::size_t i) {
-      return channel.wedge(complex_, face, complex_.vertices(face)[i]);
-    });
-    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
-      channel.append_final_values(wedge, recorded.values);
+    recorded.corners = corners_by_input_face(
+        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
+          const std::size_t c = is_back ? told.of_backs : told.number;
+          return told_[c].first_wedge +
+                 all_channels()[c].wedge(complex_, face, complex_.vertices(face)[i]);
+        });
+    append_values(fronts, recorded.values);
+    if (told.of_backs != told.number)
+      append_values(all_channels()[told.of_backs], recorded.values);
     return recorded;
+  }
+  void append_values(Channel& channel, std::vector<double>& values) const {
+    channel.records().identify();
+    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
+      channel.append_final_values(wedge, values);
   }
 
   double distance_bound(const Contraction<Cost>& contraction) const {
@@ -232,7 +243,7 @@ private:
       for (std::size_t i = 0; i < renamed.size(); ++i) {
         const auto [wedge, identity] = renamed[i];
         if (i > 0 && renamed[i - 1].first == wedge) {
-          buffer.joined.push_back(identity);
+          buffer.joined.push_back(told_[c].first_wedge + identity);
           buffer.wedges.back().joined_end = buffer.joined.size();
           continue;
         }
@@ -240,7 +251,8 @@ private:
         const std::size_t values_begin = buffer.wedge_values.size();
         if (!channel.append_final_values(wedge, buffer.wedge_values))
           buffer.wedge_values.resize(values_begin);
-        buffer.wedges.push_back({c, identity, buffer.joined.size(), buffer.wedge_values.size()});
+        buffer.wedges.push_back({told_[c].number, told_[c].first_wedge + identity,
+                                 buffer.joined.size(), buffer.wedge_values.size()});
       }
     }
     buffer.view_wedges();
@@ -253,13 +265,14 @@ private:
   const Geometry<dimension>& geometry_;
   ChannelsOf<Policies>& channels_;
   std::vector<Scratch>& scratches_;
+  std::vector<ToldChannel> told_; // of each channel
   std::size_t width_ = dimension; // how many numbers a vertex has
 };
 
 /// Where nobody is to be told.
 struct NoRecording {
   explicit NoRecording(auto&&...) {}
-  static void begin() {}
+  static void begin(auto&&...) {}
   static void begin_block(std::size_t, Scratch&) {}
   static void end_stage() {}
   static void end(StopReason) {}

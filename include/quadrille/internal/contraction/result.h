@@ -15,14 +15,19 @@
 namespace quadrille::internal {
 
 /// The vertices and faces of a finished surface that are left, counted off in the engine's order,
-/// in which neighbours lie near each other. Input indices are those under which an adapter has read
-/// them.
+/// in which neighbours lie near each other; behind all faces come the backs of those that have one.
+/// Input indices are those under which an adapter has read them.
 template <class Cost>
 class Result {
 public:
   explicit Result(FinishedSurface<Cost> surface)
       : surface_(with_less_memory(std::move(surface))), vertices_(complex().left_vertices()),
-        faces_(complex().left_faces()), numbers_(places(vertices_, complex().vertex_capacity())) {}
+        faces_(complex().left_faces()), front_count_(faces_.size()),
+        numbers_(places(vertices_, complex().vertex_capacity())) {
+    for (std::size_t front = 0; front < front_count_ && !complex().backs().is_empty(); ++front)
+      if (complex().backs().has(faces_[front]))
+        faces_.push_back(faces_[front]);
+  }
 
   /// How many an adapter has read.
   std::size_t input_vertex_count() const { return surface_.numbering.vertices.input_count(); }
@@ -30,13 +35,19 @@ public:
 
   /// The input indices of those that are left.
   Array<Index> input_vertices() const { return surface_.numbering.vertices.of(vertices_); }
-  Array<Index> input_faces() const { return surface_.numbering.faces.of(faces_); }
+  Array<Index> input_faces() const {
+    Array<Index> inputs = surface_.numbering.faces.of(faces_);
+    for (std::size_t back = front_count_; back < faces_.size(); ++back)
+      inputs[back] = complex().backs().input_face(faces_[back]);
+    return inputs;
+  }
   /// The input index of what a vertex of the input has become part of.
   Index image(Index input) const { return surface_.numbering.image(input); }
 
   TriangleComplex::Triangle corners(Index face) const {
-    const auto [a, b, c] = complex().vertices(faces_[face]);
-    return {numbers_[a], numbers_[b], numbers_[c]};
+    const auto& corners = complex().vertices(faces_[face]);
+    const auto number = [&](std::size_t i) { return numbers_[corners[corner_of_front(face, i)]]; };
+    return {number(0), number(1), number(2)};
   }
   bool is_closed() const { return surface_.is_closed; }
   bool is_moved(Index v) const { return surface_.is_moved[vertices_[v]] != 0; }
@@ -45,17 +56,31 @@ public:
     return surface_.scale.position_of_mesh(surface_.positions[vertices_[v]]);
   }
 
-  const Channel& channel(std::size_t c) const { return surface_.channels[c]; }
-  /// Of a corner of a face, in a channel.
+  /// Of a corner of a face, in a channel. Those of backs come behind all others.
   Index wedge(std::size_t c, Index face, std::size_t corner) const {
-    const Index f = faces_[face];
-    return channel(c).wedge(complex(), f, complex().vertices(f)[corner]);
+    const Index f = faces_[face], v = complex().vertices(f)[corner_of_front(face, corner)];
+    const bool is_other = is_back(face) && has_back_channel(c);
+    return is_other ? wedges_of(c) + channel_of_backs(c).wedge(complex(), f, v)
+                    : channel(c).wedge(complex(), f, v);
   }
   /// The first one of a vertex, in any channel.
   Index first_wedge(Index v) const { return vertices_[v]; }
   /// How many numbers of wedges a channel may use.
   std::size_t wedge_count(std::size_t c) const {
-    return channel(c).wedge_count(complex().vertex_capacity());
+    return has_back_channel(c)
+               ? wedges_of(c) + channel_of_backs(c).wedge_count(complex().vertex_capacity())
+               : wedges_of(c);
+  }
+  std::size_t components(std::size_t c) const { return channel(c).components(); }
+  /// A component of a wedge of a channel.
+  double value(std::size_t c, Index wedge, std::size_t component) const {
+    const auto [channel, number] = channel_and_wedge(c, wedge);
+    return channel->value(number, component);
+  }
+  /// See WedgeRecords.
+  Index origin(std::size_t c, Index wedge) const {
+    const auto [channel, number] = channel_and_wedge(c, wedge);
+    return channel->origin(number);
   }
 
   /// As vertex_quadric_map tells it.
@@ -78,8 +103,31 @@ private:
 
   const TriangleComplex& complex() const { return surface_.complex; }
 
+  bool is_back(Index face) const { return face >= front_count_; }
+  // Where a corner of a face is in the face of the engine.
+  std::size_t corner_of_front(Index face, std::size_t corner) const {
+    return is_back(face) ? complex().backs().opposite(faces_[face], corner) : corner;
+  }
+
+  const Channel& channel(std::size_t c) const { return surface_.channels[c]; }
+  bool has_back_channel(std::size_t c) const {
+    return !surface_.back_channels.empty() && surface_.back_channels[c] != c;
+  }
+  const Channel& channel_of_backs(std::size_t c) const {
+    return channel(surface_.back_channels[c]);
+  }
+  Index wedges_of(std::size_t c) const {
+    return static_cast<Index>(channel(c).wedge_count(complex().vertex_capacity()));
+  }
+  std::pair<const Channel*, Index> channel_and_wedge(std::size_t c, Index wedge) const {
+    if (!has_back_channel(c) || wedge < wedges_of(c))
+      return {&channel(c), wedge};
+    return {&channel_of_backs(c), wedge - wedges_of(c)};
+  }
+
   FinishedSurface<Cost> surface_;
   Array<Index> vertices_, faces_; // in the engine's numbers
+  std::size_t front_count_;       // from there on they are those of backs
   Array<Index> numbers_;          // of each vertex of the engine, as it is counted off here
 };
 

@@ -21,7 +21,7 @@ namespace quadrille::internal {
 struct Tally {
   std::size_t faces = 0, vertices = 0; // that are gone
   std::size_t contractions = 0, non_edge_contractions = 0;
-  std::size_t doubled_labels = 0, vanished_parts = 0; // see Report
+  std::size_t doubled_faces = 0, doubled_labels = 0, vanished_parts = 0; // see Report
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0; // the greatest
 
@@ -30,8 +30,8 @@ struct Tally {
     ++vertices;
     error = (std::max)(error, its_error);
   }
-  void count_part(const PartEvent& part) {
-    faces += part.faces.size();
+  void count_part(const PartEvent& part, std::size_t its_faces) {
+    faces += its_faces;
     vertices += part.vertices.size();
     ++vanished_parts;
     error = (std::max)(error, part.radius);

@@ -32,12 +32,13 @@ public:
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
-    if (link_condition_.is_closed())
+    const Backs& backs = complex_.backs();
+    if (link_condition_.is_closed() && backs.is_empty())
       return false; // each contraction takes two faces
     const PairStar& star = contraction.star();
     if (is_topology_kept_)
-      return is_passed_without({star.shared.size(), 1}, status);
-    return is_passed_without(most_loss(star), status) &&
+      return is_passed_without({backs.count_all(star.shared), 1}, status);
+    return is_passed_without(most_loss(star, backs), status) &&
            is_passed_without(
                Cleanup(complex_, contraction.scratch(), seams_.labels()).loss(contraction.second()),
                status);

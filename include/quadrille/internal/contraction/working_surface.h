@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/appearance.h>
+#include <quadrille/internal/contraction/back_values.h>
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
@@ -83,8 +84,7 @@ public:
                       is_topology_kept_),
         progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
-      Cleanup(complex_, scratch(), labels_by_face(input.labels, numbering_.faces, complex_))
-          .remove_all_duplicate_faces();
+      back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally);
     if (policies.topology == Topology::parts_may_vanish)
       parts_ = Parts<dimension>(complex_, geometry_, scale_);
     if constexpr (Policies::keeps_seams)
@@ -95,9 +95,10 @@ public:
     if (!progress_.proceed())
       return;
     remember();
-    recording_.begin();
+    recording_.begin(back_channels_);
     if constexpr (Progress<Policies>::has_visitor)
-      progress_.expect(ContractionCount(is_topology_kept_).contractions(policies.stop, status()));
+      progress_.expect(ContractionCount(is_topology_kept_, complex_.backs())
+                           .contractions(policies.stop, status()));
   }
   WorkingSurface(const WorkingSurface&) = delete; // its parts refer to each other
   WorkingSurface& operator=(const WorkingSurface&) = delete;
@@ -193,7 +194,8 @@ public:
             moved_.take(),
             keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
             std::move(numbering_),
-            std::move(channels)};
+            std::move(channels),
+            std::move(back_channels_)};
   }
 
 private:
@@ -290,6 +292,7 @@ private:
   TargetRules<Policies> target_rules_;
   Progress<Policies> progress_;
   std::size_t initial_components_ = 0;
+  std::vector<std::size_t> back_channels_; // see BackValues
 };
 
 } // namespace quadrille::internal

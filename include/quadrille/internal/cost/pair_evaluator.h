@@ -44,7 +44,8 @@ public:
   using Terms = typename LocalTermsOf<Cost>::type;
   using Channels = ChannelsOf<Policies>;
   static constexpr bool counts_channels = Policies::Carries::has_channels;
-  static constexpr bool keeps_corners = Policies::keeps_seams;
+  static constexpr bool keeps_corners =
+      Policies::Carries::has_labels || Policies::Carries::has_channels;
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,

@@ -185,7 +185,12 @@ private:
   // Is more than half of the pairs refused? This does not depend on the target, so a coarser one
   // leaves no more faces.
   bool is_mostly_held() const {
-    return 2 * waiting_.held() > surface_.pairs().count(surface_.status().faces);
+    const Status& status = surface_.status();
+    const bool has_backs =
+        !surface_.complex().backs().is_empty(); // which have no pairs of their own
+    return 2 * waiting_.held() >
+           surface_.pairs().count(has_backs ? (std::min)(status.faces, 2 * status.vertices)
+                                            : status.faces);
   }
 
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but

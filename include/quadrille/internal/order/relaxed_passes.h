@@ -31,7 +31,8 @@ template <class Policies>
 class RelaxedPasses {
 public:
   RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order), count_(surface.is_topology_kept()),
+      : surface_(surface), order_(order),
+        count_(surface.is_topology_kept(), surface.complex().backs()),
         stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())

@@ -133,11 +133,13 @@ struct Carried {
   Channels channels;
 };
 
-/// The same as the engine sees it, which is one for all maps and channels.
-template <bool labels, bool channels>
+/// The same as the engine sees it, which is one for all maps and channels; and may faces have a
+/// back? Where some have one and some have none, there is a border between them.
+template <bool labels, bool channels, bool backs>
 struct Carries {
   static constexpr bool has_labels = labels;
   static constexpr bool has_channels = channels;
+  static constexpr bool may_have_backs = backs;
   double label_border_weight = 1; ///< see Labels
 };
 
@@ -189,7 +191,8 @@ struct Policies {
   using Carries = Carries_;
   using Recorder = Recorder_;
   /// Are there seams that may have to be kept?
-  static constexpr bool keeps_seams = Carries::has_labels || Carries::has_channels;
+  static constexpr bool keeps_seams =
+      Carries::has_labels || Carries::has_channels || Carries::may_have_backs;
   static constexpr bool records = Recorder::is_given;
   static constexpr bool hears_refusals = Recorder::hears_refusals;
 

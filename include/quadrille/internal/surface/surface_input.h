@@ -29,7 +29,10 @@ struct SurfaceInput {
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
   std::vector<ChannelInput> channels;
-  bool has_duplicate_faces = false; ///< may it have them? They are dropped then.
+  /// May it have faces on the same three vertices? Of those one is left, or with may_have_backs one
+  /// of each way round.
+  bool has_duplicate_faces = false;
+  bool may_have_backs = false;
 
   /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a
   /// vertex fit into what these leave in a workspace, side by side.
