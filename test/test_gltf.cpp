@@ -38,8 +38,7 @@ GltfDocument read(const std::string& content) {
 GltfDocument simplified(const std::string& content, double ratio, const std::string& extension) {
   const Folder folder;
   GltfMeshes meshes = GltfMeshes::read(folder.file("in", content));
-  for (GltfSurface& surface : meshes.surfaces())
-    surface.simplify({.ratio = ratio}, {});
+  GltfSceneSurface(meshes.surfaces(), meshes.placements()).simplify({.ratio = ratio}, {});
   write_gltf(folder.path("out"), meshes.take(), extension);
   return read(read_content(folder.path("out")));
 }
