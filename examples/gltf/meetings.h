@@ -115,12 +115,11 @@ private:
       for (int k = 0; k < 9; ++k) { // rows of three cells
         const Cell first{cell[0] + k % 3 - 1, cell[1] + k / 3 - 1, cell[2] - 1};
         auto other = std::lower_bound(cells.begin(), cells.end(), std::pair(first, std::size_t{0}));
-        for (; other != cells.end() && other->first[0] == first[0] &&
-               other->first[1] == first[1] && other->first[2] <= first[2] + 2;
+        for (; other != cells.end() && other->first[0] == first[0] && other->first[1] == first[1] &&
+               other->first[2] <= first[2] + 2;
              ++other)
           if (other->second < i && are_one(entries_[i], entries_[other->second]))
-            roots_[std::max(root(i), root(other->second))] =
-                std::min(root(i), root(other->second));
+            roots_[std::max(root(i), root(other->second))] = std::min(root(i), root(other->second));
       }
   }
 
@@ -133,8 +132,8 @@ private:
   Cell cell_of(const Vector& place) const {
     Cell cell{};
     for (std::size_t i = 0; i < 3; ++i)
-      cell[i] = static_cast<std::int64_t>(
-          std::clamp(std::floor(place[i] / (2 * widest_)), -1e15, 1e15));
+      cell[i] =
+          static_cast<std::int64_t>(std::clamp(std::floor(place[i] / (2 * widest_)), -1e15, 1e15));
     return cell;
   }
 
@@ -209,7 +208,7 @@ private:
   const std::vector<GltfSurface>& surfaces_;
   const std::vector<const GltfPlacement*>& placements_;
   std::vector<Entry> entries_;
-  double widest_ = 0; // of what rounding can do to the entries
+  double widest_ = 0;              // of what rounding can do to the entries
   std::vector<std::size_t> roots_; // of groups of entries
   std::vector<std::vector<SurfacePoint>> joined_, held_;
 };

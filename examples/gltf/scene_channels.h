@@ -142,8 +142,8 @@ private:
     for (const std::size_t face : faces) {
       std::array<std::uint32_t, 3> triangle = all.triangles[face];
       for (std::uint32_t& corner : triangle)
-        corner = static_cast<std::uint32_t>(
-            std::lower_bound(used.begin(), used.end(), corner) - used.begin() + 1);
+        corner = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), corner) -
+                                            used.begin() + 1);
       if (is_mirrored)
         std::swap(triangle[1], triangle[2]);
       part.triangles.push_back(triangle);
@@ -169,9 +169,7 @@ private:
                                                         ? choices.of_colors
                                                         : choices.of_normals};
     const double range = largest_range(channel.values);
-    if (channel.name == skin)
-      options.weights.assign(channel.values.components, getenv("QW") ? atof(getenv("QW")) : 1);
-    else if (is_length(channel))
+    if (channel.name == skin || is_length(channel))
       options.weights.assign(channel.values.components, 1);
     else if (const double weight = 0.02 * length / range; weight > 0 && std::isfinite(weight))
       options.weights.assign(channel.values.components, weight);

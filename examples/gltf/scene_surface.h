@@ -118,9 +118,9 @@ private:
     double largest = 0;
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
       const auto end = s + 1 < surfaces_.size() ? first_faces_[s + 1] : triangles_.size();
-      const quadrille::SoupTriangles part(
-          triangles_.begin() + static_cast<std::ptrdiff_t>(first_faces_[s]),
-          triangles_.begin() + static_cast<std::ptrdiff_t>(end));
+      const quadrille::SoupTriangles part(triangles_.begin() +
+                                              static_cast<std::ptrdiff_t>(first_faces_[s]),
+                                          triangles_.begin() + static_cast<std::ptrdiff_t>(end));
       largest = std::max(largest, diagonal(points_, part));
     }
     return largest;
@@ -135,9 +135,8 @@ private:
     left.erase(std::unique(left.begin(), left.end()), left.end());
     const auto local = [&](std::size_t point) {
       const auto found = std::lower_bound(left.begin(), left.end(), point);
-      return found != left.end() && *found == point
-                 ? static_cast<std::size_t>(found - left.begin())
-                 : static_cast<std::size_t>(-1);
+      return found != left.end() && *found == point ? static_cast<std::size_t>(found - left.begin())
+                                                    : static_cast<std::size_t>(-1);
     };
     GltfSurface::Rest rest;
     for (const std::size_t face : faces) {
@@ -171,7 +170,7 @@ private:
   }
 
   std::vector<GltfSurface>& surfaces_;
-  std::vector<const GltfPlacement*> placements_;   // of the surfaces
+  std::vector<const GltfPlacement*> placements_;    // of the surfaces
   std::vector<std::vector<std::uint32_t>> numbers_; // of the points of each surface
   std::vector<std::uint32_t> held_;
   quadrille::SoupPoints points_;

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -87,30 +88,48 @@ private:
         }
   }
 
-  /// Those that are above come first.
-  std::vector<std::size_t> order() const {
-    std::vector<std::size_t> depths(nodes_.size()), order(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      order[i] = i;
+  /// How many joints are above each.
+  std::vector<std::size_t> depths() const {
+    std::vector<std::size_t> depths(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (std::size_t joint = parents_[i]; joint != none; joint = parents_[joint])
         ++depths[i];
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return depths[a] < depths[b]; });
-    return order;
+    return depths;
   }
 
+  /// Of the joints on the longest way through each that turn.
+  std::vector<std::size_t> chains(const std::vector<std::size_t>& depths, bool turns_roots) const {
+    std::vector<std::size_t> longest(nodes_.size(), 1);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (std::size_t joint = i; joint != none; joint = parents_[joint])
+        longest[joint] = std::max(longest[joint], depths[i] + turns_roots);
+    return longest;
+  }
+
+  /// A chain of joints bends by a right angle as a whole, but each joint by what is usual.
+  static double angle(std::size_t chain) {
+    constexpr double right = std::numbers::pi / 2;
+    return std::max(right / static_cast<double>(chain), right / 3);
+  }
+
+  /// Joints that are above others come first.
   void find_turns() {
-    const double angle = getenv("QANGLE") ? atof(getenv("QANGLE")) * std::numbers::pi / 180 : std::numbers::pi / 2;
-    const auto roots = std::count(parents_.begin(), parents_.end(), none);
+    const bool turns_roots = std::count(parents_.begin(), parents_.end(), none) > 1;
+    const std::vector<std::size_t> depths = this->depths(),
+                                   chains = this->chains(depths, turns_roots);
+    std::vector<std::size_t> order(nodes_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return depths[a] < depths[b]; });
     turns_.resize(nodes_.size());
-    for (const std::size_t joint : order()) {
-      const Transform rest = binds_[joint].inverse().value_or(Transform());
+    for (const std::size_t joint : order) {
+      const Vector place = binds_[joint].inverse().value_or(Transform())({});
       for (std::size_t pose = 0; pose < poses; ++pose) {
         if (parents_[joint] != none)
           turns_[joint][pose] = turns_[parents_[joint]][pose];
-        if (parents_[joint] != none || roots > 1)
-          turns_[joint][pose] = turns_[joint][pose] * Transform::turn(pose, angle, rest({}));
+        if (parents_[joint] != none || turns_roots)
+          turns_[joint][pose] =
+              turns_[joint][pose] * Transform::turn(pose, angle(chains[joint]), place);
       }
     }
   }

@@ -136,10 +136,9 @@ private:
   };
 
   template <class Point>
-  static std::vector<Place> nearest_places(const std::vector<Point>& before,
-                                           const std::vector<Triangle>& triangles,
-                                           const std::vector<std::size_t>& images,
-                                           const std::vector<Point>& left) {
+  static std::vector<Place>
+  nearest_places(const std::vector<Point>& before, const std::vector<Triangle>& triangles,
+                 const std::vector<std::size_t>& images, const std::vector<Point>& left) {
     const auto vector = [](const Point& p) {
       return Vector{double{p[0]}, double{p[1]}, double{p[2]}};
     };
@@ -180,9 +179,8 @@ private:
     for (const auto& [joint, weight] : weights)
       if (weight > 0)
         result.push_back({joint, weight});
-    std::stable_sort(result.begin(), result.end(), [](const Influence& a, const Influence& b) {
-      return a.weight > b.weight;
-    });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
     return result;
   }
 

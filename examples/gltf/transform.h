@@ -56,7 +56,9 @@ public:
     return result;
   }
 
-  static Transform uniform(double scale) { return of_parts({}, {0, 0, 0, 1}, {scale, scale, scale}); }
+  static Transform uniform(double scale) {
+    return of_parts({}, {0, 0, 0, 1}, {scale, scale, scale});
+  }
 
   Vector operator()(const Vector& point) const {
     Vector result = columns_[3];
@@ -90,8 +92,8 @@ public:
   double stretch() const {
     double result = 0;
     for (std::size_t column = 0; column < 3; ++column)
-      result = std::max(result, std::hypot(columns_[column][0], columns_[column][1],
-                                           columns_[column][2]));
+      result = std::max(result,
+                        std::hypot(columns_[column][0], columns_[column][1], columns_[column][2]));
     return result;
   }
 
@@ -113,7 +115,8 @@ public:
     if (!std::isfinite(det) || !(std::abs(det) > 1e-9 * size * size * size))
       return std::nullopt;
     const auto cross = [](const Vector& a, const Vector& b) {
-      return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+      return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                    a[0] * b[1] - a[1] * b[0]};
     };
     const auto& [a, b, c, origin] = columns_;
     const std::array<Vector, 3> rows{cross(b, c), cross(c, a), cross(a, b)};

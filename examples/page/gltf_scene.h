@@ -50,7 +50,8 @@ private:
 
   void add_scene() {
     if (size_of(json_, "scenes") > 0)
-      visit_nodes(element_of(json_, "scenes", count_of(json_, "scene", 0)), "nodes", Transform(), 0);
+      visit_nodes(element_of(json_, "scenes", count_of(json_, "scene", 0)), "nodes", Transform(),
+                  0);
     else
       for (const GltfSurface& surface : meshes_.surfaces())
         add(surface, Transform());

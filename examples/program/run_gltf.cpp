@@ -91,8 +91,7 @@ std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result
   std::vector<Measurement> measured;
   for (std::size_t i = 0; i < input.size(); ++i) {
     const GltfPlacement& placement = placements[input[i].mesh()];
-    if (const auto one =
-            measure(measurable(input[i], placement), measurable(result[i], placement)))
+    if (const auto one = measure(measurable(input[i], placement), measurable(result[i], placement)))
       measured.push_back(*one);
   }
   return measured.empty() ? std::nullopt : std::optional(united(measured));
