@@ -5,15 +5,17 @@
 /// Reads glTF documents, hands out each of their meshes as a surface, and writes documents: .gltf
 /// with its buffers in the text or in files, and .glb.
 ///
-/// Each mesh is one surface, which goes through `simplify` with all of its attributes as channels
-/// and its primitives as labels. All else of a document is passed on. Simplified copies may become
-/// levels of detail beside it.
+/// Each mesh is one surface. All of them go through `simplify` at once, as a scene, with their
+/// attributes as channels and their primitives as labels. All else of a document is passed on.
+/// Simplified copies may become levels of detail beside it.
 
 #include "gltf/document.h"
 #include "gltf/json.h"
 #include "gltf/levels.h"
+#include "gltf/placement.h"
 #include "gltf/primitive.h"
 #include "gltf/rewrite.h"
+#include "gltf/scene_surface.h"
 #include "gltf/surface.h"
 #include "mesh_io/replace_file.h"
 #include "mesh_io/text.h"
@@ -52,6 +54,8 @@ public:
 
   std::vector<GltfSurface>& surfaces() { return surfaces_; }
   const GltfDocument& document() const { return document_; }
+  /// Where all meshes of the document are, by their numbers.
+  const std::vector<GltfPlacement>& placements() const { return placements_; }
 
   /// The images that the document names as files.
   std::vector<std::string> image_files() const {
@@ -97,6 +101,7 @@ private:
       if (!primitives.empty())
         surfaces_.emplace_back(std::move(primitives));
     }
+    placements_ = GltfPlacements::of(document_);
   }
 
   /// Those of compressed bytes are not, nor are those that are not within their buffers.
@@ -124,6 +129,7 @@ private:
   GltfDocument document_;
   std::filesystem::path path_;
   std::vector<GltfSurface> surfaces_;
+  std::vector<GltfPlacement> placements_;
 };
 
 /// Writes a document of such an extension: all of it, or, throwing `std::runtime_error`, nothing.

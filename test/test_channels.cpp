@@ -514,7 +514,7 @@ TEST_CASE("A texture is continuous over the ridge of a roof, where normals are n
 
 TEST_CASE("Seams of a texture may be priced or free, and then vanish") {
   const Textured cube = textured_cube(6);
-  const TextureResult kept = with_texture(cube, 4);
+  const TextureResult kept = with_texture(cube, 4, {.seams = Seams::kept});
   CHECK(kept.surface.labels.size() == 12);
   CHECK_FALSE(is_target_reached(kept.report.stop));
   const TextureResult priced = with_texture(cube, 4, {.seams = Seams::priced});

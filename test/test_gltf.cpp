@@ -38,8 +38,7 @@ GltfDocument read(const std::string& content) {
 GltfDocument simplified(const std::string& content, double ratio, const std::string& extension) {
   const Folder folder;
   GltfMeshes meshes = GltfMeshes::read(folder.file("in", content));
-  for (GltfSurface& surface : meshes.surfaces())
-    surface.simplify({.ratio = ratio}, {});
+  GltfSceneSurface(meshes.surfaces(), meshes.placements()).simplify({.ratio = ratio}, {});
   write_gltf(folder.path("out"), meshes.take(), extension);
   return read(read_content(folder.path("out")));
 }
@@ -287,37 +286,48 @@ TEST_CASE("displacements of morph targets go along") {
   }
 }
 
-TEST_CASE("a vertex has the joints and weights of one of those that it was") {
-  const auto joint_at = [](const Element& p) { return p[0] > 0.2 ? 7. : p[1] > 0 ? 300. : 2.; };
-  const auto weights_at = [](const Element& p) {
-    const float one = static_cast<float>((2 + p[2]) / 4);
-    return Element{one, 1 - one, 0, 0};
-  };
-  std::set<std::pair<Element, Element>> values;
-  Asset asset = ball(12);
-  for (const std::size_t half : {0U, 1U}) {
-    const std::vector<Element> positions = half_of_ball(half, 12).positions;
-    const auto joints = [&](const Element& p) { return Element{joint_at(p), 1, 0, 0}; };
-    asset.primitive(half)["attributes"]["JOINTS_0"] =
-        asset.add(elements_of(positions, joints), 4, unsigned_short);
-    asset.primitive(half)["attributes"]["WEIGHTS_0"] =
-        asset.add(elements_of(positions, weights_at), 4);
-    for (const Element& p : positions)
-      values.emplace(joints(p), weights_at(p));
-  }
-  const GltfDocument result = simplified(asset, 0.25);
-  CHECK(open_edges(result) == 0);
-  std::size_t elsewhere = 0;
-  for (const GltfPrimitive& primitive : primitives_of(result))
-    for (std::size_t v = 0; v < primitive.attributes[0].elements.size(); ++v) {
-      const Element p = primitive.attributes[0].elements[v];
-      const Element joints = attribute(primitive, "JOINTS_0").elements[v];
-      const Element weights = attribute(primitive, "WEIGHTS_0").elements[v];
-      CHECK(values.contains({joints, weights}));
-      CHECK(std::abs(weights[0] - weights_at(p)[0]) < 0.06);
-      elsewhere += joints[0] != joint_at(p);
+TEST_CASE("a new vertex has blended joints and weights, an old one has its own") {
+  for (const std::size_t type : {single, std::size_t{unsigned_byte}}) {
+    const auto joints_at = [](const Element& p) {
+      return p[0] > 0 ? Element{7, 1, 0, 0} : Element{1, 300, 0, 0};
+    };
+    const auto weights_at = [](const Element& p) {
+      const double one = p[0] > 0 ? std::abs(p[2]) : 1 - std::abs(p[2]) / 2;
+      return Element{one, 1 - one, 0, 0};
+    };
+    Asset asset = ball(12);
+    std::map<Element, std::pair<Element, Element>> old;
+    for (const std::size_t half : {0U, 1U}) {
+      const std::vector<Element> positions = half_of_ball(half, 12).positions;
+      Json& attributes = asset.primitive(half)["attributes"];
+      attributes["JOINTS_0"] = asset.add(elements_of(positions, joints_at), 4, unsigned_short);
+      attributes["WEIGHTS_0"] = asset.add(elements_of(positions, weights_at), 4, type, true);
     }
-  CHECK(elsewhere < 12);
+    for (const GltfPrimitive& half : primitives_of(asset.document()))
+      for (std::size_t v = 0; v < half.attributes[0].elements.size(); ++v)
+        old.try_emplace(half.attributes[0].elements[v], attribute(half, "JOINTS_0").elements[v],
+                        attribute(half, "WEIGHTS_0").elements[v]);
+    const GltfDocument result = simplified(asset, 0.25);
+    CHECK(open_edges(result) == 0);
+    std::size_t mixed = 0;
+    for (const GltfPrimitive& primitive : primitives_of(result))
+      for (std::size_t v = 0; v < primitive.attributes[0].elements.size(); ++v) {
+        const Element p = primitive.attributes[0].elements[v];
+        const Element joints = attribute(primitive, "JOINTS_0").elements[v];
+        const Element weights = attribute(primitive, "WEIGHTS_0").elements[v];
+        CHECK(std::abs(weights[0] + weights[1] + weights[2] + weights[3] - 1) < 1e-6);
+        if (const auto same = old.find(p); same != old.end())
+          CHECK(same->second == std::pair(joints, weights));
+        double of_one = 0; // what joint 1 has, which all vertices know
+        for (std::size_t i = 0; i < 4; ++i)
+          of_one += joints[i] == 1 ? weights[i] : 0;
+        if (std::abs(p[0]) > 0.3)
+          CHECK(of_one ==
+                Approx(p[0] > 0 ? 1 - std::abs(p[2]) : 1 - std::abs(p[2]) / 2).margin(0.1));
+        mixed += weights[2] > 0;
+      }
+    CHECK(mixed > 0); // of three joints: no vertex of the input had these
+  }
 }
 
 TEST_CASE("what others refer to stays: animations, points, unknown extensions, shared accessors") {
@@ -375,6 +385,33 @@ TEST_CASE("buffers are in the text, in the file, or in files beside it") {
     const std::string bytes = std::string("\0\xFF\x80 abc", 7).substr(0, size);
     CHECK(decode_base64(encode_base64(bytes)) == bytes);
   }
+}
+
+TEST_CASE("a binary file has one buffer, whatever the document had") {
+  Asset asset = ball(2);
+  GltfDocument document = asset.document();
+  document.json["buffers"].push_back(
+      {{"byteLength", 5}, {"uri", "data:application/octet-stream;base64,aGVsbG8="}});
+  document.json["bufferViews"].push_back({{"buffer", 1}, {"byteOffset", 1}, {"byteLength", 4}});
+  document.buffers.push_back("hello");
+  for (const std::string& content : {encode_gltf(document), encode_glb(document)}) {
+    const GltfDocument result = simplified(content, 1, ".glb");
+    REQUIRE(result.buffers.size() == 1);
+    CHECK(!result.json["buffers"][0].contains("uri"));
+    CHECK(bytes_of_view(result, size_of(document.json, "bufferViews") - 1) == "ello");
+    CHECK(bytes_of_picture(result) == Asset::picture);
+  }
+}
+
+TEST_CASE("tangents are perpendicular to normals") {
+  for (const double ratio : {0.5, 0.2, 0.1})
+    for (const GltfPrimitive& primitive : primitives_of(simplified(ball(10), ratio)))
+      for (const GltfAttribute& tangents : primitive.attributes)
+        for (std::size_t v = 0; tangents.name == "TANGENT" && v < tangents.elements.size(); ++v) {
+          const Element t = tangents.elements[v], n = attribute(primitive, "NORMAL").elements[v];
+          CHECK(std::abs(t[0] * n[0] + t[1] * n[1] + t[2] * n[2]) < 1e-5);
+          CHECK(std::hypot(t[0], t[1], t[2]) == Approx(1));
+        }
 }
 
 TEST_CASE("a primitive without faces has one without area") {

@@ -28,9 +28,8 @@ namespace {
 using Surfaces = std::vector<GltfSurface>;
 using Ids = std::vector<std::size_t>;
 
-void simplify_to(Surfaces& surfaces, double ratio) {
-  for (GltfSurface& surface : surfaces)
-    surface.simplify({.ratio = ratio}, {});
+void simplify_to(Surfaces& surfaces, const GltfMeshes& meshes, double ratio) {
+  GltfSceneSurface(surfaces, meshes.placements()).simplify({.ratio = ratio}, {});
 }
 
 GltfDocument read(const std::string& content) {
@@ -47,7 +46,7 @@ GltfDocument with_levels(const Asset& asset, const std::vector<double>& ratios,
   std::vector<Surfaces> levels;
   for (const double ratio : ratios) {
     levels.push_back(meshes.surfaces());
-    simplify_to(levels.back(), ratio);
+    simplify_to(levels.back(), meshes, ratio);
   }
   write_gltf(folder.path("out"), meshes.take_with(std::move(levels)), extension);
   return read(read_content(folder.path("out")));
@@ -57,7 +56,7 @@ GltfDocument with_levels(const Asset& asset, const std::vector<double>& ratios,
 GltfDocument simplified(const Asset& asset, double ratio) {
   const Folder folder;
   GltfMeshes meshes = GltfMeshes::read(folder.file("in", asset.glb()));
-  simplify_to(meshes.surfaces(), ratio);
+  simplify_to(meshes.surfaces(), meshes, ratio);
   return meshes.take();
 }
 

@@ -32,6 +32,8 @@ using namespace quadrille;
 using namespace test;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
+const ChannelOptions kept{.seams = Seams::kept};
+
 struct Result {
   Textured surface;
   Report report;
@@ -51,8 +53,9 @@ Result by_triples(const Textured& surface, const Arguments&... arguments) {
   PointSoup soup(surface.soup);
   auto [values, triples] = indexed(surface.texture);
   std::vector<int> labels = surface.labels;
-  const Report report = simplify(soup.points, soup.triangles, arguments...,
-                                 Texture{values, triples}, Labels{CGAL::make_property_map(labels)});
+  const Report report =
+      simplify(soup.points, soup.triangles, arguments..., Texture{values, triples, kept},
+               Labels{CGAL::make_property_map(labels)});
   REQUIRE(triples.size() == soup.triangles.size());
   labels.resize(soup.triangles.size());
   return {{to_soup(soup.points, soup.triangles), at_corners(values, triples), labels}, report};
@@ -68,9 +71,9 @@ Result as_split_vertices(const Textured& surface, std::size_t faces) {
     return std::pair(PointSoup(soup), std::get<0>(values));
   }();
   std::vector<int> labels = surface.labels;
-  const Report report =
-      simplify(vertices.points, vertices.triangles, FaceCount{faces}, SplitVertices{},
-               Texture{CGAL::make_property_map(texture)}, Labels{CGAL::make_property_map(labels)});
+  const Report report = simplify(vertices.points, vertices.triangles, FaceCount{faces},
+                                 SplitVertices{}, Texture{CGAL::make_property_map(texture), kept},
+                                 Labels{CGAL::make_property_map(labels)});
   labels.resize(vertices.triangles.size());
   const Soup soup = to_soup(vertices.points, vertices.triangles);
   CHECK(without_isolated_points(soup).points.size() == soup.points.size());
@@ -80,7 +83,7 @@ Result as_split_vertices(const Textured& surface, std::size_t faces) {
 template <class M>
 Result on_mesh(const Textured& surface, std::size_t faces) {
   TexturedMesh<M> asset(surface);
-  const Report report = simplify(asset.mesh, FaceCount{faces}, Texture{asset.texture_map()},
+  const Report report = simplify(asset.mesh, FaceCount{faces}, Texture{asset.texture_map(), kept},
                                  Labels{asset.label_map()});
   CHECK(is_valid_triangle_mesh(asset.mesh));
   return {asset.surface(), report};
@@ -356,7 +359,7 @@ TEST_CASE("Values at corners are told by what they are and not by their index") 
     values.insert(values.end(), triangle.begin(), triangle.end());
   }
   std::vector<int> labels = surface.labels;
-  simplify(soup.points, soup.triangles, FaceCount{200}, Texture{values, triples},
+  simplify(soup.points, soup.triangles, FaceCount{200}, Texture{values, triples, kept},
            Labels{CGAL::make_property_map(labels)});
   labels.resize(soup.triangles.size());
   const Textured result{to_soup(soup.points, soup.triangles), at_corners(values, triples), labels};

@@ -65,17 +65,8 @@ public:
     return element;
   }
 
-  /// As `quadrille::simplified_soup` takes them.
-  std::vector<quadrille::SoupChannelView> views(const ChannelChoices& choices) const {
-    std::vector<quadrille::SoupChannelView> views;
-    for (const GltfChannel& channel : channels_)
-      views.push_back({.kind = kind_of(channel.kind),
-                       .components = channel.values.components,
-                       .values = channel.values.values,
-                       .triangles = channel.values.triangles,
-                       .options = options_of(channel, choices)});
-    return views;
-  }
+  const std::vector<GltfChannel>& all() const { return channels_; }
+
   /// Those that it leaves.
   void take(std::vector<quadrille::SoupChannel> channels) {
     for (std::size_t i = 0; i < channels_.size(); ++i)
@@ -102,26 +93,6 @@ private:
   static std::size_t components_of(AttributeKind kind) {
     const bool is_direction = kind == AttributeKind::normal || kind == AttributeKind::tangent;
     return kind == AttributeKind::texture ? 2 : is_direction ? 3 : 4;
-  }
-  static quadrille::SoupChannelView::Kind kind_of(AttributeKind kind) {
-    using Kind = quadrille::SoupChannelView::Kind;
-    return kind == AttributeKind::texture  ? Kind::texture
-           : kind == AttributeKind::color  ? Kind::colors
-           : kind == AttributeKind::number ? Kind::attributes
-                                           : Kind::normals;
-  }
-
-  /// Displacements of positions are lengths as they are; others count by default.
-  static quadrille::ChannelOptions options_of(const GltfChannel& channel,
-                                              const ChannelChoices& choices) {
-    if (channel.kind == AttributeKind::texture)
-      return {.importance = choices.of_textures, .seams = choices.texture_seams};
-    if (channel.kind == AttributeKind::color)
-      return {.importance = choices.of_colors};
-    quadrille::ChannelOptions options{.importance = choices.of_normals};
-    if (channel.kind == AttributeKind::number && channel.target && channel.name == "POSITION")
-      options.weights.assign(channel.values.components, 1);
-    return options;
   }
 
   static std::ptrdiff_t difference(std::size_t count) { return static_cast<std::ptrdiff_t>(count); }

@@ -163,9 +163,32 @@ inline std::string encode_gltf(GltfDocument document) {
   return json_with_buffers(document, 0) + '\n';
 }
 
-/// A document as a binary file. Buffers but the first, of which few documents have any, go into its
-/// text.
+/// Makes all buffers one. Views of others than the first go to where their bytes are.
+inline void unite_buffers(GltfDocument& document) {
+  constexpr std::size_t alignment = 8; // that of what has the greatest components
+  std::vector<std::size_t> offsets;
+  std::string all;
+  for (const std::string& buffer : document.buffers) {
+    all.resize((all.size() + alignment - 1) / alignment * alignment, '\0');
+    offsets.push_back(all.size());
+    all += buffer;
+  }
+  for (std::size_t i = 0; i < size_of(document.json, "bufferViews"); ++i) {
+    Json& view = document.json["bufferViews"][i];
+    if (const std::size_t buffer = count_of(view, "buffer"); buffer > 0) {
+      view["byteOffset"] = count_of(view, "byteOffset", 0) + offsets.at(buffer);
+      view["buffer"] = 0;
+    }
+  }
+  while (document.json["buffers"].size() > 1)
+    document.json["buffers"].erase(document.json["buffers"].size() - 1);
+  document.buffers = {std::move(all)};
+}
+
+/// A document as a binary file, whose buffers are one.
 inline std::string encode_glb(GltfDocument document) {
+  if (document.buffers.size() > 1)
+    unite_buffers(document);
   const auto number = [](std::size_t value) {
     if (value > 0xFFFFFFFF)
       throw std::runtime_error("more bytes than a GLB file can hold");

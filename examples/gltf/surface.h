@@ -1,13 +1,14 @@
 #ifndef QUADRILLE_EXAMPLES_GLTF_SURFACE_H
 #define QUADRILLE_EXAMPLES_GLTF_SURFACE_H
 
-#include "../mesh_io/named_numbers.h"
 #include "channels.h"
 #include "primitive.h"
+#include "skeleton.h"
 #include "skin.h"
+#include "tangents.h"
+#include "transform.h"
 
 #include <quadrille/compiled.h>
-#include <quadrille/report.h>
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,7 @@ public:
       first_values.push_back(add_values(i));
     for (std::size_t i = 0; i < primitives_.size(); ++i)
       add_faces(i, first_values[i]);
+    tangents_ = GltfTangents(primitives_);
   }
 
   const std::vector<GltfPrimitive>& primitives() const { return primitives_; }
@@ -80,21 +82,34 @@ public:
     return count - different.size();
   }
 
-  /// With all attributes. Throws as `quadrille::simplified_soup` does.
-  quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices) {
-    quadrille::SoupPoints places;
-    for (const auto& [x, y, z] : points)
-      places.push_back({double{x}, double{y}, double{z}});
-    quadrille::SoupResult result = quadrille::simplified_soup(
-        {places, triangles, label_of_, channels_.views(choices)}, options);
-    channels_.take(std::move(result.channels));
-    const std::vector<Point> before = std::exchange(points, {});
-    for (const auto& [x, y, z] : result.points)
-      points.push_back({nearest_float(x), nearest_float(y), nearest_float(z)});
-    triangles = std::move(result.triangles);
-    label_of_ = std::move(result.labels);
-    skin_.follow(before, result.image, points);
-    return result.report;
+  Vector place(std::uint32_t point) const {
+    return {double{points[point][0]}, double{points[point][1]}, double{points[point][2]}};
+  }
+  /// Numbers of what its faces are in and stay in, of so many.
+  const std::vector<std::uint32_t>& labels() const { return label_of_; }
+  std::size_t label_count() const { return labels_.size(); }
+  const GltfChannels& channels() const { return channels_; }
+
+  /// Where a point moves to when a skeleton bends; nothing if no joint moves it.
+  std::vector<double> displacements(std::uint32_t point, const GltfSkeleton& skeleton) const {
+    return skin_.displacements(primitives_, point, place(point), skeleton);
+  }
+  bool has_skin() const { return !skin_.empty(); }
+
+  /// What a simplification has left of it.
+  struct Rest {
+    std::vector<Point> points;
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> labels;          ///< of the triangles
+    std::vector<quadrille::SoupChannel> values; ///< of channels()
+    std::vector<std::size_t> image;             ///< of each point; others than those left: none
+  };
+  void take(Rest rest) {
+    skin_.follow(primitives_, points, triangles, rest.image, rest.points);
+    points = std::move(rest.points);
+    triangles = std::move(rest.triangles);
+    label_of_ = std::move(rest.labels);
+    channels_.take(std::move(rest.values));
   }
 
   /// The primitive that a face is in, by its number among those of the surface.
@@ -120,6 +135,7 @@ public:
         elements[a][first + k] = label.fixed[place + i * count + k];
       place += 3 * count;
     }
+    tangents_.square(label.primitive, attributes, elements);
     return elements;
   }
 
@@ -205,6 +221,7 @@ private:
   std::vector<std::vector<std::size_t>> channel_of_; // each attribute of each primitive
   GltfChannels channels_;
   GltfSkin skin_;
+  GltfTangents tangents_;
   std::vector<GltfLabel> labels_;
   std::vector<std::uint32_t> label_of_; // each face
   std::map<Point, std::uint32_t> point_numbers_;

@@ -19,68 +19,6 @@
 
 namespace quadrille_examples {
 
-/// An affine map: the columns of a matrix of 3 rows.
-using GltfTransform = std::array<std::array<double, 3>, 4>;
-
-inline std::array<double, 3> apply(const GltfTransform& map, const std::array<double, 3>& point) {
-  std::array<double, 3> result = map[3];
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t k = 0; k < 3; ++k)
-      result[row] += map[k][row] * point[k];
-  return result;
-}
-
-/// The first of two after the second.
-inline GltfTransform product(const GltfTransform& first, const GltfTransform& second) {
-  GltfTransform result{};
-  const std::array<double, 3> origin = apply(first, {});
-  for (std::size_t k = 0; k < 4; ++k) {
-    result[k] = apply(first, second[k]);
-    for (std::size_t row = 0; row < 3 && k < 3; ++row)
-      result[k][row] -= origin[row];
-  }
-  return result;
-}
-
-/// Some numbers of a member that is an array of so many.
-template <std::size_t N>
-std::array<double, N> numbers_of(const Json& object, const char* key,
-                                 std::array<double, N> numbers) {
-  const Json* const array = member(object, key);
-  if (!array)
-    return numbers;
-  if (!array->is_array() || array->size() != N)
-    throw std::runtime_error("'" + std::string(key) + "' is not of " + std::to_string(N) +
-                             " numbers");
-  for (std::size_t i = 0; i < N; ++i) {
-    if (!array->at(i).is_number())
-      throw std::runtime_error("'" + std::string(key) + "' is not of numbers");
-    numbers[i] = array->at(i).template get<double>();
-  }
-  return numbers;
-}
-
-/// From a node to its parent. Source: glTF 2.0, section 3.5.3.
-inline GltfTransform transform_of_node(const Json& node) {
-  GltfTransform map{};
-  if (member(node, "matrix")) {
-    const auto m = numbers_of<16>(node, "matrix", {});
-    for (std::size_t k = 0; k < 4; ++k)
-      std::copy_n(&m[4 * k], 3, map[k].begin());
-    return map;
-  }
-  const auto [x, y, z, w] = numbers_of<4>(node, "rotation", {0, 0, 0, 1});
-  const auto scale = numbers_of<3>(node, "scale", {1, 1, 1});
-  map[0] = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)};
-  map[1] = {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)};
-  map[2] = {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (double& number : map[k])
-      number *= scale[k];
-  map[3] = numbers_of<3>(node, "translation", {0, 0, 0});
-  return map;
-}
-
 /// The scene of a document as one mesh: of each node that shows a mesh, its triangles where it puts
 /// them, in the pose in which they are stored. It has the base colours and images of materials,
 /// and the first set of texture coordinates and of colours.
@@ -96,8 +34,6 @@ public:
   }
 
 private:
-  static constexpr GltfTransform identity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
-
   GltfScene(GltfMeshes& meshes, const std::filesystem::path& path)
       : meshes_(meshes), json_(meshes.document().json), path_(path), images_(shown_.looks) {
     shown_.has_linear_colors = true;
@@ -114,15 +50,16 @@ private:
 
   void add_scene() {
     if (size_of(json_, "scenes") > 0)
-      visit_nodes(element_of(json_, "scenes", count_of(json_, "scene", 0)), "nodes", identity, 0);
+      visit_nodes(element_of(json_, "scenes", count_of(json_, "scene", 0)), "nodes", Transform(),
+                  0);
     else
       for (const GltfSurface& surface : meshes_.surfaces())
-        add(surface, identity);
+        add(surface, Transform());
     if (shown_.looks.materials.empty())
       shown_.looks.materials.emplace_back();
   }
 
-  void visit_nodes(const Json& parent, const char* key, const GltfTransform& map, int depth) {
+  void visit_nodes(const Json& parent, const char* key, const Transform& map, int depth) {
     if (depth > 200)
       throw std::runtime_error("its nodes are nested too deeply");
     for (std::size_t i = 0; i < size_of(parent, key); ++i) {
@@ -130,24 +67,24 @@ private:
       if (!number.is_number_unsigned())
         throw std::runtime_error("a node is named by something else than a number");
       const Json& node = element_of(json_, "nodes", number.get<std::size_t>());
-      const GltfTransform of_node = product(map, transform_of_node(node));
+      const Transform of_node = map * transform_of_node(node);
       if (member(node, "mesh"))
-        add_mesh(count_of(node, "mesh"), member(node, "skin") ? identity : of_node);
+        add_mesh(count_of(node, "mesh"), member(node, "skin") ? Transform() : of_node);
       visit_nodes(node, "children", of_node, depth + 1);
     }
   }
 
-  void add_mesh(std::size_t mesh, const GltfTransform& map) {
+  void add_mesh(std::size_t mesh, const Transform& map) {
     for (const GltfSurface& surface : meshes_.surfaces())
       if (surface.mesh() == mesh)
         add(surface, map);
   }
 
-  void add(const GltfSurface& surface, const GltfTransform& map) {
+  void add(const GltfSurface& surface, const Transform& map) {
     IndexedMesh& mesh = shown_.mesh;
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (const auto& [x, y, z] : surface.points) {
-      const auto [u, v, w] = apply(map, {double{x}, double{y}, double{z}});
+      const auto [u, v, w] = map({double{x}, double{y}, double{z}});
       mesh.points.emplace_back(u, v, w);
     }
     if (has_colors_)

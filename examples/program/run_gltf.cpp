@@ -1,5 +1,4 @@
 #include "../gltf.h"
-#include "../report_sum.h"
 #include "outcome.h"
 #include "runs.h"
 #include "simplify_mesh.h"
@@ -7,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -52,40 +52,14 @@ void print_remarks(const Options& options, GltfMeshes& meshes) {
            meshes.image_files().size());
 }
 
-/// One after the other, the small ones first: what these cannot contribute, a large one can.
-quadrille::Report simplify_surfaces(Surfaces& surfaces, const Options& options) {
-  std::vector<GltfSurface*> order;
-  std::size_t rest = 0;
-  for (GltfSurface& surface : surfaces) {
-    order.push_back(&surface);
-    rest += surface.triangles.size();
-  }
-  std::stable_sort(order.begin(), order.end(), [](const GltfSurface* a, const GltfSurface* b) {
-    return a->triangles.size() < b->triangles.size();
-  });
-  quadrille::Report sum = report_of_none();
-  for (GltfSurface* const surface : order) {
-    const std::size_t faces = surface->triangles.size();
-    Options share = options;
-    share.target = options.target.share(sum, faces, std::max<std::size_t>(rest, 1));
-    add_report(sum, surface->simplify(soup_options(share, surface->points, surface->triangles),
-                                      channel_choices(options)));
-    rest -= faces;
-  }
-  if (sum.stop != quadrille::StopReason::cancelled && !quadrille::is_target_reached(sum.stop) &&
-      options.target.is_coarse_enough({.initial_faces = sum.counted_faces,
-                                       .initial_vertices = sum.vertices_before,
-                                       .faces = sum.faces_after,
-                                       .vertices = sum.vertices_after}))
-    sum.stop = quadrille::StopReason::target_met;
-  return sum;
-}
-
-/// What can be measured of a surface: positions and the first texture coordinates, by primitives.
-IndexedMesh measurable(const GltfSurface& surface) {
+/// What can be measured of a surface where it is in the scene: positions and the first texture
+/// coordinates, by primitives.
+IndexedMesh measurable(const GltfSurface& surface, const GltfPlacement& placement) {
   IndexedMesh mesh;
-  for (const auto& [x, y, z] : surface.points)
+  for (std::uint32_t v = 0; v < surface.points.size(); ++v) {
+    const auto [x, y, z] = placement.largest(surface.place(v));
     mesh.points.emplace_back(x, y, z);
+  }
   mesh.triangles = surface.triangles;
   for (std::size_t face = 0; face < surface.triangles.size(); ++face) {
     const std::size_t primitive = surface.primitive_of(face);
@@ -111,11 +85,14 @@ IndexedMesh measurable(const GltfSurface& surface) {
   return mesh;
 }
 
-std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result) {
+std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result,
+                                   const std::vector<GltfPlacement>& placements) {
   std::vector<Measurement> measured;
-  for (std::size_t i = 0; i < input.size(); ++i)
-    if (const auto one = measure(measurable(input[i]), measurable(result[i])))
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const GltfPlacement& placement = placements[input[i].mesh()];
+    if (const auto one = measure(measurable(input[i], placement), measurable(result[i], placement)))
       measured.push_back(*one);
+  }
   return measured.empty() ? std::nullopt : std::optional(united(measured));
 }
 
@@ -132,7 +109,7 @@ public:
     progress_.clear();
     require_fit(options_, meshes.surfaces());
     print_remarks(options_, meshes);
-    diagonal_ = largest_diagonal(meshes.surfaces());
+    placements_ = meshes.placements();
     if (options_.levels.empty()) {
       simplify_to(options_.output, meshes.surfaces(), options_);
       write(meshes.take());
@@ -145,13 +122,18 @@ public:
 private:
   void simplify_to(const std::string& name, Surfaces& surfaces, const Options& options) {
     const Surfaces input = options.measures ? surfaces : Surfaces();
-    const quadrille::Report report =
-        with_errors_of_file(options, [&] { return simplify_surfaces(surfaces, options); });
+    double diagonal = 0;
+    const quadrille::Report report = with_errors_of_file(options, [&] {
+      GltfSceneSurface scene(surfaces, placements_);
+      diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
+      return scene.simplify(soup_options(options, scene.points(), scene.triangles()),
+                            channel_choices(options));
+    });
     require_not_interrupted(options);
-    outcomes_.push_back({name, options.target, report, diagonal_});
+    outcomes_.push_back({name, options.target, report, diagonal});
     if (options.measures) {
       progress_.show_stage("measuring");
-      outcomes_.back().measured = measure(input, surfaces);
+      outcomes_.back().measured = measure(input, surfaces, placements_);
     }
   }
 
@@ -177,16 +159,9 @@ private:
     progress_.clear();
   }
 
-  static double largest_diagonal(const Surfaces& surfaces) {
-    double largest = 0;
-    for (const GltfSurface& surface : surfaces)
-      largest = std::max(largest, diagonal(surface.points, surface.triangles));
-    return largest;
-  }
-
   const Options& options_;
   ProgressLine& progress_;
-  double diagonal_ = 0; // of the largest mesh
+  std::vector<GltfPlacement> placements_; // of the meshes
   std::vector<Outcome> outcomes_;
 };
 

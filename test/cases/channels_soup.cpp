@@ -55,8 +55,8 @@ Carried carried(const Soup& soup, Random& random) {
 }
 
 Seams any_seams(Random& random) {
-  constexpr std::array all{Seams::kept, Seams::priced, Seams::free};
-  return all[random.below(3)];
+  constexpr std::array all{Seams::kept, Seams::held, Seams::priced, Seams::free};
+  return all[random.below(4)];
 }
 
 ChannelOptions any_options(Random& random) {

@@ -15,24 +15,6 @@
 
 namespace quadrille::internal {
 
-/// Does that cause hold a surface, so that its pairs can't be contracted whatever the target is?
-/// What depends on where a vertex would go (flips, distances, hulls) does not.
-constexpr bool is_hold(Rejection cause) {
-  switch (cause) {
-  case Rejection::topology:
-  case Rejection::constraint:
-  case Rejection::shape:
-  case Rejection::degree:
-  case Rejection::destruction:
-  case Rejection::seam:
-  case Rejection::texture:
-  case Rejection::filter:
-    return true;
-  default:
-    return false;
-  }
-}
-
 /// What a thread has refused in a stage of a pass, block by block.
 class Refusals {
 public:

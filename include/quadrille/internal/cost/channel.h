@@ -30,11 +30,6 @@
 
 namespace quadrille::internal {
 
-/// An edge vw of a face at which its chart ends.
-struct ChartEnd {
-  Index v, w, face;
-};
-
 /// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
 /// to it, ChannelContraction tells.
 class Channel {
@@ -59,9 +54,7 @@ public:
 
   bool is_texture() const { return is_texture_; }
   bool are_seams_kept() const { return seams_ == Seams::kept; }
-  bool are_seams_held() const { return is_texture_ && seams_ == Seams::held; }
-  /// Must no face turn over in the texture?
-  bool keeps_faces_up() const { return is_texture_ && (are_seams_kept() || are_seams_held()); }
+  bool are_seams_held() const { return seams_ == Seams::held; }
   bool has_seams() const { return table_.has_seams(); }
   std::size_t components() const { return records_.components(); }
 
@@ -136,10 +129,9 @@ public:
                     Index w) const {
     return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
   }
-  /// Are charts held where they end?
-  bool holds_borders() const { return keeps_faces_up() && border_weight_ > 0; }
-  /// How firmly: see ChannelOptions.
-  double border_weight() const { return border_weight_; }
+  /// Must charts hold their borders, and no face turn over in the texture?
+  bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_held()); }
+  double border_weight() const { return border_weight_; } ///< see ChannelOptions
   /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
   /// along the edge and not off it. What that leaves at v goes to `form`.
   void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,
@@ -169,7 +161,7 @@ public:
            !records_.holds_border(pair.second);
   }
 
-  /// Adds what these disagree about: see joins_two().
+  /// Adds what these disagree about.
   QUADRILLE_ALWAYS_INLINE void add_difference(const ContractedPair& pair,
                                               QuadricForm<3>& form) const {
     add_difference(pair.first, pair.second, pair.to_second, form);
@@ -241,7 +233,6 @@ private:
   static bool has_one_a_vertex(const ChannelInput& input) {
     return input.corners.empty() || input.seams == Seams::free;
   }
-
   // How much more a face weighs than others, for its label.
   double factor(const Array<Index>& labels, Index face) const {
     return factors_.empty() || labels.empty() ? 1 : factors_[labels[face]];

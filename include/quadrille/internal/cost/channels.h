@@ -5,6 +5,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/channel.h>
 #include <quadrille/internal/cost/channel_contraction.h>
+#include <quadrille/internal/cost/chart_end.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/columns.h>
@@ -74,7 +75,7 @@ public:
   /// the surface holds no chart where there is no seam.
   void hold_borders(const Array<Index>& labels, bool has_other_seams) {
     for (Channel& channel : channels_) {
-      if (!channel.holds_borders())
+      if (!channel.holds_charts() || !(channel.border_weight() > 0))
         continue;
       bool has_seams = has_other_seams;
       std::vector<ChartEnd> ends;
@@ -137,7 +138,7 @@ public:
   bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
     const ContractedPair pair = contracted(a, b);
     for (const Channel& channel : channels_) {
-      if (!channel.keeps_faces_up())
+      if (!channel.holds_charts())
         continue;
       if (ChannelContraction(channel, complex_, pair)
               .turns_over(star, target - geometry_.position(a)))

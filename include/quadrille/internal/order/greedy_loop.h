@@ -10,6 +10,7 @@
 #include <quadrille/internal/order/cost_refresh.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
+#include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/stamped_queue.h>
@@ -40,11 +41,12 @@ class GreedyLoop {
 public:
   explicit GreedyLoop(WorkingSurface<Policies>& surface)
       : surface_(surface), scratch_(surface.scratch()),
-        queue_(surface.complex().vertex_capacity(),
-               expected_pairs(surface.pairs().count(surface.status().faces),
-                              surface.complex().vertex_capacity()),
-               surface.complex().workspace()),
-        waiting_(surface.complex()), distance_stop_(surface), parts_(surface),
+        queue_(
+            surface.complex().vertex_capacity(),
+            expected_pairs(surface.pairs().count(surface.status().faces, surface.status().vertices),
+                           surface.complex().vertex_capacity()),
+            surface.complex().workspace()),
+        waiting_(surface.complex()), distance_stop_(surface), parts_(surface), hold_(surface),
         refresh_(surface, queue_.stamps()) {
     fill_queue();
   }
@@ -175,22 +177,11 @@ private:
     return false;
   }
 
-  // Is what is left free being destroyed, since so much of the surface is held that all
-  // contractions have to be there? A bound of the distance is rule enough where the stop policy
-  // asks for one.
-  bool destroys(const Contraction& contraction) const {
-    return is_mostly_held() && !distance_stop_.is_asking() &&
-           surface_.target_rules().is_destructive(contraction);
-  }
-  // Is more than half of the pairs refused? This does not depend on the target, so a coarser one
-  // leaves no more faces.
-  bool is_mostly_held() const {
-    const Status& status = surface_.status();
-    const bool has_backs =
-        !surface_.complex().backs().is_empty(); // which have no pairs of their own
-    return 2 * waiting_.held() >
-           surface_.pairs().count(has_backs ? (std::min)(status.faces, 2 * status.vertices)
-                                            : status.faces);
+  // Is what is left free being destroyed, since most of the surface is held? A bound of the
+  // distance is rule enough where the stop policy asks for one.
+  bool destroys(const Contraction& contraction) {
+    return surface_.target_rules().is_destructive(contraction) && !distance_stop_.is_asking() &&
+           hold_.is_of_most(waiting_.held());
   }
 
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
@@ -214,7 +205,7 @@ private:
     internal::refuse(surface_, {pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
-    waiting_.add(pair, is_hold(cause));
+    waiting_.add(pair, hold_.is_by(cause));
   }
 
   void contract(const Contraction& contraction) {
@@ -295,6 +286,7 @@ private:
   DeferredPairs deferred_;
   DistanceStop<Policies> distance_stop_;
   VanishingParts<Policies> parts_;
+  Hold<Policies> hold_;
   CostRefresh<Policies> refresh_;
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: key and partner
   bool is_last_resort_ = false;                    // has one of the deferred pairs its turn?

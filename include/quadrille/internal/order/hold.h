@@ -1,0 +1,87 @@
+#ifndef QUADRILLE_INTERNAL_ORDER_HOLD_H
+#define QUADRILLE_INTERNAL_ORDER_HOLD_H
+
+#include <quadrille/internal/complex/edge_sides.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/cost/candidate.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// Is most of a surface held by what is to be kept, so that contractions have to be in the rest of
+/// it, whatever that does to the shape? This does not ask for the target.
+template <class Policies>
+class Hold {
+public:
+  explicit Hold(WorkingSurface<Policies>& surface) : surface_(surface) {}
+
+  /// Does that cause hold, whatever place a vertex would go to? Flips, distances and hulls do not,
+  /// nor does topology, where parts that it holds may vanish.
+  bool is_by(Rejection cause) const {
+    switch (cause) {
+    case Rejection::topology:
+      return surface_.policies().topology != Topology::parts_may_vanish;
+    case Rejection::constraint:
+    case Rejection::shape:
+    case Rejection::degree:
+    case Rejection::destruction:
+    case Rejection::seam:
+    case Rejection::texture:
+    case Rejection::filter:
+      return true;
+    default:
+      return false;
+    }
+  }
+
+  /// Is more than half of the edges held? They are looked at if enough pairs wait that have been
+  /// refused for it, and once more when a tenth of the faces is gone: in linear time in all.
+  bool is_of_most(std::size_t waiting) {
+    const Status& status = surface_.status();
+    if (least_part * waiting < surface_.pairs().count(status.faces, status.vertices))
+      return false;
+    if (10 * status.faces < 9 * faces_counted_) {
+      faces_counted_ = status.faces;
+      is_of_most_ = counts_most();
+    }
+    return is_of_most_;
+  }
+
+private:
+  static constexpr std::size_t least_part = 8; // of the pairs wait
+
+  bool counts_most() {
+    Scratch scratch(surface_.complex().vertex_capacity());
+    std::size_t edges = 0, held = 0;
+    for_each_edge(surface_.complex(), [&](Index v, Index w, const auto&) {
+      ++edges;
+      held += is_held(v, w, scratch);
+    });
+    return 2 * held > edges;
+  }
+
+  bool is_held(Index v, Index w, Scratch& scratch) {
+    Candidate<typename Policies::Cost> candidate = surface_.evaluator().evaluate(v, w);
+    const GatheredStar star(surface_.complex(), v, w, scratch);
+    if constexpr (looks_at_star<typename Policies::Placement>)
+      if (!surface_.evaluator().settle(candidate, *star))
+        return false;
+    Contraction<typename Policies::Cost> contraction(candidate, star);
+    const auto cause = surface_.checks().rejection(contraction);
+    return cause && is_by(*cause);
+  }
+
+  WorkingSurface<Policies>& surface_;
+  std::size_t faces_counted_ = ~std::size_t{0} / 16;
+  bool is_of_most_ = false;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ORDER_HOLD_H
