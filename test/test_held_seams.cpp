@@ -116,7 +116,7 @@ TEST_CASE("Seams that are kept end before they destroy the shape") {
     const auto faces = static_cast<std::size_t>(ratio * static_cast<double>(input.labels.size()));
     const Result kept = simplified(input, faces, {.seams = Seams::kept});
     INFO(kept.report);
-    CHECK(kept.rms < 0.02);
+    CHECK(kept.rms < 0.03); // of a radius of 1
     if (!is_target_reached(kept.report.stop)) {
       CHECK(least.value_or(kept.surface.labels.size()) == kept.surface.labels.size());
       least = kept.surface.labels.size();

@@ -219,19 +219,19 @@ TEST_CASE("A coarser target leaves no more faces and no less error, whatever hol
   SECTION("parts that can lose no face") {
     const Soup parts = sphere_beside_tetrahedra(40);
     const Sweep left = sweep(parts, Topology::kept);
-    require_monotone(left, 0.2);
+    require_monotone(left, 0.25);
     CHECK(left.faces.back() < 400);
     CHECK(left.faces.back() > 170); // of these 160 are tetrahedra: nothing but a blob were less
   }
   SECTION("the same in passes") {
-    require_monotone(sweep(sphere_beside_tetrahedra(40), RelaxedOrder{}), 0.2);
+    require_monotone(sweep(sphere_beside_tetrahedra(40), RelaxedOrder{}), 0.25);
   }
   SECTION("labels") {
     require_monotone(sweep(rough), 0.25);
   }
   SECTION("a filter") {
     const Sweep left = sweep(rough, HoldMost{0.7});
-    require_monotone(left, 0.2);
+    require_monotone(left, 0.25);
     CHECK(left.faces.back() > rough.triangles.size() / 2);
   }
   SECTION("nothing") {

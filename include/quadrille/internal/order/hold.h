@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ORDER_HOLD_H
 
 #include <quadrille/internal/complex/edge_sides.h>
+#include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -21,12 +22,10 @@ class Hold {
 public:
   explicit Hold(WorkingSurface<Policies>& surface) : surface_(surface) {}
 
-  /// Does that cause hold, whatever place a vertex would go to? Flips, distances and hulls do not,
-  /// nor does topology, where parts that it holds may vanish.
-  bool is_by(Rejection cause) const {
+  /// May that cause hold, whatever place a vertex would go to? Flips, distances and hulls do not.
+  static bool is_by(Rejection cause) {
     switch (cause) {
     case Rejection::topology:
-      return surface_.policies().topology != Topology::parts_may_vanish;
     case Rejection::constraint:
     case Rejection::shape:
     case Rejection::degree:
@@ -57,6 +56,9 @@ private:
   static constexpr std::size_t least_part = 8; // of the pairs wait
 
   bool counts_most() {
+    // One part alone may go as far as it can, and so may one beside parts that may vanish.
+    counts_topology_ = surface_.policies().topology != Topology::parts_may_vanish &&
+                       count_components(surface_.complex()) > 1;
     Scratch scratch(surface_.complex().vertex_capacity());
     std::size_t edges = 0, held = 0;
     for_each_edge(surface_.complex(), [&](Index v, Index w, const auto&) {
@@ -74,12 +76,12 @@ private:
         return false;
     Contraction<typename Policies::Cost> contraction(candidate, star);
     const auto cause = surface_.checks().rejection(contraction);
-    return cause && is_by(*cause);
+    return cause && is_by(*cause) && (counts_topology_ || *cause != Rejection::topology);
   }
 
   WorkingSurface<Policies>& surface_;
   std::size_t faces_counted_ = ~std::size_t{0} / 16;
-  bool is_of_most_ = false;
+  bool is_of_most_ = false, counts_topology_ = false;
 };
 
 } // namespace quadrille::internal
