@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_DISTANCE_BORDER_STRIPS_H
 
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/distance/face_of_star.h>
 #include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/vector.h>
 
@@ -50,18 +51,21 @@ public:
     bound_ = 0;
   }
 
-  /// An edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
-  /// Edges of two faces in opposite directions are no border.
-  void add_spoke(Index neighbour, std::size_t end, int turn, const Vector<3>& position,
-                 double bound) {
-    spokes_.push_back({position, bound, neighbour, end, turn, 1});
-  }
-
-  /// The same of an edge from a to b (turn 1) or back.
-  void add_between(int turn, double bound) {
-    turns_between_ += turn;
-    ++faces_between_;
-    bound_ = (std::max)(bound_, bound);
+  /// The edges of a face at the ends, of which b is the second.
+  void add(const FaceOfStar& f, Index b) {
+    const auto& [end, second, third] = f.corners;
+    if (!f.is_shared) {
+      add_spoke(f.third, f.end, 1, third, f.bound);
+      add_spoke(f.second, f.end, -1, second, f.bound);
+    } else if (f.second == b) {
+      add_between(1, f.bound);
+      add_spoke(f.third, 0, 1, third, f.bound);
+      add_spoke(f.third, 1, -1, third, f.bound);
+    } else {
+      add_between(-1, f.bound);
+      add_spoke(f.second, 0, -1, second, f.bound);
+      add_spoke(f.second, 1, 1, second, f.bound);
+    }
   }
 
   /// Makes one of the spokes along the same edge, once all have been added.
@@ -144,6 +148,20 @@ private:
     bool is_left; // of the new spoke
     double bound; // of all faces at the border
   };
+
+  // An edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
+  // Edges of two faces in opposite directions are no border.
+  void add_spoke(Index neighbour, std::size_t end, int turn, const Vector<3>& position,
+                 double bound) {
+    spokes_.push_back({position, bound, neighbour, end, turn, 1});
+  }
+
+  // The same of an edge from a to b (turn 1) or back.
+  void add_between(int turn, double bound) {
+    turns_between_ += turn;
+    ++faces_between_;
+    bound_ = (std::max)(bound_, bound);
+  }
 
   template <class Visit>
   void for_each_path(const std::array<Vector<3>, 2>& ends, const Vector<3>& x, Visit visit) const {

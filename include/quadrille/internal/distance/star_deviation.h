@@ -5,7 +5,7 @@
 #include <quadrille/internal/distance/border_strips.h>
 #include <quadrille/internal/distance/face_of_star.h>
 #include <quadrille/internal/distance/flat_pieces.h>
-#include <quadrille/internal/distance/projection_plane.h>
+#include <quadrille/internal/distance/part_of_star.h>
 #include <quadrille/internal/distance/sheets_of_star.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/vector.h>
@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -25,10 +24,7 @@ namespace quadrille::internal {
 /// How far a contraction takes the faces around a pair away from those that were there, at most.
 ///
 /// A new face is compared with the face that it was: the distance to a triangle is convex, so it is
-/// greatest at the corner that has moved. Or it is cut into pieces, each of which lies over one old
-/// face, or over one strip along the border (see BorderStrips), in the plane of their mean normal:
-/// the distance of a piece to that face is greatest at one of its corners. As long as no new face
-/// is turned over, the pieces leave nothing out, whatever the old faces look like.
+/// greatest at the corner that has moved. Or it is cut into pieces: see PartOfStar.
 ///
 /// Each sheet between borders and junction lines is compared with itself, and has a border where it
 /// meets others: see SheetsOfStar. Where some new face is turned over in the plane of a sheet, at a
@@ -45,7 +41,7 @@ public:
   void take(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
             const Vector<3>& x, BoundOf bound_of) {
     const auto at = [&](Index v) { return space(positions[v]); };
-    x_.point = x;
+    x_ = x;
     ends_ = {at(a), at(b)};
     b_ = b;
     faces_.clear();
@@ -71,10 +67,11 @@ public:
     changed_ = faces_.size();
     for (const StarFace& f : star.shared)
       add(f, 0, true);
+    part_.begin(ends_, b, x, extent_);
   }
 
   /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
-  bool is_unchanged(std::size_t end) const { return ends_[end] == x_.point; }
+  bool is_unchanged(std::size_t end) const { return ends_[end] == x_; }
 
   /// Of the faces that change: those of the first end come first.
   const FaceDeviation& operator[](std::size_t i) const { return deviations_[i]; }
@@ -90,7 +87,7 @@ public:
   /// The greatest extent of the star, up to a factor of two.
   double extent() const { return extent_; }
   /// What the roundings of all that is measured come to, at most.
-  double rounding() const { return 0x1p-48 * extent_; }
+  double rounding() const { return PartOfStar::rounding(extent_); }
 
   /// Compares each face with the one that it was. If it is certain that one will be too far,
   /// returns how far that is. Are all of one sheet, and wound alike?
@@ -100,7 +97,7 @@ public:
     FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // pieces find no less at x
     for (const Face& f : faces_) {
       const auto& [p, q, r] = f.corners;
-      const double distance = std::sqrt(squared_distance_to_triangle(x_.point, p, q, r));
+      const double distance = std::sqrt(squared_distance_to_triangle(x_, p, q, r));
       const FaceDeviation deviation{f.bound + distance, distance};
       if (deviation.from_input < least.from_input)
         least = deviation;
@@ -120,10 +117,10 @@ public:
   std::optional<FaceDeviation> compare_border(IsTooFar is_too_far) {
     border_.clear();
     for (const Face& f : faces_)
-      add_spokes(border_, f);
+      border_.add(f, b_);
     border_.sum_up();
     border_.keep_open_ones([this](std::size_t end) { return !is_unchanged(end); });
-    of_border_ = border_.deviation(ends_, x_.point);
+    of_border_ = border_.deviation(ends_, x_);
     return is_too_far(of_border_.from_input) ? std::optional(of_border_) : std::nullopt;
   }
   /// Adds it to what is known of the faces at the border.
@@ -151,8 +148,6 @@ public:
 private:
   using Face = FaceOfStar;
 
-  static constexpr double steepest = 0x1p-3; // of a new face: cosine of its angle to the plane
-
   // Whole, or else by parts of like normals.
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_sheet(std::span<Face* const> sheet, IsTooFar is_too_far) {
@@ -160,20 +155,18 @@ private:
         std::count_if(sheet.begin(), sheet.end(), [](const Face* f) { return !f->is_shared; });
     if (changed > static_cast<std::ptrdiff_t>(most_faces))
       return first_beyond(sheet, is_too_far);
-    part_.assign(sheet.begin(), sheet.end());
-    if (lay_flat() && !leaves_steep_ones())
+    part_.take(sheet);
+    if (part_.lay_flat() && !part_.leaves_steep_ones())
       return measure_part(is_too_far);
     rest_.assign(sheet.begin(), sheet.end());
     while (Face* const seed = largest_of_rest()) {
-      take_like(*seed);
-      if (lay_flat())
-        leaves_steep_ones();
-      else
-        part_.clear();
-      Face* const left_out = is_in_part(seed) ? nullptr : seed;
-      std::erase_if(rest_, [&](const Face* f) { return f == seed || is_in_part(f); });
-      if (left_out && is_too_far(known_of(*left_out).from_input))
-        return known_of(*left_out);
+      part_.take_like(*seed, rest_);
+      if (part_.lay_flat())
+        part_.leaves_steep_ones();
+      const bool is_left_out = !part_.has(seed);
+      std::erase_if(rest_, [&](const Face* f) { return f == seed || part_.has(f); });
+      if (is_left_out && is_too_far(known_of(*seed).from_input))
+        return known_of(*seed);
       if (const auto beyond = measure_part(is_too_far))
         return beyond;
     }
@@ -197,59 +190,15 @@ private:
     return largest;
   }
 
-  void take_like(const Face& seed) {
-    const Vector<3>& axis = seed.area;
-    part_.clear();
-    std::copy_if(rest_.begin(), rest_.end(), std::back_inserter(part_), [&](const Face* f) {
-      const double along = dot(axis, f->area);
-      return along > 0 && 4 * along * along > squared_length(axis) * squared_length(f->area);
-    });
-  }
-
-  bool is_in_part(const Face* face) const {
-    return std::find(part_.begin(), part_.end(), face) != part_.end();
-  }
-
-  // In the plane of the mean normal of the part. False if there is none.
-  bool lay_flat() {
-    Vector<3> normal;
-    for (const Face* f : part_)
-      normal += f->area;
-    if (!plane_.look_along(normal))
-      return false;
-    plane_.pass_through(ends_[0]);
-    x_ = plane_.flat(x_.point);
-    for (Face* f : part_)
-      for (std::size_t i = 0; i < 3; ++i)
-        f->flat[i] = plane_.flat(f->corners[i]);
-    return true;
-  }
-
-  // Takes new faces that are turned over, or are nearly, out of the part. Were there any?
-  bool leaves_steep_ones() {
-    return std::erase_if(part_, [this](const Face* f) {
-             if (f->is_shared)
-               return false;
-             const double flat = flat_area(x_, f->flat[1], f->flat[2]);
-             const Vector<3> area = double_area_vector(x_.point, f->corners[1], f->corners[2]);
-             return !(flat > 0 && flat * flat > steepest * steepest * squared_length(area));
-           }) > 0;
-  }
-
   template <class IsTooFar>
   std::optional<FaceDeviation> measure_part(IsTooFar is_too_far) {
-    rim_.clear();
-    for (const Face* f : part_)
-      add_spokes(rim_, *f);
-    rim_.sum_up();
-    const auto& strips =
-        rim_.strips(ends_, x_, [this](const Vector<3>& p) { return plane_.flat(p); });
+    part_.find_strips();
     for (const Face* f : part_) {
       if (f->is_shared)
         continue;
       FaceDeviation& known = known_of(*f);
       if (known.from_star > 0)
-        if (const FaceDeviation found = measure(*f, strips, known.from_input);
+        if (const FaceDeviation found = part_.measure(*f, known.from_input);
             found.from_input < known.from_input)
           known = found;
       if (is_too_far(known.from_input))
@@ -263,67 +212,17 @@ private:
     return deviations_[static_cast<std::size_t>(&face - faces_.data())];
   }
 
-  void add_spokes(BorderStrips& border, const Face& f) const {
-    const auto& [end, second, third] = f.corners;
-    if (!f.is_shared) {
-      border.add_spoke(f.third, f.end, 1, third, f.bound);
-      border.add_spoke(f.second, f.end, -1, second, f.bound);
-    } else if (f.second == b_) {
-      border.add_between(1, f.bound);
-      border.add_spoke(f.third, 0, 1, third, f.bound);
-      border.add_spoke(f.third, 1, -1, third, f.bound);
-    } else {
-      border.add_between(-1, f.bound);
-      border.add_spoke(f.second, 0, -1, second, f.bound);
-      border.add_spoke(f.second, 1, 1, second, f.bound);
-    }
-  }
-
-  // By its pieces; anything beyond what is known, once it is beyond.
-  FaceDeviation measure(const Face& face, const std::vector<BorderStrips::Strip>& strips,
-                        double known) {
-    const FlatTriangle now{x_, face.flat[1], face.flat[2]};
-    const double all = flat_area(now), tolerance = 0x1p-50 * extent_;
-    FaceDeviation deviation;
-    double covered = 0;
-    const auto look_at = [&](const FlatTriangle& part, double bound, auto squared) {
-      if (lies_beside(now, part))
-        return;
-      FlatPiece piece(now);
-      piece.clip(part, tolerance);
-      if (piece.empty())
-        return;
-      double most = 0;
-      for (const FlatPoint& y : piece)
-        most = (std::max)(most, squared(y));
-      covered += piece.area();
-      const double distance = std::sqrt(most);
-      deviation.raise_to({bound + distance, distance});
-    };
-    for (const Face* f : part_)
-      if (deviation.from_input < known && flat_area(f->flat) > 0)
-        look_at(f->flat, f->bound, [&](const FlatPoint& y) { return squared_height(y, f->flat); });
-    for (const BorderStrips::Strip& s : strips)
-      if (deviation.from_input < known)
-        look_at(s.triangle, s.bound, [&](const FlatPoint& y) {
-          return squared_distance_to_segment(y.point, s.from, s.to);
-        });
-    if (covered < (1 - 1e-6) * all) // only if it was not looked at to the end
-      deviation.from_input = std::numeric_limits<double>::infinity();
-    return deviation;
-  }
-
-  FlatPoint x_{};
+  Vector<3> x_;
   std::array<Vector<3>, 2> ends_;
   Index b_ = 0;
   std::vector<Face> faces_; // those that change come first, then those that go
   std::vector<FaceDeviation> deviations_;
   SheetsOfStar sheets_;
-  std::vector<Face*> part_, rest_; // of a sheet: what is compared now, and later
+  PartOfStar part_;         // of a sheet, that is compared now
+  std::vector<Face*> rest_; // of it, for later
   std::size_t changed_ = 0;
   double extent_ = 0;
-  ProjectionPlane plane_;
-  BorderStrips border_, rim_; // of the surface, and of a part of a sheet
+  BorderStrips border_; // of the surface
   FaceDeviation of_border_;
 };
 
