@@ -88,7 +88,7 @@ expect_faces out.off 800
 run 0 plain.off out.off --faces 5000
 expect stdout ' of the diagonal: IN meets the target already$'
 run 0 plain.off out.off --error 0.05
-expect stdout ', within 0\.1[0-9]* % of the diagonal$'
+expect stdout ', no point of OUT is further than 0\.1[0-9]* % of the diagonal from IN$'
 run 0 plain.off out.off --error 1e300
 run 0 --quiet plain.off out.off
 expect_nothing stdout
@@ -561,10 +561,10 @@ run 0 --error 0.05 plain.off expected.off
 run 0 --error 0.05 --record record.qlv plain.off out.off
 expect_same out.off expected.off
 run 0 --from record.qlv out.off --error 0.05
-expect stdout ', within 0\.0([0-4][0-9]*|5) in units of the mesh$'
+expect stdout ', no point of OUT is further than 0\.0([0-4][0-9]*|5) in units of the mesh from IN$'
 expect_same out.off expected.off
 run 0 --from record.qlv out.off --error 0.01
-expect stdout ', within 0\.00'
+expect stdout ', no point of OUT is further than 0\.00'
 cmp -s out.off expected.off && fail "no finer level"
 run 0 --from record.qlv out.off --error 0
 run 0 --record record.qlv none.off out.off
@@ -816,7 +816,7 @@ cp out.off quarter.off
 run 0 plain.off out.off --ratio 0.25
 cmp -s out.off quarter.off || fail "25% and 0.25 are not the same"
 run 0 plain.off out.off --error 0.5% --faces 2
-expect stdout ', within 0\.(50?|[0-4][0-9]*) % of the diagonal$'
+expect stdout ', no point of OUT is further than 0\.(50?|[0-4][0-9]*) % of the diagonal from IN$'
 run 0 plain.off out.off --error 1 --faces 500
 expect_faces out.off 500
 

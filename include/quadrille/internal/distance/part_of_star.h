@@ -154,9 +154,9 @@ private:
   FaceDeviation nearest_to(const FlatPiece& piece, const FaceDeviation& known) const {
     const double enough = rounding(extent_) * rounding(extent_);
     for (const Face* f : faces_) {
-      const auto& [p, q, r] = f->corners;
+      const std::array<Vector<3>, 3>& t = f->corners;
       const auto is_near = [&](const FlatPoint& y) {
-        return squared_distance_to_triangle(y.point, p, q, r) <= enough;
+        return squared_distance_to_triangle(y.point, t[0], t[1], t[2]) <= enough;
       };
       if (f->bound <= known.from_input && std::all_of(piece.begin(), piece.end(), is_near))
         return {f->bound + rounding(extent_), rounding(extent_)};
