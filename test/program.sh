@@ -889,6 +889,41 @@ cmp -s out.off welded.off || fail "another result with a part of the diagonal"
 run 0 --weld 1e-6 --faces 50 loose_quads.off out.off
 cmp -s out.off welded.off || fail "another result with another order of words"
 
+# Faces wound this way and that: a closed octahedron-like surface of 8 faces, of which one is turned,
+# beside a tetrahedron of which all are wound alike
+printf 'OFF\n10 12 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 0 2 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n3 6 8 7\n3 6 7 9\n3 7 8 9\n3 8 6 9\n' >turned.off
+run 0 turned.off out.off --faces 12
+expect stderr '^turned.off: faces wound against their neighbours \(--orient makes them agree.*\): 1$'
+expect out.off '^3 0 2 5$'
+run 0 turned.off out.off --faces 12 --orient
+expect stderr '^turned.off: faces turned, so that neighbours are wound alike: 1$'
+expect out.off '^3 0 5 2$'
+expect out.off '^3 6 8 7$'
+run 0 --orient out.off again.off --faces 12
+expect_nothing stderr
+cmp -s out.off again.off || fail "faces wound alike have been turned"
+run 0 --orient --quiet turned.off again.off --faces 12
+expect_nothing stderr
+cmp -s out.off again.off || fail "another result with --quiet"
+# What is at the corners of a face turns with it, and it stays in its material
+printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\nusemtl blue\nf 1/1 4/4 3/3\n' >turned.obj
+run 0 turned.obj out.obj --faces 2 --orient
+expect stderr '^turned.obj: faces turned, so that neighbours are wound alike: 1$'
+expect out.obj '^f 1/[0-9]+ 3/[0-9]+ 4/[0-9]+$'
+awk '/^vt/ { t[++n] = $2 " " $3 } /^v / { v[++m] = $2 " " $3 }
+  /^f/ { for (i = 2; i <= 4; ++i) { split($i, c, "/"); if (t[c[2]] != v[c[1]]) exit 1 } }' out.obj ||
+  fail "the texture has not been turned with its face"
+expect out.obj '^usemtl blue$'
+# A Moebius strip has but one side
+awk 'BEGIN { n = 12; print "OFF\n" 2 * n, 2 * n, 0
+  for (i = 0; i < n; ++i) { a = 2 * 3.14159265 * i / n
+    for (j = -1; j < 2; j += 2) { r = 1 + j * cos(a / 2) / 3; print r * cos(a), r * sin(a), j * sin(a / 2) / 3 } }
+  for (i = 0; i < n; ++i) { p = 2 * i; q = p + 1; r = i + 1 < n ? p + 2 : 1; s = i + 1 < n ? p + 3 : 0
+    print 3, p, r, s; print 3, p, s, q } }' >strip.off
+run 0 strip.off out.off --faces 24 --orient
+expect stderr '^strip.off: pieces of one side only, whose faces cannot be wound alike: 1$'
+run 2 --orient --from record.qlv out.off
+
 # What is measured and reported
 run 0 sheet.off out.off --faces 100 --measure --report report.json
 expect stdout ', measured [0-9.e-]+ % of the diagonal apart, [0-9.e-]+ % of the diagonal RMS, the texture [0-9.e-]+ % of the diagonal RMS$'

@@ -492,7 +492,7 @@ TEST_CASE("Walls between cells are left with what is exact") {
   }
 }
 
-TEST_CASE("Bounds hold at junction lines that are curved or rough, however faces are wound") {
+TEST_CASE("Bounds hold at junction lines that are curved or rough") {
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     for (double limit : {0.01, 0.1, 0.4}) {
       INFO("seed " << seed << ", limit " << limit);
@@ -531,7 +531,7 @@ TEST_CASE("How faces are wound does not matter to a limit") {
 }
 
 TEST_CASE("Points on straight edges of a plate cost nothing") {
-  for (std::uint32_t n : {32, 64, 96, 128})
+  for (std::uint32_t n : {32u, 64u, 96u, 128u})
     for (const test::Soup& plate : {plate_with_hole(n), far_away(plate_with_hole(n))}) {
       const auto [report, result] = simplify_within(0, plate);
       INFO(n << " points: " << report);

@@ -111,11 +111,13 @@ public:
     return deviation;
   }
 
-  /// The strips of a contraction of the two ends to x.
+  /// The strips of a contraction of the two ends to x, but for those that are narrower than this:
+  /// they are roundings of none.
   template <class Flatten>
   const std::vector<Strip>& strips(const std::array<Vector<3>, 2>& ends, const FlatPoint& x,
-                                   Flatten flatten) {
+                                   double narrowest, Flatten flatten) {
     strips_.clear();
+    narrowest_ = narrowest;
     std::erase_if(spokes_, [](const Spoke& s) { return s.turn == 0; });
     for_each_path(ends, x.point, [&](const Path& path) { add_strip(path, x, flatten); });
     return strips_;
@@ -242,8 +244,14 @@ private:
   void add_triangle(FlatTriangle t, const Path& path, const Vector<3>& from, const Vector<3>& to) {
     if (!path.is_left)
       std::swap(t[1], t[2]);
-    if (flat_area(t) > 0)
+    const double area = flat_area(t);
+    const double length = squared_flat_length(t[0], t[2]) + squared_flat_length(t[0], t[1]);
+    if (area > 0 && area * area > narrowest_ * narrowest_ * length)
       strips_.push_back({t, from, to, path.bound});
+  }
+
+  static double squared_flat_length(const FlatPoint& p, const FlatPoint& q) {
+    return (q.u - p.u) * (q.u - p.u) + (q.v - p.v) * (q.v - p.v);
   }
 
   std::vector<Spoke> spokes_;
@@ -251,6 +259,7 @@ private:
   std::size_t faces_between_ = 0; // at it
   double bound_ = 0;              // of these
   std::vector<Strip> strips_;
+  double narrowest_ = 0; // of them
 };
 
 } // namespace quadrille::internal

@@ -91,7 +91,8 @@ public:
     for (const Face* f : faces_)
       rim_.add(*f, b_);
     rim_.sum_up();
-    strips_ = &rim_.strips(ends_, x_, [this](const Vector<3>& p) { return plane_.flat(p); });
+    strips_ = &rim_.strips(ends_, x_, tolerance() / 2,
+                           [this](const Vector<3>& p) { return plane_.flat(p); });
   }
 
   /// How far one of them that changes comes to lie, by its pieces; anything beyond what is known,
@@ -109,18 +110,23 @@ public:
 private:
   static constexpr double steepest = 0x1p-3; // of a new face: cosine of its angle to the plane
 
+  // By how much pieces are wider than what they lie over, so that roundings leave no gaps. Where a
+  // strip is left out that is narrower than half of it, the new face is no further off than the
+  // next piece by rounding(), since it is not steep.
+  double tolerance() const { return 0x1p-50 * extent_; }
+
   // By pieces, of each of which mended(piece, deviation) tells the last word.
   template <class Mended>
   FaceDeviation measure_by(const Face& face, double known, Mended mended) const {
     const FlatTriangle now{x_, face.flat[1], face.flat[2]};
-    const double all = flat_area(now), tolerance = 0x1p-50 * extent_;
+    const double all = flat_area(now);
     FaceDeviation deviation;
     double covered = 0;
     const auto look_at = [&](const FlatTriangle& part, double bound, auto squared) {
       if (lies_beside(now, part))
         return;
       FlatPiece piece(now);
-      piece.clip(part, tolerance);
+      piece.clip(part, tolerance());
       if (piece.empty())
         return;
       double most = 0;
