@@ -522,7 +522,7 @@ done
 run 0 --from record.qlv - --format off --faces 800
 expect_same stdout expected.off
 expect stderr '^record.qlv: 800 -> 800 faces'
-expect stderr ', (error about|within) [0-9.e-]+ in units of the mesh$'
+expect stderr ', (error about|no point of OUT is further than) [0-9.e-]+ in units of the mesh( from IN)?$'
 run 1 --from record.qlv out.off --faces 3
 expect stderr '^out.off: the target was not reached: no pair left$'
 expect_ratio out.off 80
