@@ -16,7 +16,8 @@
 namespace quadrille_examples {
 
 /// Faces hang together by edges of two faces, in pieces each of which can be wound alike, unless it
-/// has but one side, as a Möbius strip has.
+/// has but one side, as a Möbius strip has. CGAL's orient_polygon_soup() cuts the surface along
+/// lines where more than two faces meet; here they stay.
 class Winding {
 public:
   /// In O(n log d), where a vertex has d faces.
