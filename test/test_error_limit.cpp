@@ -12,10 +12,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -138,6 +140,164 @@ test::Soup sheets_at_a_line(int count) {
       }
   }
   return soup;
+}
+
+// Pages at odd angles and of different sizes, on one edge line; about a third are wound the other
+// way. The line and the pages may be curved.
+test::Soup odd_pages(int count, std::uint64_t seed, double curve = 0) {
+  test::Random random(seed);
+  const auto part = [&] { return double(random.below(1000)) / 1000; };
+  test::Soup soup;
+  const std::uint32_t n = 8;
+  const auto bent = [&](double j) { return curve * std::sin(j / 2); };
+  for (std::uint32_t j = 0; j <= n; ++j)
+    soup.points.push_back({{bent(j), 0, double(j)}});
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.7 * part()) / count, step = 0.3 + part();
+    const auto width = static_cast<std::uint32_t>(1 + random.below(5));
+    const bool is_turned = random.below(3) == 0;
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+      return i == 0 ? j : first + (i - 1) * (n + 1) + j;
+    };
+    for (std::uint32_t i = 1; i <= width; ++i)
+      for (std::uint32_t j = 0; j <= n; ++j) {
+        const double rise = 0.1 * curve * std::sin(1.3 * i + 0.9 * j);
+        soup.points.push_back({{bent(j) + step * i * std::cos(angle) - rise * std::sin(angle),
+                                step * i * std::sin(angle) + rise * std::cos(angle), double(j)}});
+      }
+    const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+      soup.triangles.push_back(is_turned ? test::Triangle{p, r, q} : test::Triangle{p, q, r});
+    };
+    for (std::uint32_t i = 0; i < width; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) {
+        add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  return soup;
+}
+
+// A soup of which equal points are one.
+class Builder {
+public:
+  std::uint32_t vertex(const test::Position& p) {
+    const auto [place, is_new] = numbers_.try_emplace(
+        {std::llround(1e6 * p[0]), std::llround(1e6 * p[1]), std::llround(1e6 * p[2])},
+        static_cast<std::uint32_t>(soup.points.size()));
+    if (is_new)
+      soup.points.push_back(p);
+    return place->second;
+  }
+  void add(const test::Position& p, const test::Position& q, const test::Position& r) {
+    soup.triangles.push_back({vertex(p), vertex(q), vertex(r)});
+  }
+  // A parallelogram in fine x fine cells.
+  void add_grid(const test::Position& p, const test::Position& u, const test::Position& v,
+                int fine) {
+    const auto at = [&](int i, int j) { return p + double(i) / fine * u + double(j) / fine * v; };
+    for (int i = 0; i < fine; ++i)
+      for (int j = 0; j < fine; ++j) {
+        add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  void add_triangle(const test::Position& p, const test::Position& q, const test::Position& r,
+                    int fine) {
+    const auto at = [&](int i, int j) {
+      return p + double(i) / fine * (q - p) + double(j) / fine * (r - p);
+    };
+    for (int i = 0; i < fine; ++i)
+      for (int j = 0; i + j < fine; ++j) {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < fine)
+          add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+
+  test::Soup soup;
+
+private:
+  std::map<std::array<long long, 3>, std::uint32_t> numbers_;
+};
+
+// count³ unit cubes with shared walls, each wall a grid.
+test::Soup cells(int count, int fine) {
+  Builder builder;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int s = 0; s <= count; ++s)
+      for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j) {
+          test::Position p, u, v;
+          const std::size_t first = (axis + 1) % 3, second = (axis + 2) % 3;
+          p[axis] = s, p[first] = i, p[second] = j;
+          u[first] = 1, v[second] = 1;
+          builder.add_grid(p, u, v, fine);
+        }
+  return builder.soup;
+}
+
+// Four cells in a tetrahedron: films from its middle to its edges, and its sides.
+test::Soup foam(int fine) {
+  const std::array<test::Position, 4> corners{
+      {{{1, 1, 1}}, {{1, -1, -1}}, {{-1, 1, -1}}, {{-1, -1, 1}}}};
+  Builder builder;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      builder.add_triangle({{0, 0, 0}}, corners[i], corners[j], fine);
+      for (std::size_t k = j + 1; k < 4; ++k)
+        builder.add_triangle(corners[i], corners[j], corners[k], fine);
+    }
+  return builder.soup;
+}
+
+// A floor, a wall across it, and another one from the middle of that.
+test::Soup walls() {
+  Builder builder;
+  builder.add_grid({{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, 8);
+  builder.add_grid({{0, 0.5, 0}}, {{1, 0, 0}}, {{0, 0, 1}}, 8);
+  builder.add_grid({{0.5, 0.5, 0}}, {{0, 0.5, 0}}, {{0, 0, 0.5}}, 4);
+  return builder.soup;
+}
+
+test::Soup wound_at_random(test::Soup soup, int percent, std::uint64_t seed) {
+  test::Random random(seed);
+  for (test::Triangle& t : soup.triangles)
+    if (random.below(100) < static_cast<std::uint64_t>(percent))
+      std::swap(t[1], t[2]);
+  return soup;
+}
+
+// 40 x 20 x 2.4 with a round hole; n points around each outline, of which all but 8 are on straight
+// edges, and n around the hole.
+test::Soup plate_with_hole(std::uint32_t n) {
+  test::Soup soup;
+  for (double z : {0.0, 2.4}) {
+    for (double radius : {0.0, 1.7})
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n, c = std::cos(angle), s = std::sin(angle);
+        const double k = radius > 0 ? radius : 1 / std::max(std::abs(c) / 20, std::abs(s) / 10);
+        soup.points.push_back({{k * c, k * s, z}});
+      }
+  }
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    soup.triangles.push_back({a, b, c});
+    soup.triangles.push_back({a, c, d});
+  };
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    quad(2 * n + i, 2 * n + j, 3 * n + j, 3 * n + i); // top
+    quad(i, n + i, n + j, j);                         // bottom
+    quad(i, j, 2 * n + j, 2 * n + i);                 // outside
+    quad(n + j, n + i, 3 * n + i, 3 * n + j);         // in the hole
+  }
+  return soup;
+}
+
+test::Soup far_away(const test::Soup& soup) {
+  return test::mapped(test::tilted(soup), [](const test::Position& p) {
+    return p + test::Position{{1000, -400, 300}};
+  });
 }
 
 // Cells of a landscape of blocks, each unit square cut in two by two.
@@ -305,6 +465,84 @@ TEST_CASE("Bounds hold where more than two faces meet, and on jagged borders") {
     }
 }
 
+TEST_CASE("Flat pages that share a straight edge are left with two faces each") {
+  for (double limit : {0.0, 1e-9, 0.01})
+    for (int count : {3, 4, 5, 6, 7, 8, 30}) {
+      const test::Soup pages = count < 7 ? sheets_at_a_line(count) : odd_pages(count, 1);
+      INFO(count << " pages, limit " << limit);
+      const auto faces = static_cast<std::size_t>(2 * count);
+      CHECK(simplify_within(limit, pages).report.faces_after == faces);
+      CHECK(simplify_within(limit, wound_at_random(pages, 50, 2)).report.faces_after == faces);
+      CHECK(simplify_within(limit, far_away(odd_pages(count, 3))).report.faces_after == faces);
+    }
+}
+
+TEST_CASE("Walls between cells are left with what is exact") {
+  for (double limit : {0.0, 0.01}) {
+    INFO("limit " << limit);
+    CHECK(simplify_within(limit, cells(4, 4)).report.faces_after == 480);
+    CHECK(simplify_within(limit, cells(3, 3)).report.faces_after == 216);
+    CHECK(simplify_within(limit, far_away(cells(2, 5))).report.faces_after == 72);
+    CHECK(simplify_within(limit, foam(6)).report.faces_after == 10);
+    CHECK(simplify_within(limit, far_away(wound_at_random(foam(8), 50, 1))).report.faces_after ==
+          10);
+    const std::size_t faces = simplify_within(limit, walls()).report.faces_after;
+    CHECK(faces <= 14);
+    CHECK(simplify_within(limit, wound_at_random(walls(), 50, 1)).report.faces_after == faces);
+  }
+}
+
+TEST_CASE("Bounds hold at junction lines that are curved or rough") {
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+    for (double limit : {0.01, 0.1, 0.4}) {
+      INFO("seed " << seed << ", limit " << limit);
+      const test::Soup pages = odd_pages(3 + static_cast<int>(seed), seed, 1);
+      simplify_within(limit, pages);
+      simplify_within(limit, test::with_noise(pages, seed, 0.05), RelaxedOrder{});
+      simplify_within(limit, wound_at_random(test::with_noise(cells(2, 4), seed, 0.02), 50, seed));
+      simplify_within(limit, test::with_noise(walls(), seed, 0.02));
+      const test::Soup films = test::with_noise(
+          test::mapped(
+              foam(6),
+              [](const test::Position& p) {
+                return p + test::Position{{0.1 * std::sin(3 * p[1]), 0.1 * std::cos(2 * p[2]), 0}};
+              }),
+          seed, 0.01);
+      const std::size_t faces = simplify_within(limit, films).report.faces_after;
+      const Report turned = simplify_within(limit, wound_at_random(films, 30, seed)).report;
+      CHECK(turned.faces_after <= faces + faces / 50);
+    }
+}
+
+TEST_CASE("How faces are wound does not matter to a limit") {
+  const std::vector<test::Soup> inputs{
+      test::sphere(4), test::torus(40, 20), test::with_noise(test::sphere(3), 1, 0.02),
+      test::with_noise(test::grid(20, 20), 4, 0.01), test::to_soup(read_model("cow"))};
+  for (const test::Soup& input : inputs) {
+    const double limit = 0.003 * test::diagonal(input);
+    const std::size_t alike = simplify_within(limit, input).report.faces_after;
+    for (int percent : {1, 5, 50, 100}) {
+      INFO(percent << " % are turned");
+      const Report report = simplify_within(limit, wound_at_random(input, percent, 7)).report;
+      CHECK(report.faces_after <= alike + alike / 50);
+      CHECK(report.faces_after + alike / 50 >= alike);
+    }
+  }
+}
+
+TEST_CASE("Points on straight edges of a plate cost nothing") {
+  for (std::uint32_t n : {32u, 64u, 96u, 128u})
+    for (const test::Soup& plate : {plate_with_hole(n), far_away(plate_with_hole(n))}) {
+      const auto [report, result] = simplify_within(0, plate);
+      INFO(n << " points: " << report);
+      // 4 (n + 8) are exact; a few more are left where faces would turn over.
+      CHECK(report.faces_after <= 4 * (n + 8) + 12);
+      const Report larger = simplify_within(1e-6, plate).report;
+      CHECK(report.faces_after <= larger.faces_after + 12);
+      CHECK(simplify_within(0, result).report.faces_after + 4 >= report.faces_after);
+    }
+}
+
 TEST_CASE("A border recedes no further than the limit") {
   const test::Soup input = test::with_noise(test::grid(20, 20), 4, 0.01);
   for (double limit : {0.005, 0.02, 0.05}) {
@@ -361,19 +599,21 @@ TEST_CASE("At a hub the first face that is too far ends the measuring") {
     ++asked;
     return distance > 0.01;
   };
+  const auto is_one_sheet = [](Index) { return false; };
   const Vector<3> x{{0, 0, 0.5}}; // far from each face
-  CHECK(bounds.measure(star, 0, 1, positions, x, false, deviation, after, is_too_far).from_input >
-        0.01);
+  CHECK(bounds.measure(star, 0, 1, positions, x, StarKind::oriented, deviation, after, is_too_far)
+            .from_input > 0.01);
   CHECK(asked == 1);
-  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, x, recent_faces, is_too_far));
+  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, x, recent_faces, is_one_sheet, is_too_far));
   CHECK(asked == 2);
   // Far from a few faces only: the second time these are asked first.
   const Vector<3> y{{0.02, 0, 0.995}};
-  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_too_far));
+  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_one_sheet, is_too_far));
   asked = 0;
-  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_too_far));
+  CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, y, recent_faces, is_one_sheet, is_too_far));
   CHECK(asked < 4);
-  CHECK(!bounds.is_beyond_hub(complex, 0, 1, positions, {{0, 0, 0.999}}, recent_faces, is_too_far));
+  CHECK(!bounds.is_beyond_hub(complex, 0, 1, positions, {{0, 0, 0.999}}, recent_faces, is_one_sheet,
+                              is_too_far));
 }
 
 TEST_CASE("Bounds stay with their faces when these get new numbers") {

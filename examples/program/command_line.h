@@ -80,11 +80,13 @@ inline void add_target(CLI::App& app, Options& options) {
                "stop at this part of the faces, 10% or 0.1"),
            amount("from 0 to 1 nor from 0% to 100%, as 0.1 or 10%", 1), "PART");
   in_group(app.add_option("--vertices", target.vertices, "stop at so many vertices"), count(), "N");
-  in_group(app.add_option_function<std::string>(
-               "--error", [&](const std::string& word) { target.error = amount_of(word); },
-               "stay within that distance of the input, in its units or, with %, in parts of the "
-               "diagonal of its bounding box"),
-           distance(), "D|P%");
+  in_group(
+      app.add_option_function<std::string>(
+          "--error", [&](const std::string& word) { target.error = amount_of(word); },
+          "no point of OUT is further than that from IN, in the units of IN or, with %, in parts "
+          "of the diagonal of its bounding box; what is lost of IN, as thin spikes are, may lie "
+          "further from OUT, as --measure tells"),
+      distance(), "D|P%");
   CLI::Option* const levels = in_group(
       app.add_option_function<std::string>(
           "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
@@ -212,6 +214,11 @@ inline void add_files(CLI::App& app, Options& options) {
       ->check(distance())
       ->type_name("[TOLERANCE]")
       ->group("Files");
+  app.add_flag(
+         "--orient", options.orients,
+         "wind faces as their neighbours are, in each piece of IN that hangs together by edges "
+         "of two faces")
+      ->group("Files");
   app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only")->group("Files");
   app.add_flag("--keep-partial", options.keeps_partial,
                "after Ctrl-C write how far it went; without this OUT stays as it was")
@@ -242,9 +249,10 @@ inline void add_records(CLI::App& app, Options& options) {
   CLI::Option* const reads = app.add_option(
       "--from", options.from, "read the target's level from this record instead of IN");
   reads->type_name("FILE")->group("Files");
-  for (const char* const name : {"--record", "--levels", "--cost", "--placement", "--weld",
-                                 "--boundary", "--crease", "--pairs", "--topology", "--drop-parts",
-                                 "--seams", "--order", "--threads", "--measure", "--keep-partial"})
+  for (const char* const name :
+       {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary", "--crease",
+        "--pairs", "--topology", "--drop-parts", "--seams", "--order", "--threads", "--measure",
+        "--keep-partial", "--orient"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())

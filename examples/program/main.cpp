@@ -78,6 +78,9 @@ bool run(Options options, ProgressLine& progress) {
   if (reads_gltf != writes_gltf)
     throw std::runtime_error(options.input + ": glTF goes to glTF only (.gltf, .glb), and no " +
                              "other format does");
+  if (reads_gltf && options.orients)
+    throw std::runtime_error(options.input + ": --orient is for any format but glTF, whose faces " +
+                             "say which of their sides is seen");
   if (!reads_gltf)
     return run_mesh(options, progress);
   if (!options.record.empty())

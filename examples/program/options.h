@@ -44,6 +44,7 @@ struct Options {
   bool is_relaxed = false; // the order
   unsigned threads = 0;    // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;
+  bool orients = false; // are faces wound alike first?
   bool measures = false;
   bool keeps_partial = false;
   bool is_forced = false;

@@ -60,7 +60,8 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += " in " + outcome.file;
   text += ", " + duration_text(report.seconds.total());
   if (std::isfinite(report.distance_bound))
-    text += ", within " + bound_text(report.distance_bound, outcome.diagonal);
+    text += ", no point of OUT is further than " +
+            bound_text(report.distance_bound, outcome.diagonal) + " from IN";
   else
     text += ", error about " + distance_text(report.error, outcome.diagonal);
   if (outcome.measured)

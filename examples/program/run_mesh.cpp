@@ -1,6 +1,8 @@
 #include "../bounding_box.h"
 #include "../mesh_io.h"
 #include "../mesh_io/replace_file.h"
+#include "../mesh_io/winding.h"
+#include "figures.h"
 #include "outcome.h"
 #include "position_recorder.h"
 #include "runs.h"
@@ -38,6 +40,24 @@ void print_remarks(const Options& options, const IndexedMesh& mesh) {
                  "boundary edges at the place of another one, along which cracks may open, "
                  "since the two do not share their vertices (--weld makes them one): " +
                      std::to_string(open));
+}
+
+void orient(const Options& options, IndexedMesh& mesh) {
+  if (options.is_quiet && !options.orients)
+    return;
+  const Winding winding(mesh);
+  const std::string count = with_commas(winding.against());
+  if (options.orients)
+    winding.turn(mesh);
+  if (winding.against() > 0)
+    print_remark(options, options.orients
+                              ? "faces turned, so that neighbours are wound alike: " + count
+                              : "faces wound against their neighbours (--orient makes them agree, "
+                                "for normals, folds and hulls): " +
+                                    count);
+  if (winding.one_sided() > 0)
+    print_remark(options, "pieces of one side only, whose faces cannot be wound alike: " +
+                              with_commas(winding.one_sided()));
 }
 
 namespace {
@@ -109,6 +129,7 @@ public:
     fit_to_format(mesh, format_);
     progress_.clear();
     print_remarks(options_, mesh);
+    orient(options_, mesh);
     if (!is_standard_output(options_.output))
       print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);

@@ -50,6 +50,7 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
     refuse_without_faces(options, shown.mesh.points.size());
   progress.clear();
   print_remarks(options, shown.mesh);
+  orient(options, shown.mesh);
   Outcome outcome{.file = options.output,
                   .target = options.target,
                   .report = {},

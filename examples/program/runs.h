@@ -35,6 +35,10 @@ bool run_page(const Options& options, ProgressLine& progress);
 /// Throws for a mesh that has no faces, or not what the cost looks at.
 void require_fit(const Options& options, const IndexedMesh& mesh);
 
+/// Winds the faces alike where --orient asks for it, else tells of those that are not. What has but
+/// one side is told.
+void orient(const Options& options, IndexedMesh& mesh);
+
 /// Whatever of the file the result will not have, and what a user may not expect.
 void print_remarks(const Options& options, const IndexedMesh& mesh);
 

@@ -83,6 +83,9 @@ public:
   /// And is each neighbour the second vertex of just one of its faces?
   bool is_oriented(Index v) const { return !kind_.empty() && kind_[v] == Kind::interior; }
 
+  /// Is it known that more than one sheet may meet at the vertex?
+  bool may_be_junction(Index v) const { return !kind_.empty() && kind_[v] > Kind::boundary; }
+
   static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
 
   /// A vertex of two kinds is of the one that allows less.

@@ -62,20 +62,27 @@ public:
 
   /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
   bool is_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
-    return bounds_.is_beyond_hub(complex_, candidate.first, candidate.second, geometry_.positions(),
-                                 space(candidate.target), scratch.faces_too_far,
-                                 stops_beyond(status));
+    return bounds_.is_beyond_hub(
+        complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
+        scratch.faces_too_far, [this](Index v) { return link_condition_.may_be_junction(v); },
+        stops_beyond(status));
   }
 
 private:
   // In the engine's unit.
   FaceDeviation measure(const Contraction& contraction, const Status& status) const {
     const Index a = contraction.first(), b = contraction.second();
-    const bool may_have_border = !link_condition_.is_interior(a) || !link_condition_.is_interior(b);
     return bounds_.measure(contraction.star(), a, b, geometry_.positions(),
-                           space(contraction.target()), may_have_border,
+                           space(contraction.target()), kind_of_star(a, b),
                            contraction.scratch().deviation, contraction.bounds(),
                            stops_beyond(status));
+  }
+
+  StarKind kind_of_star(Index a, Index b) const {
+    const LinkCondition& link = link_condition_;
+    if (!link.is_interior(a) || !link.is_interior(b))
+      return StarKind::any;
+    return link.is_oriented(a) && link.is_oriented(b) ? StarKind::oriented : StarKind::closed;
   }
 
   // Does the stop policy stop if nothing but the distance changes?

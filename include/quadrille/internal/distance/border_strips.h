@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_DISTANCE_BORDER_STRIPS_H
 
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/distance/face_of_star.h>
 #include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/vector.h>
 
@@ -50,18 +51,21 @@ public:
     bound_ = 0;
   }
 
-  /// An edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
-  /// Edges of two faces in opposite directions are no border.
-  void add_spoke(Index neighbour, std::size_t end, int turn, const Vector<3>& position,
-                 double bound) {
-    spokes_.push_back({position, bound, neighbour, end, turn, 1});
-  }
-
-  /// The same of an edge from a to b (turn 1) or back.
-  void add_between(int turn, double bound) {
-    turns_between_ += turn;
-    ++faces_between_;
-    bound_ = (std::max)(bound_, bound);
+  /// The edges of a face at the ends, of which b is the second.
+  void add(const FaceOfStar& f, Index b) {
+    const auto& [end, second, third] = f.corners;
+    if (!f.is_shared) {
+      add_spoke(f.third, f.end, 1, third, f.bound);
+      add_spoke(f.second, f.end, -1, second, f.bound);
+    } else if (f.second == b) {
+      add_between(1, f.bound);
+      add_spoke(f.third, 0, 1, third, f.bound);
+      add_spoke(f.third, 1, -1, third, f.bound);
+    } else {
+      add_between(-1, f.bound);
+      add_spoke(f.second, 0, -1, second, f.bound);
+      add_spoke(f.second, 1, 1, second, f.bound);
+    }
   }
 
   /// Makes one of the spokes along the same edge, once all have been added.
@@ -107,11 +111,13 @@ public:
     return deviation;
   }
 
-  /// The strips of a contraction of the two ends to x.
+  /// The strips of a contraction of the two ends to x, but for those that are narrower than this:
+  /// they are roundings of none.
   template <class Flatten>
   const std::vector<Strip>& strips(const std::array<Vector<3>, 2>& ends, const FlatPoint& x,
-                                   Flatten flatten) {
+                                   double narrowest, Flatten flatten) {
     strips_.clear();
+    narrowest_ = narrowest;
     std::erase_if(spokes_, [](const Spoke& s) { return s.turn == 0; });
     for_each_path(ends, x.point, [&](const Path& path) { add_strip(path, x, flatten); });
     return strips_;
@@ -144,6 +150,20 @@ private:
     bool is_left; // of the new spoke
     double bound; // of all faces at the border
   };
+
+  // An edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
+  // Edges of two faces in opposite directions are no border.
+  void add_spoke(Index neighbour, std::size_t end, int turn, const Vector<3>& position,
+                 double bound) {
+    spokes_.push_back({position, bound, neighbour, end, turn, 1});
+  }
+
+  // The same of an edge from a to b (turn 1) or back.
+  void add_between(int turn, double bound) {
+    turns_between_ += turn;
+    ++faces_between_;
+    bound_ = (std::max)(bound_, bound);
+  }
 
   template <class Visit>
   void for_each_path(const std::array<Vector<3>, 2>& ends, const Vector<3>& x, Visit visit) const {
@@ -224,8 +244,14 @@ private:
   void add_triangle(FlatTriangle t, const Path& path, const Vector<3>& from, const Vector<3>& to) {
     if (!path.is_left)
       std::swap(t[1], t[2]);
-    if (flat_area(t) > 0)
+    const double area = flat_area(t);
+    const double length = squared_flat_length(t[0], t[2]) + squared_flat_length(t[0], t[1]);
+    if (area > 0 && area * area > narrowest_ * narrowest_ * length)
       strips_.push_back({t, from, to, path.bound});
+  }
+
+  static double squared_flat_length(const FlatPoint& p, const FlatPoint& q) {
+    return (q.u - p.u) * (q.u - p.u) + (q.v - p.v) * (q.v - p.v);
   }
 
   std::vector<Spoke> spokes_;
@@ -233,6 +259,7 @@ private:
   std::size_t faces_between_ = 0; // at it
   double bound_ = 0;              // of these
   std::vector<Strip> strips_;
+  double narrowest_ = 0; // of them
 };
 
 } // namespace quadrille::internal

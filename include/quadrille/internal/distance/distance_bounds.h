@@ -18,6 +18,10 @@
 
 namespace quadrille::internal {
 
+/// What is known of the faces around a pair: all round each end, and wound alike; all round; or
+/// nothing.
+enum class StarKind { oriented, closed, any };
+
 /// Of each face, how far its points are from the input at most: what each contraction has added.
 class DistanceBounds {
 public:
@@ -32,22 +36,25 @@ public:
   /// then only the distance that is too far is told. What is too far stays so at any greater one.
   template <std::size_t N, class IsTooFar>
   FaceDeviation measure(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
-                        const Vector<3>& x, bool may_have_border, StarDeviation& deviation,
+                        const Vector<3>& x, StarKind kind, StarDeviation& deviation,
                         std::vector<float>& bounds, IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
     const auto bound = [&](double distance) {
       return static_cast<double>(rounded_up(distance + deviation.rounding()));
     };
     const auto is_beyond = [&](double distance) { return is_too_far(bound(distance)); };
-    std::optional<FaceDeviation> beyond = deviation.compare_each(is_beyond);
-    if (!beyond)
-      beyond = deviation.compare_sheets(is_beyond);
-    if (!beyond && may_have_border)
+    const bool is_one_sheet = kind == StarKind::oriented;
+    std::optional<FaceDeviation> beyond = deviation.compare_each(is_one_sheet, is_beyond);
+    if (!beyond && kind == StarKind::any)
       beyond = deviation.compare_border(is_beyond);
+    if (!beyond)
+      beyond = deviation.compare_sheets(is_one_sheet, is_beyond);
     if (beyond) { // told as it was asked about, else it might seem not to be too far
       beyond->from_input = bound(beyond->from_input);
       return *beyond;
     }
+    if (kind == StarKind::any)
+      deviation.add_border();
     FaceDeviation greatest = deviation.greatest();
     greatest.from_input = take_bounds(star, deviation, bounds);
     return greatest;
@@ -55,13 +62,18 @@ public:
 
   /// Will one of very many faces at an end be too far? Looks at them before the star is gathered,
   /// at those first that were too far the last times: at a hub they are few and mostly the same.
-  template <std::size_t N, class IsTooFar>
+  /// Of a vertex where sheets meet each may have few faces: there only as many are a hub as take
+  /// long to be told apart.
+  template <std::size_t N, class MayBeJunction, class IsTooFar>
   bool is_beyond_hub(const TriangleComplex& complex, Index a, Index b,
                      const Array<Vector<N>>& positions, const Vector<3>& x,
-                     RecentFaces& recent_faces, IsTooFar is_too_far) const {
+                     RecentFaces& recent_faces, MayBeJunction may_be_junction,
+                     IsTooFar is_too_far) const {
     const auto at = [&](Index v) { return space(positions[v]); };
     const auto is_beyond = [&](Index end, Index other) {
-      if (complex.degree_bound(end) <= 2 * StarDeviation::most_faces || at(end) == x)
+      const std::size_t degree = complex.degree_bound(end);
+      if (degree <= 2 * StarDeviation::most_faces || at(end) == x ||
+          (degree <= many_sheets && may_be_junction(end)))
         return false;
       const auto is_face_beyond = [&](Index face, Index i) {
         const StarFace f = star_face_at(complex, face, i);
@@ -129,6 +141,8 @@ private:
     take(star.second, 1);
     return static_cast<double>(greatest);
   }
+
+  static constexpr std::size_t many_sheets = 4096; // faces of them
 
   static float rounded_up(double bound) {
     return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::infinity());

@@ -3,8 +3,10 @@
 
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/distance/border_strips.h>
+#include <quadrille/internal/distance/face_of_star.h>
 #include <quadrille/internal/distance/flat_pieces.h>
-#include <quadrille/internal/distance/projection_plane.h>
+#include <quadrille/internal/distance/part_of_star.h>
+#include <quadrille/internal/distance/sheets_of_star.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/vector.h>
 
@@ -14,32 +16,19 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// An old face of a star, and in which sheet it is: see StarDeviation.
-struct FaceOfStar {
-  std::array<Vector<3>, 3> corners; // an end of the pair comes first
-  Vector<3> area;
-  Index second, third;
-  double bound;
-  std::size_t end;
-  bool is_shared;
-  bool is_open = true, is_in_sheet = false; // not yet in a sheet; in the one at hand
-  FlatTriangle flat = {};
-};
-
 /// How far a contraction takes the faces around a pair away from those that were there, at most.
 ///
 /// A new face is compared with the face that it was: the distance to a triangle is convex, so it is
-/// greatest at the corner that has moved. Or it is cut into pieces, each of which lies over one old
-/// face, or over one strip along the border (see BorderStrips), in the plane of their mean normal:
-/// the distance of a piece to that face is greatest at one of its corners. As long as no new face
-/// is turned over, the pieces leave nothing out, whatever the old faces look like.
+/// greatest at the corner that has moved. Or it is cut into pieces: see PartOfStar.
 ///
-/// Where some new face is turned over in that plane, at a sharp crease or where more than two faces
-/// meet, faces of like normals make up a sheet each, with a border where it meets others.
+/// Each sheet between borders and junction lines is compared with itself, and has a border where it
+/// meets others: see SheetsOfStar. Where some new face is turned over in the plane of a sheet, at a
+/// sharp crease, faces of like normals are compared apart in the same way.
 class StarDeviation {
 public:
   /// Where more faces change, pieces would take long: each face may meet each.
@@ -52,7 +41,7 @@ public:
   void take(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
             const Vector<3>& x, BoundOf bound_of) {
     const auto at = [&](Index v) { return space(positions[v]); };
-    x_.point = x;
+    x_ = x;
     ends_ = {at(a), at(b)};
     b_ = b;
     faces_.clear();
@@ -78,10 +67,11 @@ public:
     changed_ = faces_.size();
     for (const StarFace& f : star.shared)
       add(f, 0, true);
+    part_.begin(ends_, b, x, extent_);
   }
 
   /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
-  bool is_unchanged(std::size_t end) const { return ends_[end] == x_.point; }
+  bool is_unchanged(std::size_t end) const { return ends_[end] == x_; }
 
   /// Of the faces that change: those of the first end come first.
   const FaceDeviation& operator[](std::size_t i) const { return deviations_[i]; }
@@ -97,23 +87,23 @@ public:
   /// The greatest extent of the star, up to a factor of two.
   double extent() const { return extent_; }
   /// What the roundings of all that is measured come to, at most.
-  double rounding() const { return 0x1p-48 * extent_; }
+  double rounding() const { return PartOfStar::rounding(extent_); }
 
   /// Compares each face with the one that it was. If it is certain that one will be too far,
-  /// returns how far that is.
+  /// returns how far that is. Are all of one sheet, and wound alike?
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_each(IsTooFar is_too_far) {
+  std::optional<FaceDeviation> compare_each(bool is_one_sheet, IsTooFar is_too_far) {
     deviations_.clear();
     FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // pieces find no less at x
     for (const Face& f : faces_) {
       const auto& [p, q, r] = f.corners;
-      const double distance = std::sqrt(squared_distance_to_triangle(x_.point, p, q, r));
+      const double distance = std::sqrt(squared_distance_to_triangle(x_, p, q, r));
       const FaceDeviation deviation{f.bound + distance, distance};
       if (deviation.from_input < least.from_input)
         least = deviation;
       if (f.is_shared)
         continue;
-      if (changed_ > most_faces && is_too_far(deviation.from_input))
+      if (is_one_sheet && changed_ > most_faces && is_too_far(deviation.from_input))
         return deviation;
       deviations_.push_back(deviation);
     }
@@ -122,31 +112,35 @@ public:
     return std::nullopt;
   }
 
-  /// Adds how far the border moves, to either side, to what is known of the faces at it. If that is
-  /// too far, returns how far it is.
+  /// Measures how far the border moves, to either side. If that is too far, returns how far it is.
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_border(IsTooFar is_too_far) {
     border_.clear();
     for (const Face& f : faces_)
-      add_spokes(f);
+      border_.add(f, b_);
     border_.sum_up();
     border_.keep_open_ones([this](std::size_t end) { return !is_unchanged(end); });
-    const FaceDeviation moved = border_.deviation(ends_, x_.point);
-    if (is_too_far(moved.from_input))
-      return moved;
+    of_border_ = border_.deviation(ends_, x_);
+    return is_too_far(of_border_.from_input) ? std::optional(of_border_) : std::nullopt;
+  }
+  /// Adds it to what is known of the faces at the border.
+  void add_border() {
     for (std::size_t i = 0; i < changed_; ++i)
       if (border_.has(faces_[i].second) || border_.has(faces_[i].third))
-        deviations_[i].raise_to(moved);
-    return std::nullopt;
+        deviations_[i].raise_to(of_border_);
   }
 
   /// Compares them by pieces. Once a face is too far either way, returns how far that is.
   template <class IsTooFar>
-  std::optional<FaceDeviation> compare_sheets(IsTooFar is_too_far) {
-    if (changed_ > most_faces)
+  std::optional<FaceDeviation> compare_sheets(bool is_one_sheet, IsTooFar is_too_far) {
+    if (is_one_sheet && changed_ > most_faces)
       return std::nullopt;
-    for (int sheets = 0; sheets < most_sheets && find_sheet(sheets == 0); ++sheets)
-      if (const auto beyond = measure_sheet(is_too_far))
+    if (is_one_sheet)
+      sheets_.take_one(faces_);
+    else
+      sheets_.find(faces_, b_);
+    for (std::size_t i = 0; i < sheets_.size(); ++i)
+      if (const auto beyond = compare_sheet(sheets_[i], is_too_far))
         return beyond;
     return std::nullopt;
   }
@@ -154,72 +148,57 @@ public:
 private:
   using Face = FaceOfStar;
 
-  static constexpr int most_sheets = 4;
-  static constexpr double steepest = 0x1p-3; // of a new face: cosine of its angle to the plane
-
-  // The faces of the next sheet leave the open ones; at first all together. False at the end.
-  bool find_sheet(bool is_first) {
-    const Face* seed = nullptr;
-    for (const Face& f : faces_)
-      if (f.is_open && !f.is_shared &&
-          (!seed || squared_length(f.area) > squared_length(seed->area)))
-        seed = &f;
-    if (!seed)
-      return false;
-    const Vector<3> axis = seed->area;
-    Vector<3> normal;
-    for (Face& f : faces_) {
-      const double along = dot(axis, f.area);
-      f.is_in_sheet =
-          f.is_open && (is_first || (along > 0 && 4 * along * along > squared_length(axis) *
-                                                                          squared_length(f.area)));
-      if (f.is_in_sheet)
-        normal += f.area;
+  // Whole, or else by parts of like normals.
+  template <class IsTooFar>
+  std::optional<FaceDeviation> compare_sheet(std::span<Face* const> sheet, IsTooFar is_too_far) {
+    const auto changed =
+        std::count_if(sheet.begin(), sheet.end(), [](const Face* f) { return !f->is_shared; });
+    if (changed > static_cast<std::ptrdiff_t>(most_faces))
+      return first_beyond(sheet, is_too_far);
+    part_.take(sheet);
+    if (part_.lay_flat() && !part_.leaves_steep_ones())
+      return measure_part(is_too_far);
+    rest_.assign(sheet.begin(), sheet.end());
+    while (Face* const seed = largest_of_rest()) {
+      part_.take_like(*seed, rest_);
+      if (part_.lay_flat())
+        part_.leaves_steep_ones();
+      const bool is_left_out = !part_.has(seed);
+      std::erase_if(rest_, [&](const Face* f) { return f == seed || part_.has(f); });
+      if (is_left_out && is_too_far(known_of(*seed).from_input))
+        return known_of(*seed);
+      if (const auto beyond = measure_part(is_too_far))
+        return beyond;
     }
-    const bool is_whole = plane_.look_along(normal) && leave_steep_ones(is_first);
-    if (is_first && !is_whole)
-      return find_sheet(false);
-    for (Face& f : faces_)
-      f.is_open &= !f.is_in_sheet && &f != seed;
-    return true;
+    return std::nullopt;
   }
 
-  // Takes new faces that are turned over, or are nearly, out of the sheet. False if there are any
-  // and none may be.
-  bool leave_steep_ones(bool is_whole) {
-    plane_.pass_through(ends_[0]);
-    x_ = plane_.flat(x_.point);
-    for (Face& f : faces_) {
-      if (!f.is_in_sheet)
-        continue;
-      for (std::size_t i = 0; i < 3; ++i)
-        f.flat[i] = plane_.flat(f.corners[i]);
-      if (f.is_shared)
-        continue;
-      const double flat = flat_area(x_, f.flat[1], f.flat[2]);
-      const Vector<3> area = double_area_vector(x_.point, f.corners[1], f.corners[2]);
-      f.is_in_sheet = flat > 0 && flat * flat > steepest * steepest * squared_length(area);
-      if (is_whole && !f.is_in_sheet)
-        return false;
-    }
-    return true;
+  // Of the faces of a sheet that is not cut into pieces.
+  template <class IsTooFar>
+  std::optional<FaceDeviation> first_beyond(std::span<Face* const> sheet, IsTooFar is_too_far) {
+    for (const Face* f : sheet)
+      if (!f->is_shared && is_too_far(known_of(*f).from_input))
+        return known_of(*f);
+    return std::nullopt;
+  }
+
+  Face* largest_of_rest() const {
+    Face* largest = nullptr;
+    for (Face* f : rest_)
+      if (!f->is_shared && (!largest || squared_length(f->area) > squared_length(largest->area)))
+        largest = f;
+    return largest;
   }
 
   template <class IsTooFar>
-  std::optional<FaceDeviation> measure_sheet(IsTooFar is_too_far) {
-    border_.clear();
-    for (const Face& f : faces_)
-      if (f.is_in_sheet)
-        add_spokes(f);
-    border_.sum_up();
-    const auto& strips =
-        border_.strips(ends_, x_, [this](const Vector<3>& p) { return plane_.flat(p); });
-    for (std::size_t i = 0; i < changed_; ++i) {
-      FaceDeviation& known = deviations_[i];
-      if (!faces_[i].is_in_sheet)
+  std::optional<FaceDeviation> measure_part(IsTooFar is_too_far) {
+    part_.find_strips();
+    for (const Face* f : part_) {
+      if (f->is_shared)
         continue;
+      FaceDeviation& known = known_of(*f);
       if (known.from_star > 0)
-        if (const FaceDeviation found = measure(faces_[i], strips, known.from_input);
+        if (const FaceDeviation found = part_.measure(*f, known.from_input);
             found.from_input < known.from_input)
           known = found;
       if (is_too_far(known.from_input))
@@ -228,65 +207,23 @@ private:
     return std::nullopt;
   }
 
-  void add_spokes(const Face& f) {
-    const auto& [end, second, third] = f.corners;
-    if (!f.is_shared) {
-      border_.add_spoke(f.third, f.end, 1, third, f.bound);
-      border_.add_spoke(f.second, f.end, -1, second, f.bound);
-    } else if (f.second == b_) {
-      border_.add_between(1, f.bound);
-      border_.add_spoke(f.third, 0, 1, third, f.bound);
-      border_.add_spoke(f.third, 1, -1, third, f.bound);
-    } else {
-      border_.add_between(-1, f.bound);
-      border_.add_spoke(f.second, 0, -1, second, f.bound);
-      border_.add_spoke(f.second, 1, 1, second, f.bound);
-    }
+  // Of one that changes.
+  FaceDeviation& known_of(const Face& face) {
+    return deviations_[static_cast<std::size_t>(&face - faces_.data())];
   }
 
-  // By its pieces; anything beyond what is known, once it is beyond.
-  FaceDeviation measure(const Face& face, const std::vector<BorderStrips::Strip>& strips,
-                        double known) {
-    const FlatTriangle now{x_, face.flat[1], face.flat[2]};
-    const double all = flat_area(now), tolerance = 0x1p-50 * extent_;
-    FaceDeviation deviation;
-    double covered = 0;
-    const auto look_at = [&](const FlatTriangle& part, double bound, auto squared) {
-      if (lies_beside(now, part))
-        return;
-      FlatPiece piece(now);
-      piece.clip(part, tolerance);
-      if (piece.empty())
-        return;
-      double most = 0;
-      for (const FlatPoint& y : piece)
-        most = (std::max)(most, squared(y));
-      covered += piece.area();
-      const double distance = std::sqrt(most);
-      deviation.raise_to({bound + distance, distance});
-    };
-    for (const Face& f : faces_)
-      if (f.is_in_sheet && deviation.from_input < known && flat_area(f.flat) > 0)
-        look_at(f.flat, f.bound, [&](const FlatPoint& y) { return squared_height(y, f.flat); });
-    for (const BorderStrips::Strip& s : strips)
-      if (deviation.from_input < known)
-        look_at(s.triangle, s.bound, [&](const FlatPoint& y) {
-          return squared_distance_to_segment(y.point, s.from, s.to);
-        });
-    if (covered < (1 - 1e-6) * all) // only if it was not looked at to the end
-      deviation.from_input = std::numeric_limits<double>::infinity();
-    return deviation;
-  }
-
-  FlatPoint x_{};
+  Vector<3> x_;
   std::array<Vector<3>, 2> ends_;
   Index b_ = 0;
   std::vector<Face> faces_; // those that change come first, then those that go
   std::vector<FaceDeviation> deviations_;
+  SheetsOfStar sheets_;
+  PartOfStar part_;         // of a sheet, that is compared now
+  std::vector<Face*> rest_; // of it, for later
   std::size_t changed_ = 0;
   double extent_ = 0;
-  ProjectionPlane plane_;
-  BorderStrips border_;
+  BorderStrips border_; // of the surface
+  FaceDeviation of_border_;
 };
 
 } // namespace quadrille::internal
