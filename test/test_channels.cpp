@@ -217,7 +217,7 @@ struct MeshAsset {
     const auto is_fixed = boost::make_function_property_map<Mesh::Vertex_index>(
         [this](Mesh::Vertex_index v) { return fixed.contains(v); });
     return simplify(textured.mesh, FaceCount{faces},
-                    Texture{FragileHalfedges{&textured.texture, &writes}},
+                    Texture{FragileHalfedges{&textured.texture, &writes}, {.seams = Seams::kept}},
                     CGAL::parameters::vertex_is_constrained_map(is_fixed));
   }
 };
@@ -578,8 +578,8 @@ TEMPLATE_TEST_CASE("Every cost and order keeps charts", "", (std::tuple<Quadric,
   using Order = std::tuple_element_t<1, TestType>;
   for (const Textured& surface : surfaces())
     for (const double ratio : {0.3, 0.}) {
-      const auto [result, report] =
-          with_texture<Cost, Order>(surface, part_of(surface, ratio), {}, Order{});
+      const auto [result, report] = with_texture<Cost, Order>(surface, part_of(surface, ratio),
+                                                              {.seams = Seams::kept}, Order{});
       CAPTURE(ratio, report);
       CHECK(is_finite(result));
       CHECK(faces_of_charts(result).size() == faces_of_charts(surface).size());

@@ -54,12 +54,13 @@ public:
   explicit SoupChannels(SoupChannelMaps maps)
       : maps_(std::move(maps.maps)), results_(maps.results) {}
 
-  void read(std::size_t /*points*/, Workspace& workspace, SurfaceInput<3>& surface) {
+  void read(std::size_t /*points*/, const Array<TriangleComplex::Triangle>& of_points,
+            Workspace& workspace, SurfaceInput<3>& surface) {
     for (SoupChannelMap& map : maps_) {
       ChannelInput input = map.input(workspace);
       if (map.is_indexed())
-        read_triples(map.channel().triangles, surface.triangles.size(), map.value_count(), input);
-      map.end_of_reading(input, surface.triangles);
+        read_triples(map.channel().triangles, of_points.size(), map.value_count(), input);
+      map.end_of_reading(input, of_points);
       surface.channels.push_back(std::move(input));
     }
   }

@@ -55,7 +55,7 @@ public:
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
     if constexpr (dimension == 3)
-      channels_.read(std::ranges::size(points_), *workspace_, surface);
+      channels_.read(std::ranges::size(points_), surface.triangles, *workspace_, surface);
     return surface;
   }
 

@@ -118,10 +118,11 @@ class SoupChannels {
 public:
   explicit SoupChannels(Maps maps) : maps_(std::move(maps)) {}
 
-  /// Throws std::invalid_argument for index triples that are not one for each triangle, or name a
-  /// value that is not there.
-  void read(std::size_t points, Workspace& workspace, SurfaceInput<3>& surface) {
-    const std::size_t triangles = surface.triangles.size();
+  /// `of_points`: the points of each triangle. Throws std::invalid_argument for index triples that
+  /// are not one for each triangle, or name a value that is not there.
+  void read(std::size_t points, const Array<TriangleComplex::Triangle>& of_points,
+            Workspace& workspace, SurfaceInput<3>& surface) {
+    const std::size_t triangles = of_points.size();
     for_each_channel(maps_, [&](auto& map, std::size_t c) {
       numbers_[c] = surface.channels.size();
       ChannelInput input = map.input(workspace);
@@ -134,7 +135,7 @@ public:
         for (std::size_t i = 0; i < points; ++i)
           map.read(i, input);
       }
-      map.end_of_reading(input, surface.triangles);
+      map.end_of_reading(input, of_points);
       surface.channels.push_back(std::move(input));
     });
   }

@@ -50,7 +50,7 @@ public:
       const auto [a, b, c] = corners.back();
       surface.triangles.push_back({vertex_of_[a], vertex_of_[b], vertex_of_[c]});
     }
-    channels_.read(vertex_of_.size(), *workspace_, surface);
+    channels_.read(vertex_of_.size(), corners, *workspace_, surface);
     for (ChannelInput& channel : surface.channels)
       if (channel.corners.empty())
         channel.corners = corners;
