@@ -78,7 +78,7 @@ void SoupChannelMap::end_of_reading(ChannelInput& input,
         low_[c] = (std::min)(low_[c], input.value(value, c));
         high_[c] = (std::max)(high_[c], input.value(value, c));
       }
-  if (*std::min_element(low_.begin(), low_.end()) >= 0 &&
+  if (channel_.kind == Kind::colors && *std::min_element(low_.begin(), low_.end()) >= 0 &&
       *std::max_element(high_.begin(), high_.end()) <= 1) {
     low_.assign(channel_.components, 0);
     high_.assign(channel_.components, 1);
@@ -124,7 +124,7 @@ bool SoupChannelMap::bring_in_range(std::span<double> value) const {
       return false;
     for (double& weight : value)
       weight *= 1 / sum;
-  } else if (channel_.kind == Kind::colors) {
+  } else if (channel_.kind == Kind::colors || channel_.kind == Kind::texture) {
     for (std::size_t c = 0; c < value.size(); ++c)
       value[c] = std::clamp(value[c], low_[c], high_[c]);
   } else if (channel_.kind == Kind::normals) {
