@@ -23,7 +23,8 @@ TEST_CASE("Any number of threads gives the same surface and texture, bit for bit
         CAPTURE(refresh, threads);
         test::PointSoup soup(input.soup);
         auto [values, triples] = test::indexed(input.texture);
-        simplify(soup.points, soup.triangles, FaceRatio{0.1}, Texture{values, triples},
+        simplify(soup.points, soup.triangles, FaceRatio{0.1},
+                 Texture{values, triples, {.seams = Seams::kept}},
                  RelaxedOrder{.refresh = refresh, .threads = threads});
         const test::Textured result{test::to_soup(soup), test::at_corners(values, triples),
                                     std::vector<int>(soup.triangles.size(), 0)};
