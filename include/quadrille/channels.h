@@ -68,7 +68,7 @@ struct ChannelOptions {
   /// for each square of an edge's length; at least 0. The same along an edge as off it is 1. Where
   /// seams are held, also how firmly borders hold their place in the surface, by lines as open
   /// borders do, which count 100: 0 is priced, and the higher the more is given up of the shape. By
-  /// default 10 where seams are kept, 0.05 where they are held.
+  /// default 10 where seams are kept, 0.1 where they are held.
   std::optional<double> border_weight = {};
   NewValues new_values = NewValues::optimal; ///< what corners have whose values change
   /// Of Colors in sRGB, numbers in [0, 1] or in the whole range of an integral type: they are

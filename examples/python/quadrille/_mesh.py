@@ -31,7 +31,7 @@ class Channel:
                   'priced' (they may vanish, which costs the jump; by default for others) or 'free'
                   (values around a point are made one from the beginning)
     border_weight how firmly charts of a texture with kept or held seams hold their borders; by default
-                  10 or 0.05
+                  10 or 0.1
     new_values    'optimal' (what costs least), 'weights' (the same, at least 0 and of sum 1: of a
                   skin), 'existing' (one of those that have become one: for classes; not for uv) or
                   'recomputed' (of normals only: from the faces of the result)

@@ -28,7 +28,7 @@ struct ChannelInput {
     importance = options.importance;
     is_texture = holds_texture;
     seams = options.seams.value_or(is_texture ? Seams::held : Seams::priced);
-    border_weight = options.border_weight.value_or(seams == Seams::held ? 0.05 : 10);
+    border_weight = options.border_weight.value_or(seams == Seams::held ? 0.1 : 10);
     new_values = options.new_values;
   }
 
