@@ -137,16 +137,20 @@ TEMPLATE_TEST_CASE("Only its topology keeps a closed model from an irreducible t
     CAPTURE(model.name);
     const SoupTopology before = topology_of(model.mesh);
     Mesh mesh = model.mesh;
-    // As far as it goes, though some models have several parts: see StopReason::target_unreachable.
+    // As far as it goes. Of several parts, the last ones are not destroyed for it.
     const auto never = [](const Status& status) {
       return status.faces == 0 || status.next_error > std::numeric_limits<double>::max();
     };
     const Report report = simplify<TestType, OptimalPlacement>(mesh, never, NormalFlip{180});
     INFO(report);
     const SoupTopology after = topology_of(mesh);
-    CHECK(report.stop == StopReason::all_pairs_rejected);
     CHECK(is_same_topology(before, after));
-    CHECK(after.vertices <= most_vertices_of_irreducible(before));
+    if (report.components_before > 1) {
+      CHECK(after.vertices <= 2 * most_vertices_of_irreducible(before));
+    } else {
+      CHECK(report.stop == StopReason::all_pairs_rejected);
+      CHECK(after.vertices <= most_vertices_of_irreducible(before));
+    }
   }
 }
 
