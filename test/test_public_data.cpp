@@ -29,7 +29,7 @@ void check(const IndexedMesh& input, double ratio, const auto& pairs) {
   test::Soup result{{}, mesh.triangles};
   for (const auto& p : mesh.points)
     result.points.push_back(test::to_position(p));
-  CHECK(test::is_clean(result));
+  CHECK(test::is_clean(result, true));
   CHECK(result.triangles.size() == report.faces_after);
   CHECK(std::isfinite(report.error));
   if (is_target_reached(report.stop))
