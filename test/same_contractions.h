@@ -76,6 +76,10 @@ void require_same_contractions(const Soup& soup, Reference& reference, Run run,
     Mesh mesh = input;
     const quadrille::Report report = run(mesh, AfterContractions{contractions});
     INFO("after " << contractions << " contractions: " << report);
+    if (report.stop == StopReason::target_unreachable) { // which the reference does not know
+      REQUIRE(report.contractions < contractions);
+      return;
+    }
     if (is_done) {
       REQUIRE(report.contractions == contractions - 1);
       // How often pairs between corners of seams are refused depends on the value that is held.

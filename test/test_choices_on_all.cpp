@@ -79,8 +79,8 @@ TEMPLATE_TEST_CASE("A constrained vertex stays where it is", "", Mesh, Polyhedro
   const auto named =
       CGAL::parameters::vertex_is_constrained_map(boost::make_assoc_property_map(is_constrained));
   const Report report = are_pairs_free
-                            ? simplify(mesh, FaceRatio{0.3}, ThresholdPairs::relative(0.1), named)
-                            : simplify(mesh, FaceRatio{0.3}, named);
+                            ? simplify(mesh, FaceRatio{0.4}, ThresholdPairs::relative(0.1), named)
+                            : simplify(mesh, FaceRatio{0.4}, named);
   INFO(report);
   CHECK(report.stop == StopReason::target_met);
   std::size_t found = 0;
