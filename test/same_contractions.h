@@ -76,10 +76,8 @@ void require_same_contractions(const Soup& soup, Reference& reference, Run run,
     Mesh mesh = input;
     const quadrille::Report report = run(mesh, AfterContractions{contractions});
     INFO("after " << contractions << " contractions: " << report);
-    if (report.stop == StopReason::target_unreachable) { // which the reference does not know
-      REQUIRE(report.contractions < contractions);
-      return;
-    }
+    if (report.rejected(Rejection::destruction) > 0)
+      return; // the reference goes on where most of a surface is held
     if (is_done) {
       REQUIRE(report.contractions == contractions - 1);
       // How often pairs between corners of seams are refused depends on the value that is held.
