@@ -12,37 +12,33 @@
 
 namespace quadrille::internal {
 
-/// Returns task(), in which parallel_for() may use so many threads. They stay awake between the
-/// loops of one task: to wake one takes longer than many loops do.
+/// Runs task(), in which parallel_for() may use so many threads. They stay awake between the loops
+/// of one task: to wake one takes longer than many loops do.
 template <class Task>
-auto with_threads(OneThread, const Task& task) {
-  return task();
+void with_threads(Threads threads, const Task& task) {
+  if (threads == 1)
+    task();
+  else
+    threads.library().run(threads, TaskView([&](std::size_t, std::size_t) { task(); }));
 }
 
 /// Calls task(i, worker) for i from 0 to n − 1, at most `threads` at a time; no two calls at a time
 /// have the same worker, a number below `threads`. Inside of with_threads(threads, …) only.
 template <class Task>
-void parallel_for(OneThread, std::size_t n, const Task& task) {
+void parallel_for(Threads threads, std::size_t n, const Task& task) {
+  if (threads > 1 && n > 1) {
+    threads.library().loop(n, TaskView(task));
+    return;
+  }
   for (std::size_t i = 0; i < n; ++i)
-    task(i, 0);
+    task(i, std::size_t{0});
 }
+
+inline namespace QUADRILLE_THREADING {
 
 #ifdef QUADRILLE_WITH_TBB
 
-template <class Task>
-auto with_threads(Threads<true> threads, const Task& task) {
-  if (threads == 1)
-    return task();
-  tbb::task_arena arena(static_cast<int>(unsigned{threads}));
-  return arena.execute(task);
-}
-
-template <class Task>
-void parallel_for(Threads<true> threads, std::size_t n, const Task& task) {
-  if (threads == 1 || n <= 1) {
-    parallel_for(OneThread(), n, task);
-    return;
-  }
+inline void loop_by_tbb(std::size_t n, TaskView task) {
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, n, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
@@ -52,8 +48,25 @@ void parallel_for(Threads<true> threads, std::size_t n, const Task& task) {
       },
       tbb::simple_partitioner{});
 }
+inline void run_by_tbb(unsigned threads, TaskView task) {
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] { task(0, 0); });
+}
+inline constexpr Threads::Library tbb_library{&loop_by_tbb, &run_by_tbb};
+
+inline Threads threads_here(unsigned count) {
+  return {count, &tbb_library};
+}
+
+#else
+
+inline Threads threads_here(unsigned count) {
+  return {count, nullptr};
+}
 
 #endif
+
+} // namespace QUADRILLE_THREADING
 
 } // namespace quadrille::internal
 

@@ -25,7 +25,7 @@ struct WholeRange {
 /// So a sum over the faces of each vertex is computed by all threads without a lock, and to the
 /// last bit as by one: each looks at all faces, in their order, and adds to the vertices of its
 /// range only.
-template <class Threads, class Task>
+template <class Task>
 void for_each_range(Threads threads, std::size_t size, const Task& task) {
   const unsigned count = threads;
   const auto bound = [=](std::size_t i) { return static_cast<Index>(size * i / count); };

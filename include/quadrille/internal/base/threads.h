@@ -1,12 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_BASE_THREADS_H
 #define QUADRILLE_INTERNAL_BASE_THREADS_H
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
-/// Some translation units of a program may have oneTBB, and others not. What depends on that has it
-/// in its name: functions by the type of their number of threads or of the policies, the others by
-/// the inline namespace QUADRILLE_THREADING. So no function has two definitions.
+/// Some translation units of a program may have oneTBB, and others not. What depends on that is in
+/// the inline namespace QUADRILLE_THREADING, so that no function has two definitions; all else is
+/// told at run time, by Threads.
 
 #ifdef QUADRILLE_WITH_TBB
 #define QUADRILLE_THREADING with_tbb
@@ -16,34 +17,48 @@
 
 namespace quadrille::internal {
 
-/// How many threads a call may use: at least one, and no more without oneTBB.
-template <bool has_tbb>
+/// The body of a loop, or a whole task, of any type: refers to it.
+class TaskView {
+public:
+  template <class Task>
+  explicit TaskView(const Task& task)
+      : task_(&task), call_([](const void* t, std::size_t i, std::size_t worker) {
+          (*static_cast<const Task*>(t))(i, worker);
+        }) {}
+
+  void operator()(std::size_t i, std::size_t worker) const { call_(task_, i, worker); }
+
+private:
+  const void* task_;
+  void (*call_)(const void*, std::size_t, std::size_t);
+};
+
+/// How many threads a call may use, at least one, and how.
 class Threads {
 public:
-  explicit constexpr Threads(unsigned count = 1) : count_(count) {}
+  /// What a library of threads does with more than one.
+  struct Library {
+    void (*loop)(std::size_t n, TaskView task);     ///< see parallel_for()
+    void (*run)(unsigned threads, TaskView task); ///< task(0, 0): see with_threads()
+  };
+
+  constexpr Threads() = default; ///< one
+  constexpr Threads(unsigned count, const Library* library) : count_(count), library_(library) {}
 
   constexpr operator unsigned() const { return count_; }
+  const Library& library() const { return *library_; } ///< there has to be one
 
   /// Throws std::invalid_argument for threads that there can't be.
   void validate() const {
-    if (!has_tbb && count_ > 1)
+    if (!library_ && count_ > 1)
       throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(count_) +
                                   " threads need oneTBB: link quadrille::parallel");
   }
 
 private:
-  unsigned count_;
+  unsigned count_ = 1;
+  const Library* library_ = nullptr;
 };
-
-using OneThread = Threads<false>;
-
-inline namespace QUADRILLE_THREADING {
-#ifdef QUADRILLE_WITH_TBB
-using ThreadsHere = Threads<true>;
-#else
-using ThreadsHere = OneThread;
-#endif
-} // namespace QUADRILLE_THREADING
 
 } // namespace quadrille::internal
 

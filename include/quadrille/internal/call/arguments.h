@@ -4,11 +4,15 @@
 #include <quadrille/channels.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
-#include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/contraction/distance_check.h>
+#include <quadrille/internal/contraction/recorder_teller.h>
+#include <quadrille/internal/order/relaxed_passes.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/orders.h>
+#include <quadrille/internal/policy/engine_policies.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
 #include <quadrille/order.h>
@@ -88,7 +92,7 @@ constexpr Kind kind_of() {
     return Kind::split_vertices;
   else if constexpr (is_recorder<T>)
     return Kind::recorder;
-  else if constexpr (may_be<GreedyOrder, T> || may_be<RelaxedOrder, T>)
+  else if constexpr (is_order<T>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)
     return CostPolicy<T> ? Kind::cost : Kind::unknown;
@@ -140,8 +144,7 @@ auto pick(const First& first, const Rest&... rest) {
     return pick<kind, Cost, Default>(rest...);
 }
 
-/// The filters among the arguments, as a tuple; with NormalFlip before them unless it is one of
-/// them.
+/// The filters among the arguments.
 template <class Cost, class... Arguments>
 auto pick_filters(const Arguments&... arguments) {
   const auto given = std::tuple_cat([](const auto& argument) {
@@ -150,10 +153,8 @@ auto pick_filters(const Arguments&... arguments) {
     else
       return std::tuple();
   }(arguments)...);
-  if constexpr ((std::same_as<Arguments, NormalFlip> || ...))
-    return given;
-  else
-    return std::tuple_cat(std::tuple(NormalFlip{}), given);
+  return std::apply(
+      [](const auto&... filter) { return FilterList<Cost::dimension>::of(filter...); }, given);
 }
 
 /// An argument of no kind, as compilers name it: `position` counts all arguments of the call
@@ -196,21 +197,27 @@ concept Fitting =
     CostPolicy<CostOf<Cost, Arguments...>> && AllAreKnown<Unknown<0, Cost, Arguments...>> &&
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
-template <class Cost, class Placement, class Pairs, class Stop, class Order, class Visitor,
-          class Threads, class Carries, class Recorder, class... Filters>
-Policies(Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, Recorder,
-         std::optional<Topology>, std::tuple<Filters...>)
-    -> Policies<Cost, Placement, Pairs, Stop, Order, Visitor, Threads, Carries, Recorder,
-                Filters...>;
-
 /// The recorder of a call, as policies hold it.
 template <class Cost, class... Arguments>
-auto pick_recorder([[maybe_unused]] const Arguments&... arguments) {
+RecorderHandle pick_recorder([[maybe_unused]] const Arguments&... arguments) {
   if constexpr (count_of < Kind::recorder, Cost, Arguments... >> 0)
-    return RecorderReference(
+    return RecorderHandle(
         *pick<Kind::recorder, Cost, NotGiven, Arguments...>(arguments...).recorder);
   else
-    return NoRecorder{};
+    return {};
+}
+
+/// The functions of the parts that a call may need.
+template <class Policies, class Stop, class Order, bool is_recorded>
+OptionalParts<Policies> optional_parts() {
+  OptionalParts<Policies> parts;
+  if constexpr (!std::same_as<Order, GreedyOrder>)
+    parts.run_passes = &run_passes<Policies>;
+  if constexpr (is_recorded)
+    parts.make_recording = &make_recording<Policies>;
+  if constexpr (asks_for_distance<Stop>)
+    parts.distances = DistanceCalls<Policies>::get();
+  return parts;
 }
 
 /// Refuses to compile a call with two arguments where one is meant.
@@ -259,23 +266,33 @@ auto pick_policies(const Arguments&... arguments) {
   std::optional<Topology> topology;
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
     topology = pick<Kind::topology, Cost, Topology>(arguments...);
+  const auto cost = pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...);
+  const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
+  const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
   const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  validate(cost);
+  validate(pairs);
+  validate(stop);
+  validate(order);
+  const auto carried = carries<of_soup>(pick_carried<Cost>(arguments...));
+  using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
+                                      std::remove_const_t<decltype(placement)>,
+                                      std::remove_const_t<decltype(carried)>>;
+  constexpr bool is_recorded = count_of<Kind::recorder, Cost, Arguments...> == 1;
   Policies policies{
-      pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...),
+      cost,
       placement,
-      pick<Kind::pairs, Cost, EdgePairs>(arguments...),
-      pick<Kind::stop, Cost, FaceRatio>(arguments...),
+      carried,
+      PairSource::of(pairs),
+      StopRule::of(stop),
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
-      ThreadsHere(threads_of(order)),
-      carries<of_soup>(pick_carried<Cost>(arguments...)),
+      threads_here(threads_of(order)),
       pick_recorder<Cost>(arguments...),
       topology,
-      pick_filters<Cost>(arguments...)};
-  validate(policies.cost);
-  validate(policies.pairs);
-  validate(policies.stop);
-  validate(policies.order);
+      pick_filters<Cost>(arguments...),
+      optional_parts<Policies, std::remove_const_t<decltype(stop)>,
+                     std::remove_const_t<decltype(order)>, is_recorded>()};
   policies.threads.validate();
   return policies;
 }

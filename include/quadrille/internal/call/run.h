@@ -8,7 +8,6 @@
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/order/greedy_loop.h>
-#include <quadrille/internal/order/relaxed_passes.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/spatial_order.h>
@@ -18,6 +17,7 @@
 #include <chrono>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace quadrille::internal {
 
@@ -63,16 +63,15 @@ template <class Policies>
 StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
   if (surface.progress().is_cancelled())
     return StopReason::cancelled;
-  const RelaxedOrder* const relaxed = order_if<RelaxedOrder>(surface.policies().order);
-  if constexpr (may_be<RelaxedOrder, typename Policies::Order>)
-    if (relaxed) {
-      report.seconds.prepare = watch.lap();
-      if (!surface.progress().begin_contracting() ||
-          !RelaxedPasses<Policies>(surface, *relaxed).run())
-        return StopReason::cancelled;
-      if (surface.progress().is_enough())
-        return surface.target_rules().reason_of_stop(surface.status());
-    }
+  const auto* const relaxed = std::get_if<RelaxedOrder>(&surface.policies().order);
+  if (relaxed) {
+    report.seconds.prepare = watch.lap();
+    if (!surface.progress().begin_contracting() ||
+        !surface.policies().optional.run_passes(surface, *relaxed))
+      return StopReason::cancelled;
+    if (surface.progress().is_enough())
+      return surface.target_rules().reason_of_stop(surface.status());
+  }
   GreedyLoop<Policies> loop(surface);
   if (!relaxed)
     report.seconds.prepare = watch.lap();
@@ -91,7 +90,8 @@ simplify_input(Input input, const Box& box, const Policies& policies, bool keeps
   report.volume_after = volume(surface);
   if (surface.progress().is_cancelled() && !surface.progress().has_begun())
     return std::nullopt;
-  surface.recording().end(report.stop);
+  if (surface.recording())
+    surface.recording()->end(report.stop);
   return std::move(surface).finish(keeps_memories, report);
 }
 
@@ -101,7 +101,7 @@ bool proceeds_at_beginning(const Policies& policies, const Report& report) {
   Status status;
   status.faces = status.initial_faces = report.faces_before;
   status.vertices = status.initial_vertices = report.vertices_before;
-  return policies.visitor.proceed(status);
+  return !policies.visitor || policies.visitor(status);
 }
 
 /// Of a surface that is left as it was, since the visitor has cancelled.
@@ -126,7 +126,7 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
     return untouched(report);
 
   const auto box = input.box();
-  if constexpr (ignores_indices<typename Policies::Pairs>)
+  if (policies.pairs.ignores_indices())
     SpatialOrder::apply(input, box, policies.threads);
   auto finished =
       simplify_input(std::move(input), box, policies, Tell::asks_for_memories, report, watch);
@@ -144,7 +144,9 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
 /// The same, with the threads that the order asks for.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
-  return with_threads(policies.threads, [&] { return run_here(adapter, policies, read, tell); });
+  Report report;
+  with_threads(policies.threads, [&] { report = run_here(adapter, policies, read, tell); });
+  return report;
 }
 
 } // namespace quadrille::internal

@@ -27,7 +27,7 @@ public:
   LinkCondition() = default;
 
   /// Classifies every vertex, in linear time. labels_of(worker) are labels for each thread.
-  template <class LabelsOf, class Threads = OneThread>
+  template <class LabelsOf>
   LinkCondition(TriangleComplex& complex, LabelsOf labels_of, Threads threads = Threads())
       : kind_(complex.vertex_capacity(), complex.workspace()) {
     for_each_range(threads, kind_.size(), [&](const auto& range, std::size_t worker) {

@@ -37,8 +37,7 @@ public:
   /// Builds the lists in linear time; if `will_merge`, with room for as many more corners as there
   /// are faces. A triangle with two equal vertices is removed from the beginning.
   TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge = false)
-      : TriangleComplex(vertex_count, std::move(triangles), will_merge, OneThread()) {}
-  template <class Threads>
+      : TriangleComplex(vertex_count, std::move(triangles), will_merge, Threads()) {}
   TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles, bool will_merge,
                   Threads threads);
 
@@ -159,7 +158,6 @@ public:
   }
 
   /// Builds all lists anew, in linear time, each in the order of its faces.
-  template <class Threads = OneThread>
   void build_lists(Threads threads = Threads());
 
   /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
@@ -173,7 +171,6 @@ public:
   /// 1, …. No walk is possible before fill_lists() is called.
   void pack(const Array<Index>& vertices);
   /// Fills the lists, of which the sizes are known, each in the order of its faces.
-  template <class Threads = OneThread>
   void fill_lists(Threads threads = Threads());
 
   /// Gives memory back: of the lists, and of what has been left out. After that no walk is
@@ -231,8 +228,7 @@ private:
   Backs backs_;
 };
 
-template <class Threads>
-TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
+inline TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
                                  bool will_merge, Threads threads)
     : faces_(std::move(triangles)), pool_(faces_.get_allocator()),
       lists_(vertex_count, faces_.get_allocator()) {
@@ -246,8 +242,7 @@ TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> trian
   build_lists(threads);
 }
 
-template <class Threads>
-void TriangleComplex::build_lists(Threads threads) {
+inline void TriangleComplex::build_lists(Threads threads) {
   for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
     for (Index v = range.begin; v < range.end; ++v)
       lists_[v].size = 0;
@@ -260,8 +255,7 @@ void TriangleComplex::build_lists(Threads threads) {
   fill_lists(threads);
 }
 
-template <class Threads>
-void TriangleComplex::fill_lists(Threads threads) {
+inline void TriangleComplex::fill_lists(Threads threads) {
   Index all = 0;
   for (List& list : lists_) {
     list.begin = all;

@@ -9,7 +9,6 @@
 #include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/policy/contraction_view.h>
-#include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -19,8 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <tuple>
-#include <type_traits>
 
 namespace quadrille::internal {
 
@@ -77,16 +74,7 @@ private:
     const ContractionView<dimension> view(contraction.star(), complex_,
                                           geometry_.positions().data(), contraction.pair().first,
                                           contraction.pair().second, target);
-    const ContractionInMeshUnits<dimension> in_mesh_units(view, scale_);
-    std::optional<Rejection> cause;
-    const auto looks_and_refuses = [&](const auto& filter) {
-      if constexpr (is_scale_free<std::remove_cvref_t<decltype(filter)>>)
-        return refuses(filter, view, cause);
-      else
-        return refuses(filter, in_mesh_units, cause);
-    };
-    std::apply([&](const auto&... filter) { (looks_and_refuses(filter) || ...); },
-               policies_.filters);
+    std::optional<Rejection> cause = policies_.filters.refusal(view, scale_);
     if constexpr (Policies::Carries::has_channels)
       if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
                                         contraction.second(), target))
@@ -95,17 +83,6 @@ private:
       if (!cause && !policies_.placement.admits(contraction.pair(), star_view(contraction), target))
         return Placement::cause;
     return cause;
-  }
-
-  template <class Filter, class View>
-  static bool refuses(const Filter& filter, const View& view, std::optional<Rejection>& cause) {
-    if (filter.allows(view))
-      return false;
-    if constexpr (requires { Filter::cause; })
-      cause = Filter::cause;
-    else
-      cause = Rejection::filter;
-    return true;
   }
 
   auto star_view(const Contraction& contraction) const {

@@ -16,6 +16,9 @@
 
 namespace quadrille::internal {
 
+template <class Policies>
+struct DistanceCalls;
+
 /// Would a contraction take the surface so far from the input that the stop policy stops? At a
 /// distance of 0 it does not.
 template <class Policies>
@@ -39,6 +42,18 @@ public:
   /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
   /// at all: else such distances add up along straight creases and at corners.
   bool is_too_far(Contraction& contraction, Status& status) const {
+    return policies_.optional.distances->is_too_far(*this, contraction, status);
+  }
+
+  /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
+  bool is_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
+    return policies_.optional.distances->is_beyond_hub(*this, candidate, scratch, status);
+  }
+
+private:
+  friend struct DistanceCalls<Policies>;
+
+  bool measure_too_far(Contraction& contraction, Status& status) const {
     const auto stops = [&](const FaceDeviation& deviation) {
       status.next_distance = distance_of_mesh(deviation.from_input);
       return policies_.stop(status);
@@ -60,15 +75,13 @@ public:
     return stops(measure(contraction, status));
   }
 
-  /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
-  bool is_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
+  bool look_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
     return bounds_.is_beyond_hub(
         complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
         scratch.faces_too_far, [this](Index v) { return link_condition_.may_be_junction(v); },
         stops_beyond(status));
   }
 
-private:
   // In the engine's unit.
   FaceDeviation measure(const Contraction& contraction, const Status& status) const {
     const Index a = contraction.first(), b = contraction.second();
@@ -116,6 +129,28 @@ private:
   const DistanceBounds& bounds_;
   const PairEvaluator<Policies>& evaluator_;
   const Checks<Policies>& checks_;
+};
+
+/// What a DistanceCheck does is compiled where the type of a stop policy may ask for it.
+template <class Policies>
+struct DistanceCalls {
+  using Check = DistanceCheck<Policies>;
+  using Contraction = typename Check::Contraction;
+  using Candidate = typename Check::Candidate;
+
+  bool (*is_too_far)(const Check&, Contraction&, Status&);
+  bool (*is_beyond_hub)(const Check&, const Candidate&, Scratch&, const Status&);
+
+  static const DistanceCalls* get() {
+    static constexpr DistanceCalls calls{
+        [](const Check& check, Contraction& contraction, Status& status) {
+          return check.measure_too_far(contraction, status);
+        },
+        [](const Check& check, const Candidate& candidate, Scratch& scratch, const Status& status) {
+          return check.look_beyond_hub(candidate, scratch, status);
+        }};
+    return &calls;
+  }
 };
 
 } // namespace quadrille::internal

@@ -13,8 +13,6 @@ namespace quadrille::internal {
 template <class Policies>
 class Progress {
 public:
-  static constexpr bool has_visitor = Policies::Visitor::is_given;
-
   explicit Progress(const Policies& policies) : policies_(policies) {}
 
   void start(std::size_t faces, std::size_t vertices, double diagonal) {
@@ -26,6 +24,7 @@ public:
   void expect(std::size_t contractions) { expected_contractions_ = contractions; }
 
   const Status& status() const { return status_; }
+  bool has_visitor() const { return static_cast<bool>(policies_.visitor); }
   /// Pairs are contracted from here on. False if the visitor cancels.
   bool begin_contracting() {
     stage_ = Stage::contract;
@@ -77,15 +76,13 @@ public:
   }
 
 private:
-  bool ask_visitor([[maybe_unused]] double progress, [[maybe_unused]] Stage stage) const {
-    if constexpr (has_visitor) {
-      Status now = status_;
-      now.progress = progress;
-      now.stage = stage;
-      return policies_.visitor.proceed(now);
-    } else {
+  bool ask_visitor(double progress, Stage stage) const {
+    if (!has_visitor())
       return true;
-    }
+    Status now = status_;
+    now.progress = progress;
+    now.stage = stage;
+    return policies_.visitor(now);
   }
 
   // Less than all: something may always come.

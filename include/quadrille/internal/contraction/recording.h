@@ -1,285 +1,95 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/part_event.h>
-#include <quadrille/internal/contraction/record_buffer.h>
-#include <quadrille/internal/contraction/record_order.h>
-#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/contraction/told_channels.h>
 #include <quadrille/internal/cost/channels.h>
-#include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
-#include <quadrille/record.h>
 #include <quadrille/report.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
-#include <type_traits>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
+/// What a recorder is told of. It is compiled for the calls that have one only: see RecorderTeller.
 template <class Policies>
 class Recording {
 public:
-  using Cost = typename Policies::Cost;
-  static constexpr std::size_t dimension = Cost::dimension;
+  using Contraction = internal::Contraction<typename Policies::Cost>;
 
-  Recording(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
-            const Numbering& numbering, const Geometry<dimension>& geometry,
-            ChannelsOf<Policies>& channels, std::vector<Scratch>& scratches)
-      : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
-        geometry_(geometry), channels_(channels), scratches_(scratches) {}
+  virtual ~Recording() = default;
 
-  /// Of the surface as it is before the first contraction. `back_channels`: see BackValues.
-  void begin(const std::vector<std::size_t>& back_channels) {
-    if (!policies_.recorder.is_listening())
-      return;
-    const std::size_t vertices = numbering_.vertices.input_count();
-    told_ = told_channels(all_channels(), back_channels, complex_.vertex_capacity());
-    for (std::size_t c = 0; c < told_.size(); ++c)
-      width_ += told_[c].has_wedges ? 0 : all_channels()[c].components();
-    RecordedSurface surface{dimension, width_, std::vector<double>(width_ * vertices),
-                            {},        {},     is_asking_for_distance(policies_.stop)};
-    std::vector<double> memory;
-    for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
-      const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
-      const std::span<const double> of_vertex = values_of(v, position, memory);
-      std::copy(of_vertex.begin(), of_vertex.end(),
-                surface.values.begin() +
-                    static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
-    }
-    surface.triangles =
-        corners_by_input_face(complex_, numbering_.faces, [this](Index face, std::size_t i, bool) {
-          return numbering_.vertices[complex_.vertices(face)[i]];
-        });
-    for (const ToldChannel& told : told_)
-      if (!told.is_of_backs)
-        surface.channels.push_back(read(told));
-    policies_.recorder.begin(std::move(surface));
-    for (Scratch& scratch : scratches_)
-      scratch.recorded.list = empty_list();
-  }
-
-  /// The wedges of the pair that meets, before they do.
-  template <class Event>
-  void before(const Event& event) {
-    if (!policies_.recorder.is_listening())
-      return;
-    std::vector<RecordBuffer::Corner>& corners = event.contraction.scratch().recorded.corners;
-    corners.clear();
-    const auto channels = all_channels();
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      if (!told_[c].has_wedges)
-        continue;
-      const auto note = [&](Index face, Index end) {
-        Channel& channel = channels[c];
-        if (told_[c].is_of_backs && !complex_.backs().has(face))
-          return;
-        corners.push_back(
-            {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
-      };
-      for (const StarFace& f : event.contraction.star().first)
-        note(f.face, event.contraction.first());
-      for (const StarFace& f : event.contraction.star().second)
-        note(f.face, event.contraction.second());
-    }
-  }
-
-  template <class Event>
-  void after(const Event& event) {
-    if (!policies_.recorder.is_listening())
-      return;
-    Scratch& scratch = event.contraction.scratch();
-    RecordBuffer& buffer = scratch.recorded;
-    const Vector<dimension> position = scale_.position_of_mesh(event.contraction.target());
-    buffer.faces.clear();
-    for (const StarFace& f : scratch.star.shared)
-      add_inputs(f.face, buffer.faces);
-    for (Index face : scratch.duplicates)
-      add_inputs(face, buffer.faces);
-    if constexpr (Policies::Carries::has_channels)
-      gather_wedges(event.kept, buffer);
-    const RecordedContraction contraction{numbering_.vertices[event.kept],
-                                          numbering_.vertices[event.gone],
-                                          values_of(event.kept, position, buffer.values),
-                                          event.contraction.error(),
-                                          distance_bound(event.contraction),
-                                          buffer.faces,
-                                          buffer.views};
-    if constexpr (Event::is_in_pass)
-      buffer.add(contraction, event.contraction.cost());
-    else
-      policies_.recorder.record(contraction);
-  }
-
-  void vanished(const PartEvent& event) {
-    if (!policies_.recorder.is_listening())
-      return;
-    std::vector<Index> faces;
-    for (Index face : event.faces)
-      add_inputs(face, faces);
-    RecordedContraction removal;
-    removal.error = event.radius;
-    removal.removed_faces = faces;
-    policies_.recorder.record(removal);
-  }
-
-  /// The input index of a vertex; `none` of none.
-  Index input_vertex(Index v) const { return v == none ? none : numbering_.vertices[v]; }
-
+  /// The surface as it is before the first contraction. `back_channels`: see BackValues.
+  virtual void begin(const std::vector<std::size_t>& back_channels) = 0;
+  virtual void before(const Contraction& contraction) = 0;
+  /// A contraction in a pass is told at the end of its stage.
+  virtual void after(const Contraction& contraction, Index kept, Index gone, bool is_in_pass) = 0;
+  virtual void vanished(const PartEvent& event) = 0;
+  /// A pair of these ends, or a part, which has none.
+  virtual void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
+  virtual void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
+                              Scratch& scratch) = 0;
   /// What a thread does and refuses belongs to a block of a pass from here on.
-  static void begin_block(std::size_t number, Scratch& scratch) {
-    scratch.recorded.begin_block(number);
-    if constexpr (Policies::hears_refusals)
-      scratch.refusals.begin_block(number);
-  }
+  virtual void begin_block(std::size_t number, Scratch& scratch) = 0;
   /// Tells of the contractions that blocks have done, in the order of their costs, as far as the
   /// order within each block allows it: ties by block.
-  void end_stage() {
-    std::vector<RecordedWedge> wedges;
-    for (const RecordPlace& place : places_in_order_of_cost(scratches_))
-      policies_.recorder.record(
-          scratches_[place.thread].recorded.list.contraction(place.number, wedges));
-    if constexpr (Policies::hears_refusals)
-      tell_refusals(policies_.recorder, scratches_);
-    for (Scratch& scratch : scratches_) {
-      scratch.recorded.list = empty_list();
-      scratch.recorded.costs.clear();
-      scratch.recorded.blocks.clear();
-    }
+  virtual void end_stage() = 0;
+  virtual void end(StopReason reason) = 0;
+};
+
+/// The parts of a surface that its recording reads.
+template <class Policies>
+struct RecordingNeeds {
+  static constexpr std::size_t dimension = Policies::Cost::dimension;
+
+  const Policies& policies;
+  const Scale<dimension>& scale;
+  const TriangleComplex& complex;
+  const Numbering& numbering;
+  const Geometry<dimension>& geometry;
+  ChannelsOf<Policies>& channels;
+  std::vector<Scratch>& scratches;
+};
+
+/// The recording of a surface as an observer of its contractions, if there is anybody to be told.
+template <class Policies>
+class OptionalRecording {
+public:
+  explicit OptionalRecording(const RecordingNeeds<Policies>& needs) {
+    if (needs.policies.recorder.is_listening())
+      recording_ = needs.policies.optional.make_recording(needs);
   }
 
-  void end(StopReason reason) {
-    if (policies_.recorder.is_listening())
-      policies_.recorder.end(reason);
+  /// nullptr if nobody is.
+  Recording<Policies>* get() const { return recording_.get(); }
+
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
+    if (recording_) [[unlikely]]
+      recording_->before(event.contraction);
+  }
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
+    if (recording_) [[unlikely]]
+      recording_->after(event.contraction, event.kept, event.gone, Event::is_in_pass);
+  }
+  void vanished(const PartEvent& event) {
+    if (recording_)
+      recording_->vanished(event);
   }
 
 private:
-  std::span<Channel> all_channels() {
-    if constexpr (Policies::Carries::has_channels)
-      return channels_.all();
-    else
-      return {};
-  }
-  RecordList empty_list() const { return {width_, is_asking_for_distance(policies_.stop)}; }
-
-  // The numbers of a vertex at a position; in a memory, if there are more than the position's.
-  std::span<const double> values_of(Index v, const Vector<dimension>& position,
-                                    std::vector<double>& memory) {
-    if (width_ == dimension)
-      return position.coordinates;
-    memory.assign(position.coordinates.begin(), position.coordinates.end());
-    for (std::size_t c = 0; c < told_.size(); ++c)
-      if (!told_[c].has_wedges)
-        all_channels()[c].append_final_values(v, memory);
-    return memory;
-  }
-
-  // The input index of a face, and that of its back.
-  void add_inputs(Index face, auto& faces) const {
-    faces.push_back(numbering_.faces[face]);
-    if (complex_.backs().has(face))
-      faces.push_back(complex_.backs().input_face(face));
-  }
-
-  RecordedChannel read(const ToldChannel& told) {
-    Channel& fronts = all_channels()[told.number];
-    RecordedChannel recorded{fronts.components(), {}, {}};
-    if (!told.has_wedges)
-      return recorded;
-    recorded.corners = corners_by_input_face(
-        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
-          const std::size_t c = is_back ? told.of_backs : told.number;
-          return told_[c].first_wedge +
-                 all_channels()[c].wedge(complex_, face, complex_.vertices(face)[i]);
-        });
-    append_values(fronts, recorded.values);
-    if (told.of_backs != told.number)
-      append_values(all_channels()[told.of_backs], recorded.values);
-    return recorded;
-  }
-  void append_values(Channel& channel, std::vector<double>& values) const {
-    channel.records().identify();
-    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
-      channel.append_final_values(wedge, values);
-  }
-
-  double distance_bound(const Contraction<Cost>& contraction) const {
-    if (!is_asking_for_distance(policies_.stop))
-      return 0;
-    float greatest = 0;
-    for (float bound : contraction.bounds())
-      greatest = (std::max)(greatest, bound);
-    return scale_.length_of_mesh(static_cast<double>(greatest));
-  }
-
-  // Of the wedges that met, those of one wedge now: the lowest identity is left.
-  void gather_wedges(Index kept, RecordBuffer& buffer) {
-    buffer.wedges.clear();
-    buffer.joined.clear();
-    buffer.wedge_values.clear();
-    std::vector<std::pair<Index, Index>> renamed; // the wedge now, and an identity that it had
-    const auto& corners = buffer.corners;
-    for (auto begin = corners.begin(); begin != corners.end();) {
-      const std::size_t c = begin->channel;
-      Channel& channel = all_channels()[c];
-      renamed.clear();
-      for (; begin != corners.end() && begin->channel == c; ++begin)
-        renamed.emplace_back(channel.wedge(complex_, begin->face, kept), begin->identity);
-      std::sort(renamed.begin(), renamed.end());
-      renamed.erase(std::unique(renamed.begin(), renamed.end()), renamed.end());
-      for (std::size_t i = 0; i < renamed.size(); ++i) {
-        const auto [wedge, identity] = renamed[i];
-        if (i > 0 && renamed[i - 1].first == wedge) {
-          buffer.joined.push_back(told_[c].first_wedge + identity);
-          buffer.wedges.back().joined_end = buffer.joined.size();
-          continue;
-        }
-        channel.records().identity(wedge) = identity;
-        const std::size_t values_begin = buffer.wedge_values.size();
-        if (!channel.append_final_values(wedge, buffer.wedge_values))
-          buffer.wedge_values.resize(values_begin);
-        buffer.wedges.push_back({told_[c].number, told_[c].first_wedge + identity,
-                                 buffer.joined.size(), buffer.wedge_values.size()});
-      }
-    }
-    buffer.view_wedges();
-  }
-
-  const Policies& policies_;
-  const Scale<dimension>& scale_;
-  const TriangleComplex& complex_;
-  const Numbering& numbering_;
-  const Geometry<dimension>& geometry_;
-  ChannelsOf<Policies>& channels_;
-  std::vector<Scratch>& scratches_;
-  std::vector<ToldChannel> told_; // of each channel
-  std::size_t width_ = dimension; // how many numbers a vertex has
+  std::unique_ptr<Recording<Policies>> recording_;
 };
-
-/// Where nobody is to be told.
-struct NoRecording {
-  explicit NoRecording(auto&&...) {}
-  static void begin(auto&&...) {}
-  static void begin_block(std::size_t, Scratch&) {}
-  static void end_stage() {}
-  static void end(StopReason) {}
-};
-
-template <class Policies>
-using RecordingOf = std::conditional_t<Policies::records, Recording<Policies>, NoRecording>;
 
 } // namespace quadrille::internal
 

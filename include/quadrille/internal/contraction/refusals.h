@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -64,35 +63,22 @@ void tell_refusals(const Recorder& recorder, std::vector<Scratch>& scratches) {
     scratch.refusals.clear();
 }
 
-/// What is told of a pair that has been refused.
-template <class Surface>
-RecordedRefusal refusal_of(const std::array<Index, 2>& ends, Rejection cause, double error,
-                           Surface& surface) {
-  const auto& recording = surface.recording();
-  return {recording.input_vertex(ends[0]), recording.input_vertex(ends[1]), cause, error};
-}
-
-template <class Surface>
-inline constexpr bool hears_refusals =
-    std::remove_cvref_t<decltype(std::declval<Surface&>().policies())>::hears_refusals;
-
 /// Counts a pair that is refused, or a part, which has no ends, and tells a recorder that wants to
 /// know.
 template <class Surface>
-void refuse(Surface& surface, [[maybe_unused]] const std::array<Index, 2>& ends, Rejection cause) {
+void refuse(Surface& surface, const std::array<Index, 2>& ends, Rejection cause) {
   surface.scratch().tally.reject(cause);
-  if constexpr (hears_refusals<Surface>)
-    surface.policies().recorder.refuse(
-        refusal_of(ends, cause, surface.status().next_error, surface));
+  if (auto* const recording = surface.recording()) [[unlikely]]
+    recording->refuse(ends, cause, surface.status().next_error);
 }
 
 /// The same in a pass, by any thread: told when the stage has ended.
 template <class Surface, class Scratch>
-void refuse_in_pass(Surface& surface, [[maybe_unused]] const std::array<Index, 2>& ends,
-                    Rejection cause, [[maybe_unused]] double error, Scratch& scratch) {
+void refuse_in_pass(Surface& surface, const std::array<Index, 2>& ends, Rejection cause,
+                    double error, Scratch& scratch) {
   scratch.tally.reject(cause);
-  if constexpr (hears_refusals<Surface>)
-    scratch.refusals.add(refusal_of(ends, cause, error, surface));
+  if (auto* const recording = surface.recording()) [[unlikely]]
+    recording->refuse_in_pass(ends, cause, error, scratch);
 }
 
 } // namespace quadrille::internal

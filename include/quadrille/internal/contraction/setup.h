@@ -5,19 +5,18 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/internal/surface/surface_input.h>
-#include <quadrille/pairs.h>
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -66,12 +65,11 @@ double greatest_coordinate(const Scale<N>& scale, const Box<N>& box) {
 }
 
 /// The triangles of an input. A pair policy of the user's wants to see them once more.
-template <class Pairs, std::size_t N>
-Array<TriangleComplex::Triangle> take_triangles(const Pairs&, SurfaceInput<N>& input) {
-  if constexpr (std::same_as<Pairs, EdgePairs>)
-    return std::move(input.triangles);
-  else
+template <std::size_t N>
+Array<TriangleComplex::Triangle> take_triangles(const PairSource& pairs, SurfaceInput<N>& input) {
+  if (pairs.selects())
     return input.triangles;
+  return std::move(input.triangles);
 }
 
 /// Is topology kept? Unless the user says, it is free if there are pairs that are not edges.

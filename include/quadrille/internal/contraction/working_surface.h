@@ -61,6 +61,7 @@ public:
                  !has_passes(policies.order), policies.threads),
         scratches_(scratches_for(policies.threads, complex_)),
         pairs_(complex_, link_condition_, evaluator_,
+               policies.pairs.includes_edges(),
                select_pairs(policies.pairs, input, complex_, scratch().labels)),
         is_topology_kept_(keeps_topology(policies.topology, pairs_.has_others())),
         creases_(std::move(input.creases)),
@@ -72,8 +73,8 @@ public:
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
         terms_(policies.cost, geometry_, complex_, link_condition_),
         appearance_(policies, complex_, geometry_, memories_),
-        recording_(policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
-                   scratches_),
+        recording_({policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
+                    scratches_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_,
                    appearance_.channels()),
         checks_(policies, scale_, complex_, geometry_, link_condition_, appearance_.seams(),
@@ -95,8 +96,9 @@ public:
     if (!progress_.proceed())
       return;
     remember();
-    recording_.begin(back_channels_);
-    if constexpr (Progress<Policies>::has_visitor)
+    if (recording())
+      recording()->begin(back_channels_);
+    if (progress_.has_visitor())
       progress_.expect(ContractionCount(is_topology_kept_, complex_.backs())
                            .contractions(policies.stop, status()));
   }
@@ -107,7 +109,7 @@ public:
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }
   bool is_topology_kept() const { return is_topology_kept_; }
-  RecordingOf<Policies>& recording() { return recording_; }
+  Recording<Policies>* recording() { return recording_.get(); } ///< nullptr if nobody is told
   /// One for each thread.
   std::vector<Scratch>& scratches() { return scratches_; }
   Scratch& scratch() { return scratches_.front(); }
@@ -179,7 +181,7 @@ public:
   /// if that is asked for. Tells the report the rest, and the visitor that this is the end.
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
-    if (is_asking_for_distance(policies_.stop))
+    if (policies_.stop.is_asking_for_distance())
       report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
     count_topology(complex_, scratch().labels).tell(report);
     const std::size_t parts = report.components_after + report.vanished_parts;
@@ -199,14 +201,11 @@ public:
   }
 
 private:
-  static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
-
   // All that keeps up with contractions. The order matters: who compares old and new places comes
   // before the geometry, and who looks at the surface as it is comes last.
   auto observers() {
     return std::tuple_cat(
-        tie_if<Policies::records>(recording_), tie_if<asks_for_distance>(bounds_),
-        appearance_.observers(),
+        std::tie(recording_, bounds_), appearance_.observers(),
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
         tie_if<has_local_terms<Cost>>(terms_));
   }
@@ -219,7 +218,7 @@ private:
           policies_.threads);
     else
       initial_components_ = count_components(complex_);
-    if (is_asking_for_distance(policies_.stop)) {
+    if (policies_.stop.is_asking_for_distance()) {
       bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box));
       progress_.announce_distance(0);
     }
@@ -285,7 +284,7 @@ private:
   VertexMemories<Cost> memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
   Appearance<Policies> appearance_;
-  QUADRILLE_NO_UNIQUE_ADDRESS RecordingOf<Policies> recording_;
+  OptionalRecording<Policies> recording_;
   PairEvaluator<Policies> evaluator_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;

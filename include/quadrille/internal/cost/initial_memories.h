@@ -27,7 +27,7 @@ public:
   using Edge = std::array<Index, 2>;
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
-  template <class IsInterior, class Threads>
+  template <class IsInterior>
   static void compute(UninitializedArray<Memory>& result, const Cost& cost,
                       const Array<Position>& positions, TriangleComplex& complex,
                       VertexLabels& labels, const std::vector<Edge>& creases,

@@ -28,7 +28,7 @@ public:
 
   /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
   /// boundary edge for certain.
-  template <class IsInterior, class Threads>
+  template <class IsInterior>
   void remember(const Cost& cost, const Positions& positions, TriangleComplex& complex,
                 VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
                 IsInterior is_interior, Threads threads) {

@@ -22,7 +22,6 @@ public:
   explicit BlockStars(Workspace* workspace) : joins_needed_(workspace) {}
 
   /// For blocks of 2^bits vertices. No vertex has been contracted.
-  template <class Threads>
   void measure(const TriangleComplex& complex, int bits, Threads threads) {
     joins_ = 0;
     joins_needed_.assign(complex.vertex_capacity(), 0);

@@ -8,10 +8,10 @@
 #include <quadrille/internal/order/flattened_vertices.h>
 #include <quadrille/internal/order/pair_stamps.h>
 #include <quadrille/internal/order/waiting_pairs.h>
-#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/order.h>
 
+#include <variant>
 #include <vector>
 
 namespace quadrille::internal {
@@ -55,7 +55,7 @@ public:
 private:
   // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
   bool is_eager() const {
-    const GreedyOrder* const greedy = order_if<GreedyOrder>(surface_.policies().order);
+    const auto* const greedy = std::get_if<GreedyOrder>(&surface_.policies().order);
     return has_local_terms<Cost> && greedy && greedy->eager;
   }
   // Where a cost tells how uneven they are. Eager order costs their pairs anyway.

@@ -17,26 +17,22 @@ public:
   using Cost = typename Policies::Cost;
 
   explicit DistanceStop(WorkingSurface<Policies>& surface)
-      : surface_(surface), is_asking_(is_asking_for_distance(surface.policies().stop)) {}
+      : surface_(surface), is_asking_(surface.policies().stop.is_asking_for_distance()) {}
 
-  bool is_asking() const { return may_ask && is_asking_; }
+  bool is_asking() const { return is_asking_; }
   /// The contraction may get another target.
   bool is_too_far(Contraction<Cost>& contraction) {
-    if constexpr (may_ask) {
-      if (!is_asking_ || is_enough_without())
-        return false;
-      Status status = surface_.status();
-      const bool result = surface_.distance_check().is_too_far(contraction, status);
-      surface_.progress().announce_distance(status.next_distance);
-      surface_.progress().announce(contraction.error());
-      return result;
-    } else {
+    if (!is_asking_ || is_enough_without())
       return false;
-    }
+    Status status = surface_.status();
+    const bool result = surface_.distance_check().is_too_far(contraction, status);
+    surface_.progress().announce_distance(status.next_distance);
+    surface_.progress().announce(contraction.error());
+    return result;
   }
   /// The same, if it is seen at a glance, of a candidate whose place is settled.
   bool is_beyond_hub(const Candidate<Cost>& candidate) {
-    if constexpr (may_ask && !looks_at_star<typename Policies::Placement>)
+    if constexpr (!looks_at_star<typename Policies::Placement>)
       return is_asking_ && !is_enough_without() &&
              surface_.distance_check().is_beyond_hub(candidate, surface_.scratch(),
                                                      surface_.status());
@@ -45,21 +41,19 @@ public:
   }
   /// A distance in the mesh's unit.
   bool is_too_far(double distance) {
-    if (!may_ask || !is_asking_ || is_enough_without())
+    if (!is_asking_ || is_enough_without())
       return false;
     surface_.progress().announce_distance(distance);
     return surface_.progress().is_enough();
   }
   /// At a distance of 0, if it asks for any.
   bool is_enough_without() {
-    if (may_ask && is_asking_)
+    if (is_asking_)
       surface_.progress().announce_distance(0);
     return surface_.progress().is_enough();
   }
 
 private:
-  static constexpr bool may_ask = asks_for_distance<typename Policies::Stop>;
-
   WorkingSurface<Policies>& surface_;
   const bool is_asking_;
 };

@@ -107,7 +107,7 @@ private:
 
   void fill_queue() {
     const auto end = static_cast<Index>(surface_.complex().vertex_capacity());
-    const Index step = Progress<Policies>::has_visitor ? vertices_between_visits : end;
+    const Index step = surface_.progress().has_visitor() ? vertices_between_visits : end;
     for (Index v = 0; v < end && surface_.progress().proceed(); v += (std::min)(step, end - v))
       surface_.pairs().for_each_above(scratch_, v, v + (std::min)(step, end - v), 1, push_pair());
   }

@@ -60,7 +60,6 @@ private:
   using Cost = typename Policies::Cost;
   using Candidate = internal::Candidate<Cost>;
   using Contraction = internal::Contraction<Cost>;
-  using Threads = typename Policies::Threads;
 
   struct Block {
     Index begin, end;      // vertices
@@ -119,10 +118,12 @@ private:
   template <class Task>
   void for_each_block(Task task) {
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      surface_.recording().begin_block(block, workers_[worker].scratch);
+      if (auto* const recording = surface_.recording())
+        recording->begin_block(block, workers_[worker].scratch);
       task(blocks_[block], workers_[worker]);
     });
-    surface_.recording().end_stage();
+    if (auto* const recording = surface_.recording())
+      recording->end_stage();
   }
   Threads threads() const {
     return surface_.pairs().has_others() ? Threads() : surface_.policies().threads;
@@ -215,14 +216,16 @@ private:
     for (Block& block : blocks_)
       proposals.take(block.rest);
     proposals.sort();
-    surface_.recording().begin_block(0, worker.scratch);
+    if (auto* const recording = surface_.recording())
+      recording->begin_block(0, worker.scratch);
     for (std::size_t i = 0; i < proposals.size() && !surface_.progress().is_enough(); ++i) {
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       contract(proposals[i], gather(proposals[i], worker));
       surface_.progress().count(worker.scratch.tally);
     }
-    surface_.recording().end_stage();
+    if (auto* const recording = surface_.recording())
+      recording->end_stage();
   }
 
   // Has it been contracted in this pass, or lost its faces?
@@ -274,12 +277,10 @@ private:
     Status status = surface_.status();
     status.next_error = contraction.error();
     const auto& stop = surface_.policies().stop;
-    if constexpr (asks_for_distance<typename Policies::Stop>)
-      if (is_asking_for_distance(stop)) {
-        status.next_distance = 0;
-        return stop(status) || surface_.distance_check().is_too_far(contraction, status);
-      }
-    return stop(status);
+    if (!stop.is_asking_for_distance())
+      return stop(status);
+    status.next_distance = 0;
+    return stop(status) || surface_.distance_check().is_too_far(contraction, status);
   }
 
   WorkingSurface<Policies>& surface_;
@@ -289,6 +290,12 @@ private:
   BlockStars stars_;
   std::vector<Worker> workers_;
 };
+
+/// For OptionalParts.
+template <class Policies>
+bool run_passes(WorkingSurface<Policies>& surface, const RelaxedOrder& order) {
+  return RelaxedPasses<Policies>(surface, order).run();
+}
 
 } // namespace quadrille::internal
 

@@ -25,19 +25,19 @@ template <class Policies>
 class PairFinder {
 public:
   PairFinder(TriangleComplex& complex, const LinkCondition& link_condition,
-             const PairEvaluator<Policies>& evaluator, PairLists listed)
+             const PairEvaluator<Policies>& evaluator, bool includes_edges, PairLists listed)
       : complex_(complex), link_condition_(link_condition), evaluator_(evaluator),
-        listed_(std::move(listed)) {}
+        includes_edges_(includes_edges), listed_(std::move(listed)) {}
 
   /// Are there others than edges?
   bool has_others() const { return listed_.size() > 0; }
   /// Are they the edges, all of them and no others?
-  bool are_edges() const { return includes_edges<Pairs> && !has_others(); }
+  bool are_edges() const { return includes_edges_ && !has_others(); }
   /// About, of a surface with so many faces and vertices. Backs of faces have none of their own.
   std::size_t count(std::size_t faces, std::size_t vertices) const {
     if (!complex_.backs().is_empty())
       faces = (std::min)(faces, 2 * vertices);
-    return listed_.size() + (includes_edges<Pairs> ? 3 * faces / 2 : 0);
+    return listed_.size() + (includes_edges_ ? 3 * faces / 2 : 0);
   }
 
   /// The pairs of two vertices that have become one are its pairs.
@@ -89,8 +89,6 @@ public:
   }
 
 private:
-  using Pairs = typename Policies::Pairs;
-
   // Asks for what the pairs of vertices that lie apart will read, one thing after the other.
   template <class VertexAt>
   QUADRILLE_ALWAYS_INLINE void prefetch(Index i, Index end, Index step, VertexAt vertex_at) const {
@@ -120,7 +118,7 @@ private:
   // Adds the pairs of v with vertices from `least` on to the tools, each once.
   void find(PairTools& tools, Index v, Index least) {
     const std::size_t begin = tools.pairs.size();
-    if constexpr (includes_edges<Pairs>)
+    if (includes_edges_)
       find_edges(tools, v, least);
     if (has_others())
       find_listed(tools, v, least, begin);
@@ -177,6 +175,7 @@ private:
   TriangleComplex& complex_;
   const LinkCondition& link_condition_;
   const PairEvaluator<Policies>& evaluator_;
+  bool includes_edges_;
   PairLists listed_; // those of the policy that are not edges
 };
 

@@ -4,13 +4,12 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/pairs/pair_lists.h>
-#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/pairs.h>
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -19,8 +18,8 @@
 namespace quadrille::internal {
 
 /// The pairs that a policy emits, each once with the lower index first, in order.
-template <class Pairs, std::size_t N>
-std::vector<std::array<Index, 2>> emitted_pairs(const Pairs& policy, const SurfaceInput<N>& input) {
+template <std::size_t N>
+std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy, const SurfaceInput<N>& input) {
   std::vector<Vector<3>> points;
   points.reserve(input.positions.size());
   for (const Vector<N>& p : input.positions)
@@ -42,17 +41,17 @@ std::vector<std::array<Index, 2>> emitted_pairs(const Pairs& policy, const Surfa
 }
 
 /// The lists of the pairs that a policy selects; where it includes all edges, of the others only.
-template <class Pairs, std::size_t N>
-PairLists select_pairs(const Pairs& policy, const SurfaceInput<N>& input, TriangleComplex& complex,
+template <std::size_t N>
+PairLists select_pairs(const PairSource& policy, const SurfaceInput<N>& input, TriangleComplex& complex,
                        VertexLabels& labels) {
-  if constexpr (std::same_as<Pairs, EdgePairs>)
+  if (!policy.selects())
     return {};
   PairLists lists(input.positions.size());
   Index last = none;
   for (const auto& [v, w] : emitted_pairs(policy, input)) {
     if (!complex.has_faces(v) || !complex.has_faces(w))
       continue;
-    if (includes_edges<Pairs> && v != last) {
+    if (policy.includes_edges() && v != last) {
       labels.clear();
       complex.prune_corners(v, [&](Index face, Index) {
         for (Index neighbour : complex.vertices(face))
@@ -60,7 +59,7 @@ PairLists select_pairs(const Pairs& policy, const SurfaceInput<N>& input, Triang
       });
       last = v;
     }
-    if (!includes_edges<Pairs> || !labels.is_labelled(w))
+    if (!policy.includes_edges() || !labels.is_labelled(w))
       lists.add(v, w);
   }
   return lists;

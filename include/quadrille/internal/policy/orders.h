@@ -8,37 +8,24 @@
 
 namespace quadrille::internal {
 
-/// May an order be Which, for what its type tells?
-template <class Which, class Order>
-inline constexpr bool may_be = std::same_as<Order, Which> || std::same_as<Order, AnyOrder>;
-
-/// An order if it is Which, else nullptr.
-template <class Which, class Order>
-const Which* order_if(const Order& order) {
-  if constexpr (std::same_as<Order, Which>)
-    return &order;
-  else if constexpr (may_be<Which, Order>)
-    return std::get_if<Which>(&order);
-  else
-    return nullptr;
-}
+template <class T>
+inline constexpr bool is_order =
+    std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder> || std::same_as<T, AnyOrder>;
 
 /// Does it go in passes? They merge nothing before few faces are left.
-template <class Order>
-bool has_passes(const Order& order) {
-  return order_if<RelaxedOrder>(order) != nullptr;
+inline bool has_passes(const AnyOrder& order) {
+  return std::holds_alternative<RelaxedOrder>(order);
 }
 
 /// How many threads an order may use.
-template <class Order>
-unsigned threads_of(const Order& order) {
-  const RelaxedOrder* const relaxed = order_if<RelaxedOrder>(order);
+inline unsigned threads_of(const AnyOrder& order) {
+  const auto* const relaxed = std::get_if<RelaxedOrder>(&order);
   return relaxed ? relaxed->threads : 1;
 }
 
 /// Throws std::invalid_argument for an order that makes no sense.
 inline void validate(const AnyOrder& order) {
-  if (const RelaxedOrder* const relaxed = order_if<RelaxedOrder>(order))
+  if (const auto* const relaxed = std::get_if<RelaxedOrder>(&order))
     relaxed->validate();
 }
 

@@ -7,59 +7,32 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
-#include <utility>
 
-/// The visitor of a call, as policies hold it.
+/// The visitor of a call, as policies hold it: a function of no target where there is none.
 
 namespace quadrille::internal {
 
-/// Where there is none.
-struct NoVisitor {
-  static constexpr bool is_given = false;
-  bool proceed(const Status&) const { return true; }
-};
+using HeldVisitor = std::function<bool(const Status&)>;
 
-/// One that was given by value: policies are constant, a visitor need not be.
-template <class V>
-class VisitorCopy {
-public:
-  static constexpr bool is_given = true;
-  explicit VisitorCopy(V visitor) : visitor_(std::move(visitor)) {}
-  bool proceed(const Status& status) const { return visitor_.proceed(status); }
-
-private:
-  mutable V visitor_;
-};
-
-/// One that the user keeps.
-template <class V>
-class VisitorReference {
-public:
-  static constexpr bool is_given = true;
-  explicit VisitorReference(V& visitor) : visitor_(&visitor) {}
-  bool proceed(const Status& status) const { return visitor_->proceed(status); }
-
-private:
-  V* visitor_;
-};
-
-inline NoVisitor hold_visitor(CGAL::internal_np::Param_not_found) {
+inline HeldVisitor hold_visitor(CGAL::internal_np::Param_not_found) {
   return {};
 }
+/// One that was given by value: policies are constant, a visitor need not be.
 template <class V>
-auto hold_visitor(const V& visitor) {
+HeldVisitor hold_visitor(const V& visitor) {
   static_assert(VisitorPolicy<V>,
                 "A visitor has a member function bool proceed(const quadrille::Status&): derive it "
                 "from quadrille::Visitor.");
-  return VisitorCopy<V>(visitor);
+  return [visitor](const Status& status) mutable -> bool { return visitor.proceed(status); };
 }
+/// One that the user keeps.
 template <class V>
-auto hold_visitor(const std::reference_wrapper<V>& visitor) {
+HeldVisitor hold_visitor(const std::reference_wrapper<V>& visitor) {
   static_assert(VisitorPolicy<V>,
                 "A visitor has a member function bool proceed(const quadrille::Status&), which is "
                 "const if the visitor is: derive it from quadrille::Visitor, and pass std::ref of "
                 "one that changes.");
-  return VisitorReference<V>(visitor.get());
+  return [visitor](const Status& status) -> bool { return visitor.get().proceed(status); };
 }
 
 } // namespace quadrille::internal

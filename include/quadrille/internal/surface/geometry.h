@@ -22,7 +22,6 @@ public:
   using Position = Vector<N>;
 
   /// `is_fixed` is empty if no vertex is fixed.
-  template <class Threads>
   Geometry(const TriangleComplex& complex, Array<Position> positions, std::vector<bool> is_fixed,
            Threads threads)
       : positions_(std::move(positions)), squared_reach_(positions_.size(), 0, complex.workspace()),

@@ -26,7 +26,7 @@ namespace quadrille::internal {
 class SpatialOrder {
 public:
   /// Renumbers the surface if that is worth it.
-  template <std::size_t N, class Threads>
+  template <std::size_t N>
   static void apply(SurfaceInput<N>& surface, const Box<N>& box, Threads threads) {
     if (surface.positions.size() < least_vertices || is_coherent(surface.triangles))
       return;
@@ -37,7 +37,7 @@ public:
     permute(surface.positions, order, threads);
     if (!surface.is_fixed.empty())
       permute(surface.is_fixed, order,
-              OneThread()); // of bits, which threads can't write side by side
+              Threads()); // of bits, which threads can't write side by side
   }
 
 private:
@@ -61,7 +61,7 @@ private:
     return 4 * far < seen;
   }
 
-  template <std::size_t N, class Threads>
+  template <std::size_t N>
   static Array<KeyedVertex> keyed_vertices(const Array<Vector<N>>& positions, const Box<N>& box,
                                            Threads threads) {
     double extent = 0;
@@ -104,7 +104,6 @@ private:
     return order;
   }
 
-  template <class Threads>
   static void renumber(Array<Triangle>& triangles, const Array<Index>& rank, Threads threads) {
     for_each_range(threads, triangles.size(), [&](const auto& range, std::size_t) {
       for (Index face = range.begin; face < range.end; ++face)
@@ -122,7 +121,7 @@ private:
   };
 
   // By their lowest vertices: first into parts, which fit into a cache, then inside of each.
-  template <std::size_t N, class Threads>
+  template <std::size_t N>
   static void sort_faces(SurfaceInput<N>& surface, Threads threads) {
     constexpr unsigned part_bits = 12;
     const auto lowest = [](const Triangle& t) { return (std::min)({t[0], t[1], t[2]}); };
@@ -152,7 +151,7 @@ private:
     });
   }
 
-  template <class Values, class Threads>
+  template <class Values>
   static void permute(Values& values, const Array<Index>& order, Threads threads) {
     Values permuted(values.size(), values.get_allocator());
     for_each_range(threads, values.size(), [&](const auto& range, std::size_t) {

@@ -1,0 +1,275 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H
+#define QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/part_event.h>
+#include <quadrille/internal/contraction/record_buffer.h>
+#include <quadrille/internal/contraction/record_order.h>
+#include <quadrille/internal/contraction/recording.h>
+#include <quadrille/internal/contraction/refusals.h>
+#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/told_channels.h>
+#include <quadrille/internal/cost/channels.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/record.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
+template <class Policies>
+class RecorderTeller : public Recording<Policies> {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Contraction = internal::Contraction<Cost>;
+
+  explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
+      : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
+        numbering_(needs.numbering), geometry_(needs.geometry), channels_(needs.channels),
+        scratches_(needs.scratches) {}
+
+  void begin(const std::vector<std::size_t>& back_channels) override {
+    const std::size_t vertices = numbering_.vertices.input_count();
+    told_ = told_channels(all_channels(), back_channels, complex_.vertex_capacity());
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      width_ += told_[c].has_wedges ? 0 : all_channels()[c].components();
+    RecordedSurface surface{dimension, width_, std::vector<double>(width_ * vertices),
+                            {},        {},     policies_.stop.is_asking_for_distance()};
+    std::vector<double> memory;
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
+      const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
+      const std::span<const double> of_vertex = values_of(v, position, memory);
+      std::copy(of_vertex.begin(), of_vertex.end(),
+                surface.values.begin() +
+                    static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
+    }
+    surface.triangles =
+        corners_by_input_face(complex_, numbering_.faces, [this](Index face, std::size_t i, bool) {
+          return numbering_.vertices[complex_.vertices(face)[i]];
+        });
+    for (const ToldChannel& told : told_)
+      if (!told.is_of_backs)
+        surface.channels.push_back(read(told));
+    policies_.recorder.begin(std::move(surface));
+    for (Scratch& scratch : scratches_)
+      scratch.recorded.list = empty_list();
+  }
+
+  /// The wedges of the pair that meets, before they do.
+  void before(const Contraction& contraction) override {
+    std::vector<RecordBuffer::Corner>& corners = contraction.scratch().recorded.corners;
+    corners.clear();
+    const auto channels = all_channels();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      if (!told_[c].has_wedges)
+        continue;
+      const auto note = [&](Index face, Index end) {
+        Channel& channel = channels[c];
+        if (told_[c].is_of_backs && !complex_.backs().has(face))
+          return;
+        corners.push_back(
+            {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
+      };
+      for (const StarFace& f : contraction.star().first)
+        note(f.face, contraction.first());
+      for (const StarFace& f : contraction.star().second)
+        note(f.face, contraction.second());
+    }
+  }
+
+  void after(const Contraction& contraction, Index kept, Index gone, bool is_in_pass) override {
+    Scratch& scratch = contraction.scratch();
+    RecordBuffer& buffer = scratch.recorded;
+    const Vector<dimension> position = scale_.position_of_mesh(contraction.target());
+    buffer.faces.clear();
+    for (const StarFace& f : scratch.star.shared)
+      add_inputs(f.face, buffer.faces);
+    for (Index face : scratch.duplicates)
+      add_inputs(face, buffer.faces);
+    if constexpr (Policies::Carries::has_channels)
+      gather_wedges(kept, buffer);
+    const RecordedContraction recorded{numbering_.vertices[kept],
+                                          numbering_.vertices[gone],
+                                          values_of(kept, position, buffer.values),
+                                          contraction.error(),
+                                          distance_bound(contraction),
+                                          buffer.faces,
+                                          buffer.views};
+    if (is_in_pass)
+      buffer.add(recorded, contraction.cost());
+    else
+      policies_.recorder.record(recorded);
+  }
+
+  void vanished(const PartEvent& event) override {
+    std::vector<Index> faces;
+    for (Index face : event.faces)
+      add_inputs(face, faces);
+    RecordedContraction removal;
+    removal.error = event.radius;
+    removal.removed_faces = faces;
+    policies_.recorder.record(removal);
+  }
+
+  void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) override {
+    if (policies_.recorder.hears_refusals())
+      policies_.recorder.refuse(refusal(ends, cause, error));
+  }
+  void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
+                      Scratch& scratch) override {
+    if (policies_.recorder.hears_refusals())
+      scratch.refusals.add(refusal(ends, cause, error));
+  }
+
+  void begin_block(std::size_t number, Scratch& scratch) override {
+    scratch.recorded.begin_block(number);
+    scratch.refusals.begin_block(number);
+  }
+  void end_stage() override {
+    std::vector<RecordedWedge> wedges;
+    for (const RecordPlace& place : places_in_order_of_cost(scratches_))
+      policies_.recorder.record(
+          scratches_[place.thread].recorded.list.contraction(place.number, wedges));
+    tell_refusals(policies_.recorder, scratches_);
+    for (Scratch& scratch : scratches_) {
+      scratch.recorded.list = empty_list();
+      scratch.recorded.costs.clear();
+      scratch.recorded.blocks.clear();
+    }
+  }
+
+  void end(StopReason reason) override { policies_.recorder.end(reason); }
+
+private:
+  // By input indices.
+  RecordedRefusal refusal(const std::array<Index, 2>& ends, Rejection cause, double error) const {
+    return {input_vertex(ends[0]), input_vertex(ends[1]), cause, error};
+  }
+  Index input_vertex(Index v) const { return v == none ? none : numbering_.vertices[v]; }
+
+  std::span<Channel> all_channels() {
+    if constexpr (Policies::Carries::has_channels)
+      return channels_.all();
+    else
+      return {};
+  }
+  RecordList empty_list() const { return {width_, policies_.stop.is_asking_for_distance()}; }
+
+  // The numbers of a vertex at a position; in a memory, if there are more than the position's.
+  std::span<const double> values_of(Index v, const Vector<dimension>& position,
+                                    std::vector<double>& memory) {
+    if (width_ == dimension)
+      return position.coordinates;
+    memory.assign(position.coordinates.begin(), position.coordinates.end());
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      if (!told_[c].has_wedges)
+        all_channels()[c].append_final_values(v, memory);
+    return memory;
+  }
+
+  // The input index of a face, and that of its back.
+  void add_inputs(Index face, auto& faces) const {
+    faces.push_back(numbering_.faces[face]);
+    if (complex_.backs().has(face))
+      faces.push_back(complex_.backs().input_face(face));
+  }
+
+  RecordedChannel read(const ToldChannel& told) {
+    Channel& fronts = all_channels()[told.number];
+    RecordedChannel recorded{fronts.components(), {}, {}};
+    if (!told.has_wedges)
+      return recorded;
+    recorded.corners = corners_by_input_face(
+        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
+          const std::size_t c = is_back ? told.of_backs : told.number;
+          return told_[c].first_wedge +
+                 all_channels()[c].wedge(complex_, face, complex_.vertices(face)[i]);
+        });
+    append_values(fronts, recorded.values);
+    if (told.of_backs != told.number)
+      append_values(all_channels()[told.of_backs], recorded.values);
+    return recorded;
+  }
+  void append_values(Channel& channel, std::vector<double>& values) const {
+    channel.records().identify();
+    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
+      channel.append_final_values(wedge, values);
+  }
+
+  double distance_bound(const Contraction& contraction) const {
+    if (!policies_.stop.is_asking_for_distance())
+      return 0;
+    float greatest = 0;
+    for (float bound : contraction.bounds())
+      greatest = (std::max)(greatest, bound);
+    return scale_.length_of_mesh(static_cast<double>(greatest));
+  }
+
+  // Of the wedges that met, those of one wedge now: the lowest identity is left.
+  void gather_wedges(Index kept, RecordBuffer& buffer) {
+    buffer.wedges.clear();
+    buffer.joined.clear();
+    buffer.wedge_values.clear();
+    std::vector<std::pair<Index, Index>> renamed; // the wedge now, and an identity that it had
+    const auto& corners = buffer.corners;
+    for (auto begin = corners.begin(); begin != corners.end();) {
+      const std::size_t c = begin->channel;
+      Channel& channel = all_channels()[c];
+      renamed.clear();
+      for (; begin != corners.end() && begin->channel == c; ++begin)
+        renamed.emplace_back(channel.wedge(complex_, begin->face, kept), begin->identity);
+      std::sort(renamed.begin(), renamed.end());
+      renamed.erase(std::unique(renamed.begin(), renamed.end()), renamed.end());
+      for (std::size_t i = 0; i < renamed.size(); ++i) {
+        const auto [wedge, identity] = renamed[i];
+        if (i > 0 && renamed[i - 1].first == wedge) {
+          buffer.joined.push_back(told_[c].first_wedge + identity);
+          buffer.wedges.back().joined_end = buffer.joined.size();
+          continue;
+        }
+        channel.records().identity(wedge) = identity;
+        const std::size_t values_begin = buffer.wedge_values.size();
+        if (!channel.append_final_values(wedge, buffer.wedge_values))
+          buffer.wedge_values.resize(values_begin);
+        buffer.wedges.push_back({told_[c].number, told_[c].first_wedge + identity,
+                                 buffer.joined.size(), buffer.wedge_values.size()});
+      }
+    }
+    buffer.view_wedges();
+  }
+
+  const Policies& policies_;
+  const Scale<dimension>& scale_;
+  const TriangleComplex& complex_;
+  const Numbering& numbering_;
+  const Geometry<dimension>& geometry_;
+  ChannelsOf<Policies>& channels_;
+  std::vector<Scratch>& scratches_;
+  std::vector<ToldChannel> told_; // of each channel
+  std::size_t width_ = dimension; // how many numbers a vertex has
+};
+
+/// For OptionalParts.
+template <class Policies>
+std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs) {
+  return std::make_unique<RecorderTeller<Policies>>(needs);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H

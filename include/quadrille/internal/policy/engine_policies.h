@@ -1,0 +1,66 @@
+#ifndef QUADRILLE_INTERNAL_POLICY_ENGINE_POLICIES_H
+#define QUADRILLE_INTERNAL_POLICY_ENGINE_POLICIES_H
+
+#include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/policy/filter_list.h>
+#include <quadrille/internal/policy/pair_source.h>
+#include <quadrille/internal/policy/recorder_handle.h>
+#include <quadrille/internal/policy/stop_rule.h>
+#include <quadrille/order.h>
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace quadrille::internal {
+
+template <class Policies>
+class WorkingSurface;
+template <class Policies>
+class Recording;
+template <class Policies>
+struct RecordingNeeds;
+template <class Policies>
+struct DistanceCalls;
+
+/// What only some calls need, as functions: a call that cannot need it does not compile it.
+template <class Policies>
+struct OptionalParts {
+  /// Contracts pairs in passes; false if the visitor cancels.
+  bool (*run_passes)(WorkingSurface<Policies>&, const RelaxedOrder&) = nullptr;
+  /// What tells the recorder.
+  std::unique_ptr<Recording<Policies>> (*make_recording)(const RecordingNeeds<Policies>&) = nullptr;
+  /// What measures distances for a stop policy that asks for them.
+  const DistanceCalls<Policies>* distances = nullptr;
+};
+
+/// Everything that `simplify` was asked for, each with its default where it was not named. The
+/// engine is compiled for a cost, a placement and what is carried; all else is told at run time.
+template <class Cost_, class Placement_, class Carries_>
+struct Policies {
+  using Cost = Cost_;
+  using Placement = Placement_;
+  using Carries = Carries_;
+  /// Are there seams that may have to be kept?
+  static constexpr bool keeps_seams =
+      Carries::has_labels || Carries::has_channels || Carries::may_have_backs;
+
+  Cost cost;
+  Placement placement;
+  Carries carries;
+  PairSource pairs;
+  StopRule stop;
+  AnyOrder order;
+  std::function<bool(const Status&)> visitor; // of no target where there is none
+  Threads threads;                            // as many as the order asks for
+  RecorderHandle recorder;
+  std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
+  FilterList<Cost::dimension> filters;
+  OptionalParts<Policies> optional;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_POLICY_ENGINE_POLICIES_H
