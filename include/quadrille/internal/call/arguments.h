@@ -12,6 +12,7 @@
 #include <quadrille/internal/order/relaxed_passes.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/orders.h>
+#include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/engine_policies.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
@@ -276,12 +277,12 @@ auto pick_policies(const Arguments&... arguments) {
   validate(order);
   const auto carried = carries<of_soup>(pick_carried<Cost>(arguments...));
   using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
-                                      std::remove_const_t<decltype(placement)>,
+                                      EnginePlacement<std::remove_const_t<decltype(placement)>>,
                                       std::remove_const_t<decltype(carried)>>;
   constexpr bool is_recorded = count_of<Kind::recorder, Cost, Arguments...> == 1;
   Policies policies{
       cost,
-      placement,
+      typename Policies::Placement(placement),
       carried,
       PairSource::of(pairs),
       StopRule::of(stop),

@@ -110,7 +110,9 @@ auto pick_carried(const Arguments&... arguments) {
 /// What the engine knows of it.
 template <bool may_have_backs, class Carried>
 auto carries(const Carried& carried) {
-  Carries<Carried::has_labels, Carried::has_channels, may_have_backs> carries;
+  constexpr bool may_have_seams =
+      Carried::has_labels || Carried::has_channels || may_have_backs;
+  Carries<may_have_seams, Carried::has_channels> carries;
   if constexpr (Carried::has_labels)
     carries.label_border_weight = carried.labels.border_weight;
   return carries;

@@ -117,7 +117,8 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
                     NamedParameters>();
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
-  Workspace workspace(memory_needs(policies, num_vertices(mesh), num_faces(mesh)));
+  Workspace workspace(
+      memory_needs(policies, Carried::has_labels, num_vertices(mesh), num_faces(mesh)));
   auto channels = channel_maps(carried.channels);
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), decltype(attributes),
                    decltype(channels)>
@@ -172,7 +173,8 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   check_geom_traits<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
-      memory_needs(policies, std::ranges::size(points), std::ranges::size(triangles)));
+      memory_needs(policies, Carried::has_labels, std::ranges::size(points),
+                   std::ranges::size(triangles)));
   auto adapter = soup_adapter(points, triangles, map, attributes, carried, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();

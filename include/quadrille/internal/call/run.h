@@ -36,11 +36,11 @@ private:
 
 /// Of a surface of so many vertices and faces, most of which will go.
 template <class Policies>
-MemoryNeeds memory_needs(const Policies& policies, std::size_t vertices, std::size_t faces) {
+MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t vertices,
+                         std::size_t faces) {
   using Cost = typename Policies::Cost;
-  constexpr bool has_labels = Policies::Carries::has_labels;
   const bool has_queue = !has_passes(policies.order);
-  constexpr std::size_t columns =
+  const std::size_t columns =
       bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +
       bytes_a_vertex<typename LocalTermsOf<Cost>::type> + bytes_a_vertex<LinkCondition> +
       bytes_a_vertex<MovedVertices<Cost::dimension>> + (has_labels ? bytes_a_vertex<SeamGraph> : 0);
@@ -48,7 +48,7 @@ MemoryNeeds memory_needs(const Policies& policies, std::size_t vertices, std::si
   // when its pairs hold, and those that were refused.
   const std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
   // Its corners, and room for another one or its input index; its label, as read and in order.
-  constexpr std::size_t a_face =
+  const std::size_t a_face =
       sizeof(TriangleComplex::Triangle) + (has_labels ? 6 : 4) * sizeof(Index);
   constexpr std::size_t passes = std::size_t{1} << 18; // proposals
   const std::size_t queue =

@@ -149,9 +149,9 @@ public:
     const auto [kept, gone] = kept_and_gone(contraction, geometry_);
     const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone};
     const auto observers = this->observers();
-    std::apply([&](auto&... observer) { (tell_before(observer, event), ...); }, observers);
+    std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_before(observer, event), ...); }, observers);
     change_faces(event);
-    std::apply([&](auto&... observer) { (tell_after(observer, event), ...); }, observers);
+    std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_after(observer, event), ...); }, observers);
     contraction.scratch().tally.count_contraction(contraction.error());
     return kept;
   }

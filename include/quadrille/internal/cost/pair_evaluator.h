@@ -44,8 +44,6 @@ public:
   using Terms = typename LocalTermsOf<Cost>::type;
   using Channels = ChannelsOf<Policies>;
   static constexpr bool counts_channels = Policies::Carries::has_channels;
-  static constexpr bool keeps_corners =
-      Policies::Carries::has_labels || Policies::Carries::has_channels;
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
@@ -136,7 +134,7 @@ public:
     keys.add(pairs.size());
     if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
                   (!counts_channels || remembers_forms<Cost>))
-      if (is_optimal(policies_.placement) && (keeps_corners || !geometry_.is_any_fixed())) {
+      if (is_optimal(policies_.placement)) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         return;
       }

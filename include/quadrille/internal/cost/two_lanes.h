@@ -6,6 +6,7 @@
 #include <quadrille/internal/cost/two_quadrics.h>
 #include <quadrille/internal/cost/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
+#include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/placement.h>
@@ -23,15 +24,12 @@ namespace quadrille::internal {
 
 /// Is there a kernel that costs two pairs at the price of one, for this cost and placement?
 template <class Cost, class Placement>
-inline constexpr bool has_two_lanes = false;
-template <>
-inline constexpr bool has_two_lanes<Quadric, OptimalPlacement> = true;
-template <>
-inline constexpr bool has_two_lanes<MemorylessQuadric, OptimalPlacement> = true;
-template <>
-inline constexpr bool has_two_lanes<ThinFeatureQuadric, OptimalPlacement> = true;
+inline constexpr bool has_two_lanes =
+    (std::same_as<Placement, OptimalPlacement> || std::same_as<Placement, BuiltInPlacement>) &&
+    (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric> ||
+     std::same_as<Cost, ThinFeatureQuadric>);
 
-/// Does a placement take the position of least cost? One that is chosen at run time says so.
+/// Does a placement of those, or one whose guess is of those, take the position of least cost?
 template <class Placement>
 bool is_optimal(const Placement& placement) {
   if constexpr (requires { placement.is_optimal(); })
@@ -60,6 +58,7 @@ public:
                                         squared_reaches(two), joins(two));
       write(two, values, keys + i);
     }
+    rewrite_fixed(pairs, keys);
   }
 
   /// One vertex after the other, since its pairs share what its faces say.
@@ -80,6 +79,7 @@ public:
         evaluate_around(LocalHub<Cost>(v, evaluator_.cost(), positions(), complex, labels), pairs,
                         i, end, keys);
     }
+    rewrite_fixed(pairs, keys);
   }
 
 private:
@@ -134,16 +134,19 @@ private:
 
   void write(const Two& two, Lanes values, float* keys) const {
     for (std::size_t k = 0; k < 2; ++k)
-      keys[k] = std::isnan(values[k]) || is_fixed(two[k]) ? evaluator_.key_of(two[k])
-                                                          : Evaluator::as_key(values[k]);
+      keys[k] =
+          std::isnan(values[k]) ? evaluator_.key_of(two[k]) : Evaluator::as_key(values[k]);
   }
 
-  // Where seams are kept, the corners of their graph are fixed; else no vertex is.
-  bool is_fixed(const VertexPair& p) const {
-    if constexpr (Evaluator::keeps_corners)
-      return evaluator_.geometry().is_fixed(p.first) || evaluator_.geometry().is_fixed(p.second);
-    else
-      return false;
+  // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has
+  // costed as if they were free.
+  void rewrite_fixed(const AppendBuffer<VertexPair>& pairs, float* keys) const {
+    const auto& geometry = evaluator_.geometry();
+    if (!geometry.is_any_fixed())
+      return;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (geometry.is_fixed(pairs[i].first) || geometry.is_fixed(pairs[i].second))
+        keys[i] = evaluator_.key_of(pairs[i]);
   }
 
   std::array<Vector<3>, 2> ways(const Two& two) const {

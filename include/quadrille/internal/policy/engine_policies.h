@@ -43,9 +43,7 @@ struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
   using Carries = Carries_;
-  /// Are there seams that may have to be kept?
-  static constexpr bool keeps_seams =
-      Carries::has_labels || Carries::has_channels || Carries::may_have_backs;
+  static constexpr bool keeps_seams = Carries::may_have_seams;
 
   Cost cost;
   Placement placement;

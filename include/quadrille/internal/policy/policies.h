@@ -133,13 +133,13 @@ struct Carried {
   Channels channels;
 };
 
-/// The same as the engine sees it, which is one for all maps and channels; and may faces have a
-/// back? Where some have one and some have none, there is a border between them.
-template <bool labels, bool channels, bool backs>
+/// The same as the engine sees it, which is one for all maps and channels. May there be seams: of
+/// labels, of channels, or where faces that have a back meet faces that have none?
+template <bool seams, bool channels>
 struct Carries {
-  static constexpr bool has_labels = labels;
+  static_assert(seams || !channels);
+  static constexpr bool may_have_seams = seams;
   static constexpr bool has_channels = channels;
-  static constexpr bool may_have_backs = backs;
   double label_border_weight = 1; ///< see Labels
 };
 
