@@ -119,7 +119,7 @@ bool is_beyond_all(const Surface& surface, Index a, Index b, const Position& x, 
 // Contracts random edges and checks each. Returns how many were contracted.
 template <class Cost, class Placement>
 std::size_t contract_and_check(const Soup& soup, int sign, bool are_floats) {
-  const auto policies = internal::pick_policies<Cost, Placement, false>();
+  const auto policies = internal::pick_policies<Cost, Placement>();
   auto input = test::input_of(soup);
   const auto box = input.box();
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(std::move(input), box,

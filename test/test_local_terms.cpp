@@ -111,7 +111,7 @@ template <class Cost, class... Arguments>
 void check_costs(const Cost& cost, double power, const Soup& soup, std::uint64_t seed,
                  const Arguments&... arguments) {
   const auto policies =
-      internal::pick_policies<internal::NotGiven, internal::NotGiven, false>(cost, arguments...);
+      internal::pick_policies<internal::NotGiven, internal::NotGiven>(cost, arguments...);
   const auto input = test::input_of(test::large(soup));
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
                                                                             policies);
@@ -144,7 +144,7 @@ TEST_CASE("A vertex of many faces shares with its neighbours what one of few doe
 
 TEST_CASE("A vertex forgets what few faces have said when it gets many") {
   const Soup soup = test::large(test::with_noise(test::uv_sphere(14, 8), 5, 0.01));
-  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement, false>();
+  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
   const auto input = test::input_of(soup);
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
                                                                             policies);
@@ -170,7 +170,7 @@ TEST_CASE("A vertex forgets what few faces have said when it gets many") {
 TEST_CASE("Local terms follow in passes, but for vertices that these have contracted") {
   const Soup input = test::random_closed(5);
   const auto policies =
-      internal::pick_policies<MemorylessQuadric, OptimalPlacement, false>(RelaxedOrder{});
+      internal::pick_policies<MemorylessQuadric, OptimalPlacement>(RelaxedOrder{});
   const auto arrays = test::input_of(test::large(input));
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(arrays, arrays.box(),
                                                                             policies);
@@ -213,7 +213,7 @@ TEST_CASE("Local terms follow where topology is free") {
 
 TEST_CASE("A memoryless position of least cost keeps the volume") {
   const Soup soup = test::large(test::with_noise(test::sphere(2), 1, 0.02));
-  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement, false>();
+  const auto policies = internal::pick_policies<MemorylessQuadric, OptimalPlacement>();
   const auto input = test::input_of(soup);
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(input, input.box(),
                                                                             policies);

@@ -135,10 +135,10 @@ TEST_CASE("Nothing is lost of a sphere") {
 TEST_CASE("A loss is what the squared distances to remembered planes grow by, beyond a tolerance") {
   const double weight = 5, tolerance = GENERATE(0.0, 0.1, 0.2);
   CAPTURE(tolerance);
-  const auto policies = internal::pick_policies<internal::NotGiven, internal::NotGiven, false>(
+  const auto policies = internal::pick_policies<internal::NotGiven, internal::NotGiven>(
       with_loss(weight, tolerance));
   const auto no_losses =
-      internal::pick_policies<internal::NotGiven, internal::NotGiven, false>(with_loss(0, 0));
+      internal::pick_policies<internal::NotGiven, internal::NotGiven>(with_loss(0, 0));
   std::size_t losses = 0, others = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Soup soup = test::large(test::with_noise(test::uv_sphere(10, 9), seed, 0.03));

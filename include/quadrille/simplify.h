@@ -5,6 +5,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/buffers.h>
+#include <quadrille/compiled/engines.h>
 #include <quadrille/concepts.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
@@ -88,7 +89,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement, false>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_face_graph(mesh, policies, carried, named);
@@ -120,7 +121,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
     Report simplify(Points& points, Triangles& triangles, const Arguments&... arguments) {
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement, true>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(points, triangles, policies, carried, named);
@@ -154,7 +155,7 @@ requires internal::BufferedSoup<std::remove_reference_t<Points>,
   auto&& rows_of_points = internal::as_rows(points, "point");
   auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
-    const auto policies = internal::pick_policies<Cost, Placement, true>(arguments...);
+    const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(rows_of_points, rows_of_triangles, policies, carried, named);

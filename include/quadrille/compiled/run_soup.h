@@ -4,7 +4,7 @@
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/soup_channel_list.h>
 #include <quadrille/compiled/soup_run.h>
-#include <quadrille/internal/cost/two_lanes.h>
+#include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
@@ -76,32 +76,6 @@ private:
   std::optional<ErrorLimit> error_, relative_error_;
 };
 
-/// The placement of the options, so that one engine is compiled for all of them.
-struct SoupPlacement {
-  using ScaleFree = SoupPlacement; ///< as each of them is
-  SoupOptions::Placement chosen;
-
-  bool is_optimal() const { return chosen == SoupOptions::Placement::optimal; }
-
-  template <class Cost, class Pair>
-  auto operator()(const Cost& cost, const Pair& pair) const
-      -> std::remove_cvref_t<decltype(pair.first)> {
-    if constexpr (HasMinimizer<Cost, Pair>)
-      if (is_optimal())
-        return OptimalPlacement{}(cost, pair);
-    return chosen == SoupOptions::Placement::midpoint ? MidpointPlacement{}(cost, pair)
-                                                      : EndpointPlacement{}(cost, pair);
-  }
-
-  template <class Cost, class Pair, class Predicate>
-  requires HasMinimizer<Cost, Pair>
-  bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) const {
-    return is_optimal() && OptimalPlacement::any_equal(cost, pair, x, predicate);
-  }
-};
-template <class Cost>
-inline constexpr bool has_two_lanes<Cost, SoupPlacement> = has_two_lanes<Cost, OptimalPlacement>;
-
 struct SoupVisitor {
   const std::function<bool(const Status&)>& asked;
   bool proceed(const Status& status) const { return !asked || asked(status); }
@@ -156,7 +130,7 @@ inline AnyOrder order_of(const SoupOptions& options) {
 
 /// By policies that the options say; `more` are labels and channels, if there are any.
 template <class Cost, class... More>
-Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placement,
+Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
                    const More&... more) {
   const SoupOptions& options = run.options;
   const SoupVisitor visitor{options.proceed};
@@ -180,7 +154,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, const SoupPlacement& placemen
 
 /// The same with whatever a soup carries, in an engine of its own.
 template <class Cost>
-Report simplify_with_all(SoupRun& run, const Cost& cost, const SoupPlacement& placement) {
+Report simplify_with_all(SoupRun& run, const Cost& cost, BuiltInPlacement placement) {
   if (!run.is_carrying())
     return simplify_by(run, cost, placement);
   return simplify_by(run, cost, placement,
@@ -190,13 +164,21 @@ Report simplify_with_all(SoupRun& run, const Cost& cost, const SoupPlacement& pl
 
 /// The placement of the options; by default, for a cost that has a minimizer, the optimal one.
 template <class Cost>
-SoupOptions::Placement placement_of(const SoupOptions& options) {
+BuiltInPlacement placement_of(const SoupOptions& options) {
   using Placement = SoupOptions::Placement;
   constexpr bool has_minimizer = PlacementPolicy<OptimalPlacement, Cost>;
-  if (!has_minimizer && options.placement == Placement::optimal)
-    throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
-                                "choose end points or midpoints");
-  return options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint);
+  switch (options.placement.value_or(has_minimizer ? Placement::optimal : Placement::midpoint)) {
+  case Placement::optimal:
+    if (!has_minimizer)
+      throw std::invalid_argument("quadrille::simplified_soup: this cost has no optimal placement: "
+                                  "choose end points or midpoints");
+    return BuiltInPlacement(OptimalPlacement{});
+  case Placement::endpoint:
+    return BuiltInPlacement(EndpointPlacement{});
+  case Placement::midpoint:
+    break;
+  }
+  return BuiltInPlacement(MidpointPlacement{});
 }
 
 /// A cost with the weights of the options.
@@ -214,7 +196,7 @@ Cost with_weights(Cost cost, const SoupOptions& options) {
 template <class Cost>
 Report simplify_by_cost(SoupRun& run, const Cost& cost) {
   return simplify_with_all(run, with_weights(cost, run.options),
-                           SoupPlacement{placement_of<Cost>(run.options)});
+                           placement_of<Cost>(run.options));
 }
 
 } // namespace quadrille::internal

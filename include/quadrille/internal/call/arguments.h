@@ -217,7 +217,7 @@ OptionalParts<Policies> optional_parts() {
   if constexpr (is_recorded)
     parts.make_recording = &make_recording<Policies>;
   if constexpr (asks_for_distance<Stop>)
-    parts.distances = DistanceCalls<Policies>::get();
+    parts.distances = distance_calls<Policies>();
   return parts;
 }
 
@@ -253,7 +253,7 @@ inline namespace QUADRILLE_THREADING {
 
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
-template <class CostArgument, class PlacementArgument, bool of_soup, class... Arguments>
+template <class CostArgument, class PlacementArgument, class... Arguments>
 auto pick_policies(const Arguments&... arguments) {
   using CGAL::parameters::get_parameter;
   using Cost = CostOf<CostArgument, Arguments...>;
@@ -275,15 +275,15 @@ auto pick_policies(const Arguments&... arguments) {
   validate(pairs);
   validate(stop);
   validate(order);
-  const auto carried = carries<of_soup>(pick_carried<Cost>(arguments...));
+  const auto carried = pick_carried<Cost>(arguments...);
   using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
                                       EnginePlacement<std::remove_const_t<decltype(placement)>>,
-                                      std::remove_const_t<decltype(carried)>>;
+                                      std::remove_const_t<decltype(carried)>::has_channels>;
   constexpr bool is_recorded = count_of<Kind::recorder, Cost, Arguments...> == 1;
   Policies policies{
       cost,
       typename Policies::Placement(placement),
-      carried,
+      label_border_weight(carried),
       PairSource::of(pairs),
       StopRule::of(stop),
       order,

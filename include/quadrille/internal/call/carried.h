@@ -107,15 +107,13 @@ auto pick_carried(const Arguments&... arguments) {
                  splits_vertices>{labels, channels};
 }
 
-/// What the engine knows of it.
-template <bool may_have_backs, class Carried>
-auto carries(const Carried& carried) {
-  constexpr bool may_have_seams =
-      Carried::has_labels || Carried::has_channels || may_have_backs;
-  Carries<may_have_seams, Carried::has_channels> carries;
+/// How much the borders between labels weigh.
+template <class Carried>
+double label_border_weight([[maybe_unused]] const Carried& carried) {
   if constexpr (Carried::has_labels)
-    carries.label_border_weight = carried.labels.border_weight;
-  return carries;
+    return carried.labels.border_weight;
+  else
+    return 1;
 }
 
 } // namespace quadrille::internal

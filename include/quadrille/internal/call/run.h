@@ -2,37 +2,16 @@
 #define QUADRILLE_INTERNAL_CALL_RUN_H
 
 #include <quadrille/internal/base/parallel.h>
-#include <quadrille/internal/contraction/enclosed_volume.h>
-#include <quadrille/internal/contraction/finished_surface.h>
-#include <quadrille/internal/contraction/result.h>
-#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/call/engine.h>
 #include <quadrille/internal/memory/columns.h>
-#include <quadrille/internal/order/greedy_loop.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/spatial_order.h>
-#include <quadrille/order.h>
 #include <quadrille/report.h>
 
-#include <chrono>
-#include <optional>
+#include <cstddef>
 #include <utility>
-#include <variant>
 
 namespace quadrille::internal {
-
-/// Seconds since it was last asked.
-class StopWatch {
-public:
-  double lap() {
-    const auto now = Clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_ = Clock::now();
-};
 
 /// Of a surface of so many vertices and faces, most of which will go.
 template <class Policies>
@@ -52,47 +31,10 @@ MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t 
       sizeof(TriangleComplex::Triangle) + (has_labels ? 6 : 4) * sizeof(Index);
   constexpr std::size_t passes = std::size_t{1} << 18; // proposals
   const std::size_t queue =
-      PairQueue::bytes_for(GreedyLoop<Policies>::expected_pairs(3 * faces / 2, vertices));
+      PairQueue::bytes_for(PairQueue::expected_pairs(3 * faces / 2, vertices));
   const std::size_t least = vertices * a_vertex + faces * a_face + (has_queue ? queue : passes);
   constexpr std::size_t few = std::size_t{1} << 23; // whatever the size of the surface
   return {least, 2 * least + few};
-}
-
-/// Contracts pairs in the order that was asked for. Returns why that has ended.
-template <class Policies>
-StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
-  if (surface.progress().is_cancelled())
-    return StopReason::cancelled;
-  const auto* const relaxed = std::get_if<RelaxedOrder>(&surface.policies().order);
-  if (relaxed) {
-    report.seconds.prepare = watch.lap();
-    if (!surface.progress().begin_contracting() ||
-        !surface.policies().optional.run_passes(surface, *relaxed))
-      return StopReason::cancelled;
-    if (surface.progress().is_enough())
-      return surface.target_rules().reason_of_stop(surface.status());
-  }
-  GreedyLoop<Policies> loop(surface);
-  if (!relaxed)
-    report.seconds.prepare = watch.lap();
-  return loop.run();
-}
-
-/// What becomes of a surface; nothing if the visitor cancels before the first contraction.
-template <class Policies, class Input, class Box>
-std::optional<FinishedSurface<typename Policies::Cost>>
-simplify_input(Input input, const Box& box, const Policies& policies, bool keeps_memories,
-               Report& report, StopWatch& watch) {
-  WorkingSurface<Policies> surface(std::move(input), box, policies);
-  const EnclosedVolume volume(surface, box);
-  report.volume_before = volume(surface);
-  report.stop = contract(surface, report, watch);
-  report.volume_after = volume(surface);
-  if (surface.progress().is_cancelled() && !surface.progress().has_begun())
-    return std::nullopt;
-  if (surface.recording())
-    surface.recording()->end(report.stop);
-  return std::move(surface).finish(keeps_memories, report);
 }
 
 /// Asks the visitor for the first time.
@@ -125,17 +67,11 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
   if (!proceeds_at_beginning(policies, report))
     return untouched(report);
 
-  const auto box = input.box();
-  if (policies.pairs.ignores_indices())
-    SpatialOrder::apply(input, box, policies.threads);
-  auto finished =
-      simplify_input(std::move(input), box, policies, Tell::asks_for_memories, report, watch);
-  if (!finished)
+  const auto result =
+      simplify_input(std::move(input), policies, Tell::asks_for_memories, report, watch);
+  if (!result)
     return untouched(report);
-  report.seconds.contract = watch.lap();
-
-  const Result result(*std::move(finished));
-  report.duplicated_vertices = adapter.write(result, tell);
+  report.duplicated_vertices = adapter.write(*result, tell);
   report.vertices_after += report.duplicated_vertices;
   report.seconds.write = watch.lap();
   return report;

@@ -67,12 +67,12 @@ public:
     });
     if constexpr (has_channels)
       channels_.hold_borders(seams_.labels(), !seams_.is_empty());
-    memories_.remember_creases(policies_.cost, policies_.carries.label_border_weight,
+    memories_.remember_creases(policies_.cost, policies_.label_border_weight,
                                geometry_.positions(), complex_, edges);
   }
 
   auto observers() {
-    return std::tuple_cat(tie_if<has_channels>(channels_), tie_if<Policies::keeps_seams>(seams_));
+    return std::tuple_cat(tie_if<has_channels>(channels_), std::tie(seams_));
   }
   static auto vertex_columns(auto& self) {
     using C = std::remove_cvref_t<decltype(self.channels_)>;
@@ -91,7 +91,7 @@ public:
   std::vector<Channel> take_channels() { return channels_.take(); }
 
 private:
-  static constexpr bool has_channels = Policies::Carries::has_channels;
+  static constexpr bool has_channels = Policies::has_channels;
 
   const Policies& policies_;
   TriangleComplex& complex_;

@@ -46,9 +46,8 @@ public:
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
-    if constexpr (Policies::keeps_seams)
-      if (seams_.is_changed_by(star, a, b))
-        return Rejection::seam;
+    if (seams_.is_changed_by(star, a, b))
+      return Rejection::seam;
     if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(star, a, b))
       return Rejection::constraint;
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
@@ -75,7 +74,7 @@ private:
                                           geometry_.positions().data(), contraction.pair().first,
                                           contraction.pair().second, target);
     std::optional<Rejection> cause = policies_.filters.refusal(view, scale_);
-    if constexpr (Policies::Carries::has_channels)
+    if constexpr (Policies::has_channels)
       if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
                                         contraction.second(), target))
         return Rejection::texture;

@@ -51,7 +51,8 @@ public:
   }
 
 private:
-  friend struct DistanceCalls<Policies>;
+  template <class P>
+  friend const DistanceCalls<P>* distance_calls();
 
   bool measure_too_far(Contraction& contraction, Status& status) const {
     const auto stops = [&](const FaceDeviation& deviation) {
@@ -140,18 +141,19 @@ struct DistanceCalls {
 
   bool (*is_too_far)(const Check&, Contraction&, Status&);
   bool (*is_beyond_hub)(const Check&, const Candidate&, Scratch&, const Status&);
-
-  static const DistanceCalls* get() {
-    static constexpr DistanceCalls calls{
-        [](const Check& check, Contraction& contraction, Status& status) {
-          return check.measure_too_far(contraction, status);
-        },
-        [](const Check& check, const Candidate& candidate, Scratch& scratch, const Status& status) {
-          return check.look_beyond_hub(candidate, scratch, status);
-        }};
-    return &calls;
-  }
 };
+
+template <class Policies>
+const DistanceCalls<Policies>* distance_calls() {
+  using Calls = DistanceCalls<Policies>;
+  static constexpr Calls calls{
+      [](const typename Calls::Check& check, typename Calls::Contraction& contraction,
+         Status& status) { return check.measure_too_far(contraction, status); },
+      [](const typename Calls::Check& check, const typename Calls::Candidate& candidate,
+         Scratch& scratch,
+         const Status& status) { return check.look_beyond_hub(candidate, scratch, status); }};
+  return &calls;
+}
 
 } // namespace quadrille::internal
 

@@ -101,7 +101,7 @@ public:
       add_inputs(f.face, buffer.faces);
     for (Index face : scratch.duplicates)
       add_inputs(face, buffer.faces);
-    if constexpr (Policies::Carries::has_channels)
+    if constexpr (Policies::has_channels)
       gather_wedges(kept, buffer);
     const RecordedContraction recorded{numbering_.vertices[kept],
                                           numbering_.vertices[gone],
@@ -163,7 +163,7 @@ private:
   Index input_vertex(Index v) const { return v == none ? none : numbering_.vertices[v]; }
 
   std::span<Channel> all_channels() {
-    if constexpr (Policies::Carries::has_channels)
+    if constexpr (Policies::has_channels)
       return channels_.all();
     else
       return {};

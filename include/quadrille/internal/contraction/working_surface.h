@@ -88,8 +88,7 @@ public:
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally);
     if (policies.topology == Topology::parts_may_vanish)
       parts_ = Parts<dimension>(complex_, geometry_, scale_);
-    if constexpr (Policies::keeps_seams)
-      appearance_.read(input, numbering_, scale_, pairs_.are_edges());
+    appearance_.read(input, numbering_, scale_, pairs_.are_edges());
     progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
     if (progress_.proceed())
       classify(box);
@@ -229,8 +228,7 @@ private:
     VertexLabels& labels = scratch().labels;
     memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
                        creases_.left(numbering_), is_interior, policies_.threads);
-    if constexpr (Policies::keeps_seams)
-      appearance_.remember();
+    appearance_.remember();
     terms_.sum_up(labels);
   }
 

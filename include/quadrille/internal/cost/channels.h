@@ -251,7 +251,7 @@ struct NoChannels {
 };
 
 template <class Policies>
-using ChannelsOf = std::conditional_t<Policies::Carries::has_channels,
+using ChannelsOf = std::conditional_t<Policies::has_channels,
                                       Channels<typename Policies::Cost>, NoChannels>;
 
 } // namespace quadrille::internal

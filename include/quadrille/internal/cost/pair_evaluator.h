@@ -43,7 +43,7 @@ public:
   using Memories = VertexMemories<Cost>;
   using Terms = typename LocalTermsOf<Cost>::type;
   using Channels = ChannelsOf<Policies>;
-  static constexpr bool counts_channels = Policies::Carries::has_channels;
+  static constexpr bool counts_channels = Policies::has_channels;
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,

@@ -43,17 +43,12 @@ public:
       : surface_(surface), scratch_(surface.scratch()),
         queue_(
             surface.complex().vertex_capacity(),
-            expected_pairs(surface.pairs().count(surface.status().faces, surface.status().vertices),
+            PairQueue::expected_pairs(surface.pairs().count(surface.status().faces, surface.status().vertices),
                            surface.complex().vertex_capacity()),
             surface.complex().workspace()),
         waiting_(surface.complex()), distance_stop_(surface), parts_(surface), hold_(surface),
         refresh_(surface, queue_.stamps()) {
     fill_queue();
-  }
-
-  /// For how many the queue makes room, of a surface with so many pairs and vertices.
-  static std::size_t expected_pairs(std::size_t pairs, std::size_t vertices) {
-    return pairs + vertices / 8;
   }
 
   /// Why it has ended.

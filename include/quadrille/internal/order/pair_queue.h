@@ -47,6 +47,10 @@ public:
     size_to_drop_at_ = most_blocks(expected) + bucket_count / 8;
   }
 
+  /// For how many the queue makes room, of a surface with so many pairs and vertices.
+  static std::size_t expected_pairs(std::size_t pairs, std::size_t vertices) {
+    return pairs + vertices / 8;
+  }
   /// How much will be written to, as a rule.
   static std::size_t bytes_for(std::size_t expected) {
     return most_blocks(expected) * sizeof(Block);

@@ -37,17 +37,16 @@ struct OptionalParts {
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named. The
-/// engine is compiled for a cost, a placement and what is carried; all else is told at run time.
-template <class Cost_, class Placement_, class Carries_>
+/// engine is compiled for a cost and a placement, with channels or without; all else is told at run time.
+template <class Cost_, class Placement_, bool has_channels_>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
-  using Carries = Carries_;
-  static constexpr bool keeps_seams = Carries::may_have_seams;
+  static constexpr bool has_channels = has_channels_; ///< of attributes beside the shape
 
   Cost cost;
   Placement placement;
-  Carries carries;
+  double label_border_weight; // see Labels
   PairSource pairs;
   StopRule stop;
   AnyOrder order;

@@ -2,17 +2,13 @@
 #define QUADRILLE_INTERNAL_POLICY_POLICIES_H
 
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/record.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
 namespace quadrille::internal {
 
@@ -131,16 +127,6 @@ struct Carried {
 
   Labels labels;
   Channels channels;
-};
-
-/// The same as the engine sees it, which is one for all maps and channels. May there be seams: of
-/// labels, of channels, or where faces that have a back meet faces that have none?
-template <bool seams, bool channels>
-struct Carries {
-  static_assert(seams || !channels);
-  static constexpr bool may_have_seams = seams;
-  static constexpr bool has_channels = channels;
-  double label_border_weight = 1; ///< see Labels
 };
 
 /// Expresses what is remembered about the point d, where the cost keeps its memory about its

@@ -23,7 +23,7 @@ HeldVisitor hold_visitor(const V& visitor) {
   static_assert(VisitorPolicy<V>,
                 "A visitor has a member function bool proceed(const quadrille::Status&): derive it "
                 "from quadrille::Visitor.");
-  return [visitor](const Status& status) mutable -> bool { return visitor.proceed(status); };
+  return [held = visitor](const Status& status) mutable -> bool { return held.proceed(status); };
 }
 /// One that the user keeps.
 template <class V>

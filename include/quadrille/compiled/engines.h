@@ -1,0 +1,51 @@
+#ifndef QUADRILLE_COMPILED_ENGINES_H
+#define QUADRILLE_COMPILED_ENGINES_H
+
+#include <quadrille/edge_length.h>
+#include <quadrille/internal/call/engine.h>
+#include <quadrille/internal/contraction/distance_check.h>
+#include <quadrille/internal/contraction/recorder_teller.h>
+#include <quadrille/internal/order/relaxed_passes.h>
+#include <quadrille/internal/policy/built_in_placement.h>
+#include <quadrille/internal/policy/engine_policies.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/quadric.h>
+#include <quadrille/thin_feature_quadric.h>
+
+/// \file
+/// The engines that quadrille::compiled has: of each cost in space with a placement that is built
+/// in, bare and with channels. A program that links it compiles adapters only, and gets the same
+/// results to the last bit; calls with other costs and placements compile engines of their own.
+
+namespace quadrille::internal {
+
+template <class Cost, bool has_channels>
+using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
+
+/// Declares or defines the instantiations of an engine: KEYWORDS is `extern template`, or
+/// `template` in the one source that defines them.
+#define QUADRILLE_ENGINE(KEYWORDS, COST, HAS_CHANNELS)                                             \
+  KEYWORDS std::optional<Result<COST>> simplify_input<UsualPolicies<COST, HAS_CHANNELS>>(          \
+      SurfaceInput<3>, const UsualPolicies<COST, HAS_CHANNELS>&, bool, Report&, StopWatch&);       \
+  KEYWORDS bool run_passes<UsualPolicies<COST, HAS_CHANNELS>>(                                     \
+      WorkingSurface<UsualPolicies<COST, HAS_CHANNELS>>&, const RelaxedOrder&);                    \
+  KEYWORDS std::unique_ptr<Recording<UsualPolicies<COST, HAS_CHANNELS>>>                           \
+  make_recording<UsualPolicies<COST, HAS_CHANNELS>>(                                               \
+      const RecordingNeeds<UsualPolicies<COST, HAS_CHANNELS>>&);                                   \
+  KEYWORDS const DistanceCalls<UsualPolicies<COST, HAS_CHANNELS>>*                                 \
+  distance_calls<UsualPolicies<COST, HAS_CHANNELS>>()
+
+#define QUADRILLE_ENGINES(KEYWORDS, COST)                                                          \
+  QUADRILLE_ENGINE(KEYWORDS, COST, false);                                                         \
+  QUADRILLE_ENGINE(KEYWORDS, COST, true)
+
+#ifdef QUADRILLE_WITH_COMPILED
+QUADRILLE_ENGINES(extern template, Quadric);
+QUADRILLE_ENGINES(extern template, MemorylessQuadric);
+QUADRILLE_ENGINES(extern template, ThinFeatureQuadric);
+QUADRILLE_ENGINES(extern template, EdgeLength);
+#endif
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_COMPILED_ENGINES_H

@@ -1,0 +1,89 @@
+#ifndef QUADRILLE_INTERNAL_CALL_ENGINE_H
+#define QUADRILLE_INTERNAL_CALL_ENGINE_H
+
+#include <quadrille/internal/contraction/enclosed_volume.h>
+#include <quadrille/internal/contraction/result.h>
+#include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/order/greedy_loop.h>
+#include <quadrille/internal/surface/spatial_order.h>
+#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/order.h>
+#include <quadrille/report.h>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace quadrille::internal {
+
+/// Seconds since it was last asked.
+class StopWatch {
+public:
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// Contracts pairs in the order that was asked for. Returns why that has ended.
+template <class Policies>
+StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
+  if (surface.progress().is_cancelled())
+    return StopReason::cancelled;
+  const auto* const relaxed = std::get_if<RelaxedOrder>(&surface.policies().order);
+  if (relaxed) {
+    report.seconds.prepare = watch.lap();
+    if (!surface.progress().begin_contracting() ||
+        !surface.policies().optional.run_passes(surface, *relaxed))
+      return StopReason::cancelled;
+    if (surface.progress().is_enough())
+      return surface.target_rules().reason_of_stop(surface.status());
+  }
+  GreedyLoop<Policies> loop(surface);
+  if (!relaxed)
+    report.seconds.prepare = watch.lap();
+  return loop.run();
+}
+
+/// The surface once pairs have been contracted; nothing if the visitor cancels before the first.
+template <class Policies>
+std::optional<FinishedSurface<typename Policies::Cost>>
+contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
+               bool keeps_memories, Report& report, StopWatch& watch) {
+  const auto box = input.box();
+  if (policies.pairs.ignores_indices())
+    SpatialOrder::apply(input, box, policies.threads);
+  WorkingSurface<Policies> surface(std::move(input), box, policies);
+  const EnclosedVolume volume(surface, box);
+  report.volume_before = volume(surface);
+  report.stop = contract(surface, report, watch);
+  report.volume_after = volume(surface);
+  if (surface.progress().is_cancelled() && !surface.progress().has_begun())
+    return std::nullopt;
+  if (surface.recording())
+    surface.recording()->end(report.stop);
+  return std::move(surface).finish(keeps_memories, report);
+}
+
+/// The engine: what is left of a surface; nothing if the visitor cancels before the first
+/// contraction. It does not know the mesh: where it has been instantiated for a cost and a
+/// placement, calls with these compile no more than adapters (see <quadrille/compiled/engines.h>).
+template <class Policies>
+std::optional<Result<typename Policies::Cost>>
+simplify_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
+               bool keeps_memories, Report& report, StopWatch& watch) {
+  auto finished = contract_input(std::move(input), policies, keeps_memories, report, watch);
+  report.seconds.contract = watch.lap();
+  if (!finished)
+    return std::nullopt;
+  return std::optional<Result<typename Policies::Cost>>(std::in_place, *std::move(finished));
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_ENGINE_H
