@@ -4,10 +4,12 @@
 #include <quadrille/internal/base/threads.h>
 
 #ifdef QUADRILLE_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 
 namespace quadrille::internal {
@@ -33,7 +35,10 @@ template <class Task>
 auto with_threads(Threads<true> threads, const Task& task) {
   if (threads == 1)
     return task();
-  tbb::task_arena arena(static_cast<int>(unsigned{threads}));
+  // oneTBB prints a warning where it is asked for more than it has, and makes do with these.
+  const std::size_t available =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>((std::min)(std::size_t{threads}, available)));
   return arena.execute(task);
 }
 
