@@ -33,5 +33,6 @@ void documented_calls(Mesh& mesh, std::vector<Point>& points,
                       const TextureMap& uv, const MaterialMap& materials,
                       quadrille::Levels& levels) {
   using namespace quadrille;
+  const auto importance = [](const Vector<3>& place) { return place[2] > 0 ? 4.0 : 1.0; };
 #include "documented_calls.inc"
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -154,17 +155,39 @@ TEST_CASE("meshes meet where their nodes bring them, mirrored or scaled") {
 }
 
 TEST_CASE("an instance that meets others is held there") {
+  // Waves that are the same at both ends of a sheet, and not straight anywhere.
+  const auto wave = [](const Element& p) {
+    return Element{p[0], p[1], std::sin(p[1]) + std::sin(p[0] * std::numbers::pi / 4)};
+  };
+  const auto border_of_input = [&](double x) {
+    std::set<std::array<long, 2>> places;
+    for (int j = 0; j <= 24; ++j)
+      places.insert({1000 * j, std::lround(1e3 * wave({x, double(j)})[2])});
+    return places;
+  };
   SceneAsset scene;
-  add_sheet(
-      scene, 0, 8, 24,
-      [](const Element& p) {
-        return Element{p[0], p[1], 0};
-      },
-      Json::object());
-  scene.show(0, {{"translation", {8, 0, 0}}});
-  const Surfaces left = scene.simplified(0.3);
-  CHECK(border_at(left[0], 0, as_it_is).size() == 25);
-  CHECK(border_at(left[0], 8, as_it_is).size() == 25);
+  add_sheet(scene, 0, 8, 24, wave, Json::object());
+  SECTION("by each other, at two borders") {
+    scene.show(0, {{"translation", {8, 0, 0}}});
+    const Surfaces left = scene.simplified(0.2);
+    CHECK(border_at(left[0], 0, as_it_is) == border_of_input(0));
+    CHECK(border_at(left[0], 8, as_it_is) == border_of_input(8));
+  }
+  SECTION("by their mirror images, at one border") {
+    scene.show(0, {{"scale", {-1, 1, 1}}, {"translation", {16, 0, 0}}});
+    const Surfaces left = scene.simplified(0.2);
+    CHECK(border_at(left[0], 8, as_it_is) == border_of_input(8));
+    CHECK(border_at(left[0], 0, as_it_is).size() < 20);
+  }
+  SECTION("by a mesh that is shown once, which is held too") {
+    scene.show(0, {{"translation", {0, 100, 0}}});
+    add_sheet(scene, 8, 16, 24, wave, Json::object());
+    const Surfaces left = scene.simplified(0.2);
+    for (const GltfSurface& surface : left)
+      CHECK(border_at(surface, 8, as_it_is) == border_of_input(8));
+    CHECK(border_at(left[0], 0, as_it_is).size() < 20);
+    CHECK(border_at(left[1], 16, as_it_is).size() < 20);
+  }
 }
 
 TEST_CASE("there is one price in the units of the scene") {

@@ -160,11 +160,11 @@ inline void add_topology(CLI::App& app, Options& options) {
                "small parts may vanish whole where that is the cheapest thing to do; else topology "
                "is kept")
       ->group("Policies");
-  const std::vector<std::pair<std::string, quadrille::Seams>> seams{
-      {"kept", quadrille::Seams::kept},
-      {"held", quadrille::Seams::held},
-      {"priced", quadrille::Seams::priced},
-      {"free", quadrille::Seams::free}};
+  using quadrille::Seams;
+  const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},
+                                                         {"held", Seams::held},
+                                                         {"priced", Seams::priced},
+                                                         {"free", Seams::free}};
   app.add_option(
          "--seams", options.seams,
          "do charts of a texture stay, or may their seams vanish: for the price of all that this "
@@ -196,15 +196,13 @@ inline void add_files(CLI::App& app, Options& options) {
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
   app.add_option("OUT", options.output,
                  "the mesh to write" + formats + "output), or a page that shows it (.html)");
-  std::vector<std::string> words{"off", "obj", "ply", "stl", "ts", "gltf", "glb"};
   take_one_of(app.add_option("--format", options.format,
                              "the format of IN and OUT where their names end in none"),
-              words)
+              {"off", "obj", "ply", "stl", "ts", "gltf", "glb"})
       ->group("Files");
-  words.emplace_back("html");
   take_one_of(
       app.add_option("--out-format", options.output_format, "the format of OUT, whatever its name"),
-      words)
+      {"off", "obj", "ply", "stl", "ts", "gltf", "glb", "html"})
       ->group("Files");
   app.add_option_function<std::string>(
          "--weld", [&](const std::string& word) { options.weld = amount_of(word); },

@@ -9,7 +9,6 @@
 #include <quadrille/compiled.h>
 #include <quadrille/report.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -39,28 +38,6 @@ struct Target {
     return (faces && surface.faces <= *faces) || (vertices && surface.vertices <= *vertices) ||
            static_cast<double>(surface.faces) <=
                std::round(part * static_cast<double>(surface.initial_faces));
-  }
-
-  /// The target of a surface of some faces, where `done` tells of surfaces before it and `rest` are
-  /// the faces from it on: its part of what those before it leave.
-  Target share(const quadrille::Report& done, std::size_t count, std::size_t rest) const {
-    const auto left = [](double wanted, std::size_t used) {
-      return std::max(0., wanted - static_cast<double>(used));
-    };
-    const auto share_of = [&](std::size_t wanted, std::size_t used) {
-      const double part = static_cast<double>(count) / static_cast<double>(rest);
-      return static_cast<std::size_t>(std::llround(left(static_cast<double>(wanted), used) * part));
-    };
-    Target result = *this;
-    if (ratio || !is_given()) {
-      const double wanted = ratio.value_or(0.5) * static_cast<double>(done.counted_faces + rest);
-      result.ratio = std::min(1., left(wanted, done.faces_after) / static_cast<double>(rest));
-    }
-    if (faces)
-      result.faces = share_of(*faces, done.faces_after);
-    if (vertices)
-      result.vertices = share_of(*vertices, done.vertices_after);
-    return result;
   }
 
   /// An error limit is kept also if there is nothing more to contract. A target that was passed by

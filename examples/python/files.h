@@ -151,6 +151,53 @@ inline IndexedMesh mesh_of(const WrittenArrays& arrays) {
   return mesh;
 }
 
+/// What write_mesh() takes of the file that a mesh was read from, for `pickle`; the rest is in
+/// arrays by then.
+struct FileNumbers {
+  using Part = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, bool>;
+  using Column = std::tuple<std::string, std::string, std::vector<double>>;
+  using State = std::tuple<std::vector<std::string>, std::vector<std::string>, std::vector<Part>,
+                           std::vector<std::uint32_t>, std::vector<Column>,
+                           std::vector<std::string>, std::string, bool, bool>;
+
+  static State of(const IndexedMesh& mesh) {
+    std::vector<Part> parts;
+    for (const FacePart& part : mesh.parts.parts)
+      parts.emplace_back(part.object, part.group, part.material, part.smoothing, part.has_textures,
+                         part.has_normals);
+    std::vector<Column> columns;
+    for (const NamedNumbers& column : mesh.face_numbers)
+      columns.emplace_back(column.name, name_of(column.type), column.values);
+    return {mesh.parts.libraries,
+            mesh.parts.names,
+            std::move(parts),
+            mesh.parts.of_faces,
+            std::move(columns),
+            mesh.texture_comments,
+            mesh.stl_header,
+            mesh.corner_textures.are_double,
+            mesh.corner_normals.are_double};
+  }
+
+  static IndexedMesh mesh(const State& state) {
+    IndexedMesh mesh;
+    const auto& [libraries, names, parts, of_faces, columns, comments, header, textures_are_double,
+                 normals_are_double] = state;
+    mesh.parts.libraries = libraries;
+    mesh.parts.names = names;
+    for (const auto& [object, group, material, smoothing, has_textures, has_normals] : parts)
+      mesh.parts.parts.push_back({object, group, material, smoothing, has_textures, has_normals});
+    mesh.parts.of_faces = of_faces;
+    for (const auto& [name, type, values] : columns)
+      mesh.face_numbers.push_back({name, number_type(type), values});
+    mesh.texture_comments = comments;
+    mesh.stl_header = header;
+    mesh.corner_textures.are_double = textures_are_double;
+    mesh.corner_normals.are_double = normals_are_double;
+    return mesh;
+  }
+};
+
 } // namespace quadrille_examples
 
 #endif

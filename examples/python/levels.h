@@ -79,6 +79,57 @@ auto with_value_errors(Task task) {
   }
 }
 
+/// Levels that threads of Python share. They are called with the lock of the interpreter, which a
+/// task may let go of and has again when it ends: meanwhile others may read where it reads, and are
+/// refused where it records, or where they want to.
+class SharedLevels {
+public:
+  SharedLevels() = default;
+  explicit SharedLevels(quadrille::Levels levels) : levels_(std::move(levels)) {}
+  SharedLevels(SharedLevels&& other) noexcept : levels_(std::move(other.levels_)) {}
+  SharedLevels& operator=(const SharedLevels&) = delete;
+
+  /// Returns task(levels).
+  template <class Task>
+  auto read(Task task) const {
+    if (is_recorded_)
+      throw py::value_error("these Levels are being recorded by another call of simplify()");
+    const Use use(readers_);
+    return task(levels_);
+  }
+
+  SharedLevels copy() const {
+    return SharedLevels(read([](const quadrille::Levels& levels) { return levels; }));
+  }
+
+  /// As read(), with levels that change.
+  template <class Task>
+  auto record(Task task) {
+    if (is_recorded_ || readers_ > 0)
+      throw py::value_error(
+          std::string("these Levels are being ") +
+          (is_recorded_ ? "recorded by another call of simplify()" : "read by another thread"));
+    const Use use(is_recorded_);
+    return task(levels_);
+  }
+
+private:
+  class Use {
+  public:
+    explicit Use(int& count) : count_(count) { ++count_; }
+    ~Use() { --count_; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+  private:
+    int& count_;
+  };
+
+  quadrille::Levels levels_;
+  mutable int readers_ = 0;
+  int is_recorded_ = 0;
+};
+
 inline quadrille::Level level_at(const quadrille::Levels& levels, const std::string& stop,
                                  double number) {
   return with_value_errors([&] {
@@ -95,19 +146,55 @@ inline quadrille::LevelInfo level_info(const quadrille::Levels& levels, const st
 }
 
 /// With a comment, by which the names of channels are read again.
-inline void save(const quadrille::Levels& levels, const std::filesystem::path& path,
+inline void save(const SharedLevels& shared, const std::filesystem::path& path,
                  const std::string& comment) {
-  with_value_errors([&] {
-    quadrille::LevelsFileOptions options;
-    options.comment = comment;
-    write_levels(path, levels, options);
+  shared.read([&](const quadrille::Levels& levels) {
+    with_value_errors([&] {
+      const py::gil_scoped_release unlocked;
+      quadrille::LevelsFileOptions options;
+      options.comment = comment;
+      write_levels(path, levels, options);
+    });
   });
 }
 
-inline std::pair<quadrille::Levels, std::string> load(const std::filesystem::path& path) {
+inline std::pair<SharedLevels, std::string> load(const std::filesystem::path& path) {
+  const py::gil_scoped_release unlocked;
   quadrille::LevelsFile file(path);
-  quadrille::Levels levels = file.read();
-  return {std::move(levels), file.comment()};
+  return {SharedLevels(file.read()), file.comment()};
+}
+
+inline void add_levels(py::module_& m) {
+  using quadrille::Levels;
+  py::class_<SharedLevels>(m, "Levels")
+      .def(py::init<>())
+      .def("copy", &SharedLevels::copy)
+      .def("empty",
+           [](const SharedLevels& shared) {
+             return shared.read([](const Levels& levels) { return levels.empty(); });
+           })
+      .def("at",
+           [](const SharedLevels& shared, const std::string& stop, double number) {
+             return shared.read(
+                 [&](const Levels& levels) { return dict_of(level_at(levels, stop, number)); });
+           })
+      .def("info",
+           [](const SharedLevels& shared, const std::string& stop, double number) {
+             return shared.read(
+                 [&](const Levels& levels) { return dict_of(level_info(levels, stop, number)); });
+           })
+      .def("finest",
+           [](const SharedLevels& shared) {
+             return shared.read([](const Levels& levels) { return dict_of(levels.finest()); });
+           })
+      .def("coarsest",
+           [](const SharedLevels& shared) {
+             return shared.read([](const Levels& levels) {
+               return with_value_errors([&] { return dict_of(levels.coarsest()); });
+             });
+           })
+      .def("save", save);
+  m.def("load_levels", load);
 }
 
 } // namespace quadrille_examples

@@ -1,14 +1,15 @@
 // The compiled part of the Python module quadrille: what quadrille/*.py calls, with arrays whose
 // types and shapes have been looked at there.
 
+#include "../mesh_io/winding.h"
 #include "arrays.h"
 #include "files.h"
 #include "interruptible.h"
 #include "levels.h"
+#include "report.h"
 
 #include <quadrille/compiled.h>
 #include <quadrille/levels.h>
-#include <quadrille/report.h>
 #include <quadrille/version.h>
 
 #include <pybind11/numpy.h>
@@ -20,7 +21,6 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -63,7 +63,7 @@ py::dict arrays_of(SoupResult result) {
 py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint32_t>& faces,
                          const std::optional<Numbers<std::uint32_t>>& labels,
                          const std::vector<ChannelArrays>& channels, SoupOptions options,
-                         Levels* levels, py::object progress) {
+                         SharedLevels* levels, py::object progress) {
   SoupView soup{rows<3>(points), rows<3>(faces), {}, {}};
   if (labels)
     soup.labels = numbers(*labels);
@@ -71,14 +71,16 @@ py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint3
     soup.channels.push_back(view_of(channel));
   Interruptible proceed(std::move(progress));
   options.proceed = [&](const Status& status) { return proceed(status); };
-  if (levels)
-    options.recorder = record_into(*levels);
-  SoupResult result;
-  {
+  const auto run = [&] {
     const py::gil_scoped_release unlocked;
-    result = simplified_soup(soup, options);
-  }
-  return arrays_of(std::move(result));
+    return simplified_soup(soup, options);
+  };
+  if (!levels)
+    return arrays_of(run());
+  return arrays_of(levels->record([&](Levels& recorded) {
+    options.recorder = record_into(recorded);
+    return run();
+  }));
 }
 
 void add_options(py::module_& m) {
@@ -152,87 +154,6 @@ void add_channels(py::module_& m) {
       .def_readwrite("linear_light", &ChannelOptions::linear_light);
 }
 
-std::string text_of(const Report& report) {
-  std::ostringstream text;
-  text << report;
-  return std::move(text).str();
-}
-
-void add_status(py::module_& m) {
-  py::class_<Status>(m, "Status", "What a progress function is told.")
-      .def_readonly("initial_faces", &Status::initial_faces)
-      .def_readonly("initial_vertices", &Status::initial_vertices)
-      .def_readonly("faces", &Status::faces, "how many there are now")
-      .def_readonly("vertices", &Status::vertices)
-      .def_readonly("contractions", &Status::contractions)
-      .def_readonly("next_error", &Status::next_error)
-      .def_readonly("diagonal", &Status::diagonal, "of the input's bounding box")
-      .def_readonly("progress", &Status::progress,
-                    "which part is done, from 0 to 1; 1 at the end only");
-}
-
-void add_report(py::module_& m) {
-  py::class_<Report> report(m, "Report", "What simplify() did. str(report) is one line.");
-  report.def_readonly("faces_before", &Report::faces_before)
-      .def_readonly("faces_after", &Report::faces_after)
-      .def_readonly("counted_faces", &Report::counted_faces,
-                    "of the input, without degenerate and doubled ones: what shares are of")
-      .def_readonly("doubled_faces", &Report::doubled_faces,
-                    "of the input, left out for having the corners of another one")
-      .def_readonly("vertices_before", &Report::vertices_before)
-      .def_readonly("vertices_after", &Report::vertices_after)
-      .def_readonly("contractions", &Report::contractions, "pairs of vertices made one")
-      .def_readonly("non_edge_contractions", &Report::non_edge_contractions)
-      .def_readonly("components_before", &Report::components_before)
-      .def_readonly("components_after", &Report::components_after)
-      .def_readonly("vanished_parts", &Report::vanished_parts)
-      .def_readonly("non_manifold_edges", &Report::non_manifold_edges)
-      .def_readonly("non_manifold_vertices", &Report::non_manifold_vertices)
-      .def_readonly("error", &Report::error,
-                    "an estimate of the greatest distance, in the units of the points; no bound")
-      .def_readonly("distance_bound", &Report::distance_bound,
-                    "no point of the result is further from the input; infinite but with error= "
-                    "and relative_error=")
-      .def("__repr__", [](const Report& r) { return "<quadrille.Report: " + text_of(r) + '>'; })
-      .def("__str__", text_of);
-  report.def_property_readonly(
-      "stop", [](const Report& r) { return to_string(r.stop); },
-      "why it stopped: 'target met', 'target passed', 'no pair left', 'all pairs rejected', "
-      "'target unreachable' or 'cancelled'");
-  report.def_property_readonly(
-      "is_target_reached", [](const Report& r) { return is_target_reached(r.stop); },
-      "whether the target was met, or passed by a face or so");
-  report.def_property_readonly(
-      "seconds", [](const Report& r) { return r.seconds.total(); }, "that it took");
-  report.def_property_readonly(
-      "rejections",
-      [](const Report& r) {
-        py::dict counts;
-        for (std::size_t cause = 0; cause < rejection_causes; ++cause)
-          if (r.rejections[cause] > 0)
-            counts[py::str(to_string(static_cast<Rejection>(cause)))] = r.rejections[cause];
-        return counts;
-      },
-      "how many contractions were refused, by cause");
-}
-
-void add_levels(py::module_& m) {
-  py::class_<Levels>(m, "Levels")
-      .def(py::init<>())
-      .def("empty", &Levels::empty)
-      .def("at", [](const Levels& levels, const std::string& stop,
-                    double number) { return dict_of(level_at(levels, stop, number)); })
-      .def("info", [](const Levels& levels, const std::string& stop,
-                      double number) { return dict_of(level_info(levels, stop, number)); })
-      .def("finest", [](const Levels& levels) { return dict_of(levels.finest()); })
-      .def("coarsest",
-           [](const Levels& levels) {
-             return with_value_errors([&] { return dict_of(levels.coarsest()); });
-           })
-      .def("save", save, py::call_guard<py::gil_scoped_release>());
-  m.def("load_levels", load, py::call_guard<py::gil_scoped_release>());
-}
-
 /// Writes a mesh, and returns what could not be written.
 std::string write_arrays(const std::filesystem::path& path, const WrittenArrays& arrays,
                          const IndexedMesh* source,
@@ -247,6 +168,15 @@ std::string write_arrays(const std::filesystem::path& path, const WrittenArrays&
   const py::gil_scoped_release unlocked;
   write_mesh(path, mesh, format);
   return mesh.losses.text();
+}
+
+/// Which faces are wound against the others of their pieces, and how many pieces have but one side.
+py::tuple winding(const Numbers<std::uint32_t>& faces, std::size_t points) {
+  const Winding winding(rows<3>(faces), points);
+  const std::vector<bool>& is_against = winding.is_against();
+  const auto count = static_cast<py::ssize_t>(is_against.size());
+  std::vector<std::uint8_t> against(is_against.begin(), is_against.end());
+  return py::make_tuple(array_of<bool>(std::move(against), {count}), winding.one_sided());
 }
 
 void add_mesh_file(py::module_& m) {
@@ -264,12 +194,15 @@ void add_mesh_file(py::module_& m) {
       .def_property_readonly("colors", colors_of)
       .def_property_readonly("labels", labels_of)
       .def_property_readonly("vertex_numbers", vertex_numbers_of)
-      .def_property_readonly("remarks", [](const IndexedMesh& mesh) {
-        std::vector<std::string> remarks = mesh.remarks;
-        if (!mesh.losses.empty())
-          remarks.push_back("not kept: " + mesh.losses.text());
-        return remarks;
-      });
+      .def_property_readonly("remarks",
+                             [](const IndexedMesh& mesh) {
+                               std::vector<std::string> remarks = mesh.remarks;
+                               if (!mesh.losses.empty())
+                                 remarks.push_back("not kept: " + mesh.losses.text());
+                               return remarks;
+                             })
+      .def("__deepcopy__", [](py::object self, const py::dict&) { return self; }) // it is constant
+      .def(py::pickle(&FileNumbers::of, &FileNumbers::mesh));
 }
 
 void add_written_arrays(py::module_& m) {
@@ -294,6 +227,7 @@ void add_files(py::module_& m) {
       },
       py::call_guard<py::gil_scoped_release>());
   m.def("write_mesh", write_arrays);
+  m.def("winding", winding);
 }
 
 } // namespace

@@ -46,6 +46,7 @@ template <std::size_t N, Attribute A = Attribute::any>
 struct AttributeQuadric {
   static constexpr std::size_t dimension = 3 + N; ///< of space, and the attributes
   using ScaleFree = AttributeQuadric;             ///< as well in any unit: see CostPolicy
+  using TieBreak = AttributeQuadric;              ///< on the scale of the values of this class
   static constexpr Attribute attribute = A;       ///< where the attributes come from
   using Position = Vector<dimension>;    ///< a point with its attributes times their weights
   using Memory = QuadricForm<dimension>; ///< a quadric in all dimensions
@@ -100,12 +101,12 @@ struct AttributeQuadric {
 
   /// Tells pairs of equal costs apart: see CostPolicy.
   double tie_break(const auto& pair, const Position& x) const {
-    return tie_break(pair)(x - pair.first);
+    return tie_break_of(pair)(x - pair.first);
   }
 
   /// The position of least cost with its attributes, if there is one.
   std::optional<Position> minimizer(const auto& pair) const {
-    std::optional<Position> x = tie_break(pair).minimizer(pair.memory);
+    std::optional<Position> x = tie_break_of(pair).minimizer(pair.memory);
     if (x)
       *x += pair.first;
     return x;
@@ -132,7 +133,7 @@ struct AttributeQuadric {
   }
 
 private:
-  static internal::TieBreak<dimension> tie_break(const auto& pair) {
+  static internal::TieBreak<dimension> tie_break_of(const auto& pair) {
     return {pair.memory.trace(), pair.second - pair.first};
   }
 

@@ -32,7 +32,8 @@ namespace quadrille {
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** Quadric, MemorylessQuadric, ThinFeatureQuadric, AttributeQuadric, EdgeLength.
+/// **Has models** Quadric, MemorylessQuadric, ThinFeatureQuadric, AttributeQuadric, EdgeLength,
+/// Weighted.
 ///
 /// **Requirements**, for a constant `cost` of the type `C`:
 ///
@@ -54,7 +55,10 @@ namespace quadrille {
 /// - `cost.squared_error(pair, value)`: a cost as the square of a distance, for Status and Report;
 ///   without it that is the cost itself.
 /// - `cost.tie_break(pair, x)`: what is added to a cost in the order of pairs only, to tell those
-///   of equal costs apart, far below any cost that matters.
+///   of equal costs apart, far below any cost that matters. It is on the scale of one cost's
+///   values: a class that is derived from Quadric or its kin and has a call of its own does not
+///   inherit it (Weighted brings it along); `using TieBreak = MyCost;` says the same of a cost of
+///   yours.
 /// - `cost.validate()`: throws if the policy makes no sense.
 /// - `C::face_is_alike_at_corners`: true if face(p, q, r) leaves the same at q and r.
 /// - `C::Current` and what goes with it: a look at the surface as it is now, see MemorylessQuadric.

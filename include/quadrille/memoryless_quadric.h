@@ -30,6 +30,7 @@ namespace quadrille {
 struct MemorylessQuadric {
   static constexpr std::size_t dimension = 3; ///< positions only
   using ScaleFree = MemorylessQuadric;        ///< as well in any unit: see CostPolicy
+  using TieBreak = MemorylessQuadric;         ///< on the scale of the values of this class
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
 
@@ -130,14 +131,14 @@ struct MemorylessQuadric {
 
   /// Tells pairs of equal costs apart: see CostPolicy.
   double tie_break(const auto& pair, const Vector<3>& x) const {
-    return tie_break(pair)(x - pair.first);
+    return tie_break_of(pair)(x - pair.first);
   }
 
   /// The position of least cost among those that keep the volume, if there is one.
   std::optional<Vector<3>> minimizer(const auto& pair) const {
     const PairCurrent& current = pair.current;
     std::optional<Vector<3>> x =
-        tie_break(pair).minimizer(current.quadric, current.normal, current.offset);
+        tie_break_of(pair).minimizer(current.quadric, current.normal, current.offset);
     if (x)
       *x += pair.first;
     return x;
@@ -155,7 +156,7 @@ struct MemorylessQuadric {
   }
 
 private:
-  static internal::TieBreak<3> tie_break(const auto& pair) {
+  static internal::TieBreak<3> tie_break_of(const auto& pair) {
     return {pair.current.quadric.trace(), pair.second - pair.first};
   }
 };

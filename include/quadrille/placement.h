@@ -1,9 +1,11 @@
 #ifndef QUADRILLE_PLACEMENT_H
 #define QUADRILLE_PLACEMENT_H
 
+#include <quadrille/internal/policy/tie_break.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace quadrille {
 
@@ -61,7 +63,7 @@ struct OptimalPlacement {
   template <class Cost, class Pair, class Predicate>
   requires HasMinimizer<Cost, Pair>
   static bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) {
-    if constexpr (requires { cost.tie_break(pair, x); }) {
+    if constexpr (internal::BreaksTies<Cost, Pair, std::decay_t<decltype(x)>>) {
       const double most = cost(pair, x) + rounding * cost.tie_break(pair, x);
       for (const auto& y : {pair.first, pair.second, MidpointPlacement{}(cost, pair)})
         if (cost(pair, y) <= most && predicate(y))

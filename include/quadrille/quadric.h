@@ -86,6 +86,7 @@ enum class Weighting {
 struct Quadric {
   static constexpr std::size_t dimension = 3; ///< positions only
   using ScaleFree = Quadric;                  ///< as well in any unit: see CostPolicy
+  using TieBreak = Quadric;                   ///< on the scale of the values of this class
   using Memory = QuadricForm<3>;              ///< planes, about the vertex
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
@@ -131,12 +132,12 @@ struct Quadric {
 
   /// Tells pairs of equal costs apart: see CostPolicy.
   double tie_break(const auto& pair, const Vector<3>& x) const {
-    return tie_break(pair)(x - pair.first);
+    return tie_break_of(pair)(x - pair.first);
   }
 
   /// The position of least cost, if there is one.
   std::optional<Vector<3>> minimizer(const auto& pair) const {
-    std::optional<Vector<3>> x = tie_break(pair).minimizer(pair.memory);
+    std::optional<Vector<3>> x = tie_break_of(pair).minimizer(pair.memory);
     if (x)
       *x += pair.first;
     return x;
@@ -173,7 +174,7 @@ struct Quadric {
   }
 
 private:
-  static internal::TieBreak<3> tie_break(const auto& pair) {
+  static internal::TieBreak<3> tie_break_of(const auto& pair) {
     return {pair.memory.trace(), pair.second - pair.first};
   }
 };

@@ -28,6 +28,7 @@
 #include <quadrille/version.h>
 #include <quadrille/visitor.h>
 #include <quadrille/volume_keeping.h>
+#include <quadrille/weighted.h>
 
 namespace quadrille {
 

@@ -28,6 +28,7 @@ namespace quadrille {
 /// counts in it as in the cost. Boundaries are what MemorylessQuadric makes of them.
 struct ThinFeatureQuadric : MemorylessQuadric {
   using ScaleFree = ThinFeatureQuadric; ///< as well in any unit: see CostPolicy
+  using TieBreak = ThinFeatureQuadric;  ///< on the scale of the values of this class
 
   double loss_weight = 3;       ///< at least 0
   double loss_tolerance = 0.15; ///< at least 0; more: only larger losses count

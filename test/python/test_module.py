@@ -1,7 +1,9 @@
 """The Python module quadrille."""
 
+import copy
 import inspect
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -569,6 +571,179 @@ class Files(Folder):
             quadrille.write_mesh(self.path("no/x.obj"), mesh)
         with self.assertRaisesRegex(ValueError, r"^faces\["):
             quadrille.write_mesh(self.path("x.obj"), quadrille.Mesh(points[:3], faces))
+
+
+class Copies(Folder):
+    def same(self, a, b):
+        self.assertIs(type(a), type(b))
+        if isinstance(a, np.ndarray):
+            self.assertEqual((a.dtype, a.shape), (b.dtype, b.shape))
+            self.assertTrue((a == b).all())
+        elif isinstance(a, (tuple, list)):
+            self.assertEqual(len(a), len(b))
+            for x, y in zip(a, b):
+                self.same(x, y)
+        elif isinstance(a, dict):
+            self.assertEqual(list(a), list(b))
+            self.same(list(a.values()), list(b.values()))
+        elif isinstance(a, (quadrille.Mesh, quadrille.Channel)):
+            self.same({k: v for k, v in vars(a).items() if k != "_source"},
+                      {k: v for k, v in vars(b).items() if k != "_source"})
+        elif isinstance(a, (quadrille.Report, quadrille.Status)):
+            for name in dir(a):
+                if not name.startswith("_"):
+                    self.assertEqual(getattr(a, name), getattr(b, name), name)
+        else:
+            self.assertEqual(a, b)
+
+    def all_copies(self, value):
+        yield copy.copy(value)
+        yield copy.deepcopy(value)
+        for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+            yield pickle.loads(pickle.dumps(value, protocol))
+
+    def test_results_and_reports(self):
+        points, faces, uv = torus(20)
+        seen = []
+        result = quadrille.simplify(points, faces, error=0.1, faces=100, uv=quadrille.Channel(*uv),
+                                    attributes={"x": points[:, 0]}, labels=faces[:, 0] % 3,
+                                    progress=seen.append)
+        self.assertLess(result.report.distance_bound, 0.2)
+        for other in self.all_copies(result):
+            self.same(result, other)
+            self.assertEqual(str(other.report), str(result.report))
+        deep = copy.deepcopy(result)
+        deep.points[:] = 0
+        self.assertTrue(result.points.any())
+        for other in self.all_copies(seen[-1]):
+            self.same(seen[-1], other)
+        with self.assertRaises((ValueError, RuntimeError, TypeError)):
+            broken = list(result.report.__getstate__())
+            broken[15] = 77  # no reason to stop
+            quadrille.Report.__new__(quadrille.Report).__setstate__(tuple(broken))
+
+    def test_meshes_keep_what_a_file_says_of_faces(self):
+        write_obj(self.path("a.obj"), *torus(12))
+        mesh = quadrille.read_mesh(self.path("a.obj"))
+        files = []
+        for i, other in enumerate([mesh, *self.all_copies(mesh)]):
+            quadrille.write_mesh(self.path(f"{i}.obj"), quadrille.simplify(other, faces=100))
+            with open(self.path(f"{i}.obj"), "rb") as file:
+                files.append(file.read())
+        self.assertIn(b"usemtl", files[0])
+        self.assertEqual(len(set(files)), 1)
+
+    def test_levels(self):
+        points, faces, uv = torus(24)
+        levels = quadrille.Levels()
+        for other in self.all_copies(levels):
+            self.assertFalse(other)
+        quadrille.simplify(points, faces, faces=64, uv=uv, levels=levels)
+        for other in self.all_copies(levels):
+            self.assertEqual(other.coarsest, levels.coarsest)
+            for count in (64, 200, 1151):
+                self.same(other.at(faces=count), levels.at(faces=count))
+        other = copy.copy(levels)
+        quadrille.simplify(points, faces, faces=500, levels=other)
+        self.assertEqual(levels.coarsest["faces"], 64)
+
+
+class Recordings(unittest.TestCase):
+    def test_one_call_records_at_a_time(self):
+        points, faces, _ = torus(60)
+        levels, alone = quadrille.Levels(), quadrille.Levels()
+        quadrille.simplify(points, faces, faces=100, levels=alone)
+        errors, ready = [], threading.Barrier(3)
+
+        def work():
+            ready.wait()
+            for _ in range(4):
+                try:
+                    quadrille.simplify(points, faces, faces=100, levels=levels)
+                except ValueError as error:
+                    errors.append(str(error))
+
+        threads = [threading.Thread(target=work) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertLessEqual(set(errors), {"these Levels are being recorded by another call of simplify()"})
+        self.assertTrue((levels.at(faces=777).points == alone.at(faces=777).points).all())
+
+    def test_nobody_reads_meanwhile(self):
+        points, faces, _ = torus(20)
+        levels = quadrille.Levels()
+        quadrille.simplify(points, faces, levels=levels)
+        errors = []
+
+        def progress(status):
+            for ask in (lambda: levels.at(faces=3), lambda: levels.info(faces=3), lambda: bool(levels),
+                        lambda: copy.copy(levels), lambda: levels.save("none.qlv"),
+                        lambda: quadrille.simplify(points, faces, levels=levels)):
+                with self.assertRaisesRegex(ValueError, "these Levels are being recorded by another call"):
+                    ask()
+            errors.append(None)
+
+        quadrille.simplify(points, faces, faces=100, levels=levels, progress=progress)
+        self.assertTrue(errors)
+        self.assertEqual(levels.coarsest["faces"], 100)
+        with self.assertRaises(ZeroDivisionError):
+            quadrille.simplify(points, faces, levels=levels, progress=lambda status: 1 / 0)
+        quadrille.simplify(points, faces, faces=90, levels=levels)  # it is free again
+        self.assertEqual(levels.coarsest["faces"], 90)
+
+
+class Orientation(unittest.TestCase):
+    def flipped(self, faces, every):
+        faces = faces.copy()
+        faces[::every] = faces[::every][:, [0, 2, 1]]
+        return faces
+
+    def test_faces_are_wound_as_their_neighbours(self):
+        points, faces, (values, corners) = torus(20)
+        expected = quadrille.simplify(points, faces, faces=200, uv=(values, corners))
+        wrong, wrong_corners = self.flipped(faces, 3), self.flipped(corners, 3)
+        kept = wrong.copy()
+        result = quadrille.simplify(points, wrong, faces=200, uv=(values, wrong_corners), orient=True)
+        self.assertTrue((wrong == kept).all())
+        self.assertEqual(result.remarks, ["faces turned, so that neighbours are wound alike: 267"])
+        for a, b in ((result.points, expected.points), (result.faces, expected.faces),
+                     (result.uv[0], expected.uv[0]), (result.uv[1], expected.uv[1])):
+            self.assertTrue((a == b).all())
+        self.assertEqual(expected.remarks, [])
+        again = quadrille.simplify(points, faces, faces=200, uv=(values, corners), orient=True)
+        self.assertEqual(again.remarks, [])
+
+    def test_split_vertices_are_neighbours(self):
+        points, faces, _ = torus(20)
+        split, loose = points[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3)
+        result = quadrille.simplify(split, self.flipped(loose, 3), ratio=1, split_vertices=True, orient=True)
+        self.assertEqual(result.remarks, ["faces turned, so that neighbours are wound alike: 267"])
+
+    def test_a_strip_of_one_side(self):
+        angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+        half = angles / 2
+        rim = np.array([[(1 + s * np.cos(h)) * np.cos(a), (1 + s * np.cos(h)) * np.sin(a), s * np.sin(h)]
+                        for s in (-0.3, 0.3) for a, h in zip(angles, half)])
+        faces = []
+        for i in range(24):
+            a, b, c, d = i, i + 1, 24 + i, 25 + i
+            if i == 23:
+                b, d = 24, 0
+            faces += [[a, b, c], [b, d, c]]
+        result = quadrille.simplify(rim, np.array(faces), ratio=1, orient=True)
+        self.assertEqual(result.remarks, ["pieces of one side only, whose faces cannot be wound alike: 1"])
+
+
+class Quiet(unittest.TestCase):
+    @unittest.skipUnless(quadrille._core.has_threads, "built without oneTBB")
+    def test_more_threads_than_there_are_print_nothing(self):
+        code = ("import quadrille, sys; from surfaces import torus; points, faces, _ = torus(60); "
+                "quadrille.simplify(points, faces, order='relaxed', threads=1024)")
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True,
+                             cwd=os.path.dirname(os.path.abspath(__file__)))
+        self.assertEqual((run.stdout, run.stderr), (b"", b""))
 
 
 class Help(unittest.TestCase):

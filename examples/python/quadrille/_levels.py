@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import tempfile
 from typing import Any, Dict, Optional, Union
 
 import numpy as np
@@ -42,6 +43,9 @@ class Levels:
     A level is what simplify() with that target gives, of which values are not rounded to float32 or
     integers; `levels.at(...)` takes a few nanoseconds for each of its faces. Channels come along by
     their names.
+
+    One call of simplify() records at a time, and nobody reads meanwhile: ValueError. Levels, as
+    meshes and reports, can be copied and pickled.
     """
 
     def __init__(self) -> None:
@@ -50,6 +54,24 @@ class Levels:
 
     def __bool__(self) -> bool:
         return not self._levels.empty()
+
+    def __copy__(self) -> "Levels":
+        levels = Levels()
+        levels._levels, levels._names = self._levels.copy(), list(self._names)
+        return levels
+
+    def __deepcopy__(self, memo: Any) -> "Levels":
+        return self.__copy__()
+
+    def __reduce__(self) -> Any:
+        """As the bytes of a file."""
+        if not self:
+            return Levels, ()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "levels.qlv")
+            self.save(path)
+            with open(path, "rb") as file:
+                return _levels_of, (file.read(),)
 
     def at(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
            error: Optional[float] = None, distance: Optional[float] = None,
@@ -118,6 +140,14 @@ class Levels:
     def _require_any(self):
         if not self:
             raise ValueError("nothing has been recorded: pass levels= to simplify()")
+
+
+def _levels_of(content):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "levels.qlv")
+        with open(path, "wb") as file:
+            file.write(content)
+        return Levels.load(path)
 
 
 def _names_in(comment):

@@ -63,7 +63,7 @@ class Mesh:
     colors      the same, of three components, or of four with alpha
     attributes  anything else by name, of any number of components
     labels      an integer for each face: materials, regions, patches
-    remarks     what read_mesh() had to leave out or guess, as sentences
+    remarks     what read_mesh() had to leave out or guess, and simplify() to turn, as sentences
 
     A Mesh is unpacked to its points and faces: points, faces = mesh.
     """
@@ -143,6 +143,11 @@ class ReadChannel:
         options.linear_light = bool(channel.linear_light)
         return (self.kind, self.values, self.indices, options)
 
+    def turn(self, against):
+        """With faces that are turned."""
+        if self.indices is not None:
+            self.indices = turned(self.indices, against)
+
     def result(self, values, indices):
         """In the form in which the channel was given."""
         if self.whole != 1:
@@ -156,6 +161,13 @@ class ReadChannel:
             return dataclasses.replace(
                 self.channel, values=values, indices=None if self.indices is None else indices)
         return values if self.indices is None else (values, indices)
+
+
+def turned(triples: np.ndarray, against: np.ndarray) -> np.ndarray:
+    """A copy in which some are the other way round."""
+    triples = triples.copy()
+    triples[against] = triples[against][:, [0, 2, 1]]
+    return triples
 
 
 def read_channels(mesh: Mesh) -> List[ReadChannel]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._levels import Levels
-from ._mesh import Mesh, Simplified, Values, _choice, read_channels, set_channels
+from ._mesh import Mesh, Simplified, Values, _choice, read_channels, set_channels, turned
 
 
 def simplify(
@@ -40,6 +40,7 @@ def simplify(
     colors: Optional[Values] = None,
     attributes: Optional[Dict[str, Values]] = None,
     split_vertices: bool = False,
+    orient: bool = False,
     levels: Optional[Levels] = None,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
     eager: bool = False,
@@ -59,6 +60,9 @@ def simplify(
                the same way round but one, and points of no triangle. Two on the same points that run
                against each other are the sides of a sheet, and both stay. What is left keeps its
                order.
+    orient     wind faces as their neighbours are, before anything else: in each piece that hangs
+               together by edges of two faces the fewer are turned, with the values at their
+               corners; result.remarks says how many. A piece of one side only stays as it is
 
     Targets, of which the first that is met ends it; half of the faces where there is none:
 
@@ -136,7 +140,7 @@ def simplify(
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if progress is not None and not callable(progress):
         raise ValueError(f"progress is {progress!r}, which cannot be called")
-    return _simplified(mesh, options, levels, progress)
+    return _simplified(mesh, options, levels, progress, bool(orient))
 
 
 def _mesh_of(points, triangles):
@@ -179,7 +183,7 @@ def _set_targets(options, **targets):
             setattr(options, name, convert(name, value))
 
 
-def _simplified(mesh, options, levels, progress):
+def _simplified(mesh, options, levels, progress, orient):
     points = _arrays.real_rows("points", mesh.points, 3)
     faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
     labels, label_numbers, label_type = None, None, None
@@ -187,6 +191,9 @@ def _simplified(mesh, options, levels, progress):
         label_type = np.asarray(mesh.labels).dtype
         labels, label_numbers = _numbered(mesh.labels, len(faces))
     channels = read_channels(mesh)
+    remarks = []
+    if orient:
+        faces, remarks = _oriented(points, faces, channels, options.split_vertices)
     arrays = _core.simplify(points, faces, label_numbers, [c.arguments() for c in channels], options,
                             None if levels is None else levels._levels, progress)
     if levels is not None:
@@ -196,13 +203,31 @@ def _simplified(mesh, options, levels, progress):
         _arrays.as_type(arrays["faces"], _index_type(mesh.faces)),
         labels=None if labels is None else labels[arrays["labels"]].astype(label_type, copy=False),
         report=arrays["report"], image=None if options.split_vertices else arrays["image"],
-        input_faces=arrays["input_faces"])
+        input_faces=arrays["input_faces"], remarks=remarks)
     set_channels(result, {channel.name: channel.result(*values)
                           for channel, values in zip(channels, arrays["channels"])})
     if mesh._source is not None:
         result._source = mesh._source
         result._source_faces = np.ascontiguousarray(mesh._source_faces[arrays["input_faces"]])
     return result
+
+
+def _oriented(points, faces, channels, split_vertices):
+    """The faces wound as their neighbours are, with the corners of channels, and remarks on that."""
+    places = faces
+    if split_vertices:
+        numbers = np.unique(points, axis=0, return_inverse=True)[1].astype(np.uint32).reshape(-1)
+        places = np.ascontiguousarray(numbers[faces])
+    against, one_sided = _core.winding(places, len(points))
+    remarks = []
+    if against.any():
+        faces = turned(faces, against)
+        for channel in channels:
+            channel.turn(against)
+        remarks.append(f"faces turned, so that neighbours are wound alike: {np.count_nonzero(against)}")
+    if one_sided > 0:
+        remarks.append(f"pieces of one side only, whose faces cannot be wound alike: {one_sided}")
+    return faces, remarks
 
 
 def _numbered(labels, count):

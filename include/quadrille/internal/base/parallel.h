@@ -4,10 +4,12 @@
 #include <quadrille/internal/base/threads.h>
 
 #ifdef QUADRILLE_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 
 namespace quadrille::internal {
@@ -49,7 +51,10 @@ inline void loop_by_tbb(std::size_t n, TaskView task) {
       tbb::simple_partitioner{});
 }
 inline void run_by_tbb(unsigned threads, TaskView task) {
-  tbb::task_arena arena(static_cast<int>(threads));
+  // oneTBB prints a warning where it is asked for more than it has, and makes do with these.
+  const std::size_t available =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>((std::min)(std::size_t{threads}, available)));
   arena.execute([&] { task(0, 0); });
 }
 inline constexpr Threads::Library tbb_library{&loop_by_tbb, &run_by_tbb};

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_DISTANCE_SHEETS_OF_STAR_H
 #define QUADRILLE_INTERNAL_DISTANCE_SHEETS_OF_STAR_H
 
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/wound_pieces.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/distance/face_of_star.h>
 
@@ -28,11 +30,9 @@ public:
   /// not matter. b is the second end of the pair.
   void find(std::vector<FaceOfStar>& faces, Index b) {
     corners_.clear();
-    links_.resize(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      links_[i] = {static_cast<Index>(i), false};
+    pieces_.reset(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
       add_edges(faces[i], static_cast<Index>(i), b);
-    }
     std::sort(corners_.begin(), corners_.end(), [](const Corner& c, const Corner& d) {
       return c.edge < d.edge || (c.edge == d.edge && c.face < d.face);
     });
@@ -59,12 +59,6 @@ private:
     Index face;
     bool is_towards_end; // does the face have it so?
   };
-  // To a face of the same sheet, at last the first of it; wound the other way?
-  struct Link {
-    Index face;
-    bool is_turned;
-  };
-
   void add_edges(const FaceOfStar& f, Index i, Index b) {
     const auto add = [&](Index neighbour, std::size_t end, bool is_towards_end) {
       corners_.push_back({std::uint64_t{neighbour} << 1 | end, i, is_towards_end});
@@ -77,27 +71,10 @@ private:
       add(f.second, 1, true);
   }
 
-  // Halves the way while it goes there.
-  Link first_of(Index i) {
-    Link link = {i, false};
-    while (links_[link.face].face != link.face) {
-      Link& step = links_[link.face];
-      const Link& beyond = links_[step.face];
-      step = {beyond.face, step.is_turned != beyond.is_turned};
-      link = {step.face, link.is_turned != step.is_turned};
-    }
-    return link;
-  }
-
   // Faces wound alike have their common edge in opposite directions. Where a sheet has but one side
   // some edge is left at which they differ.
   void join(const Corner& c, const Corner& d) {
-    Link first = first_of(c.face), second = first_of(d.face);
-    const bool differ = c.is_towards_end == d.is_towards_end;
-    if (first.face > second.face)
-      std::swap(first, second);
-    if (first.face != second.face)
-      links_[second.face] = {first.face, differ != (first.is_turned != second.is_turned)};
+    pieces_.join(c.face, d.face, c.is_towards_end != d.is_towards_end);
   }
 
   // By sheets, each in the order of the faces.
@@ -105,7 +82,7 @@ private:
     sheet_.resize(faces.size());
     ends_.clear();
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const Link first = first_of(static_cast<Index>(i));
+      const WoundPieces::Link first = pieces_.first_of(static_cast<Index>(i));
       if (first.is_turned)
         faces[i].turn_over();
       if (first.face == i) {
@@ -123,7 +100,7 @@ private:
   }
 
   std::vector<Corner> corners_;
-  std::vector<Link> links_;
+  WoundPieces pieces_;
   std::vector<Index> sheet_;
   std::vector<FaceOfStar*> order_;
   std::vector<std::size_t> ends_; // in the order, of each sheet

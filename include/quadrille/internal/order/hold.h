@@ -12,6 +12,7 @@
 #include <quadrille/topology.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace quadrille::internal {
 
@@ -59,18 +60,19 @@ private:
     // One part alone may go as far as it can, and so may one beside parts that may vanish.
     counts_topology_ = surface_.policies().topology != Topology::parts_may_vanish &&
                        count_components(surface_.complex()) > 1;
-    Scratch scratch(surface_.complex().vertex_capacity());
+    if (!scratch_)
+      scratch_.emplace(surface_.complex().vertex_capacity());
     std::size_t edges = 0, held = 0;
     for_each_edge(surface_.complex(), [&](Index v, Index w, const auto&) {
       ++edges;
-      held += is_held(v, w, scratch);
+      held += is_held(v, w);
     });
     return 2 * held > edges;
   }
 
-  bool is_held(Index v, Index w, Scratch& scratch) {
+  bool is_held(Index v, Index w) {
     Candidate<typename Policies::Cost> candidate = surface_.evaluator().evaluate(v, w);
-    const GatheredStar star(surface_.complex(), v, w, scratch);
+    const GatheredStar star(surface_.complex(), v, w, *scratch_);
     if constexpr (looks_at_star<typename Policies::Placement>)
       if (!surface_.evaluator().settle(candidate, *star))
         return false;
@@ -80,6 +82,7 @@ private:
   }
 
   WorkingSurface<Policies>& surface_;
+  std::optional<Scratch> scratch_; // that of the surface holds the contraction at hand
   std::size_t faces_counted_ = ~std::size_t{0} / 16;
   bool is_of_most_ = false, counts_topology_ = false;
 };

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_POLICY_POLICIES_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/policy/tie_break.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
@@ -153,7 +154,7 @@ Memory sum_about_first(const Memory& first, const Memory& second, const Vector<N
 /// What tells pairs of equal costs apart, for costs that do.
 template <class Cost>
 double tie_break(const Cost& cost, const PairOf<Cost>& pair, const Vector<Cost::dimension>& x) {
-  if constexpr (requires { cost.tie_break(pair, x); })
+  if constexpr (BreaksTies<Cost, PairOf<Cost>, Vector<Cost::dimension>>)
     return cost.tie_break(pair, x);
   else
     return 0;
