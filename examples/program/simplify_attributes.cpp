@@ -62,7 +62,7 @@ private:
     quadrille::SoupRecorder recorder = options_.recorder;
     const quadrille::Report report = quadrille::simplify(
         mesh_.points, mesh_.triangles, cost,
-        internal::SoupPlacement{internal::placement_of<Cost>(options_)},
+        internal::placement_of<Cost>(options_),
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
         *options_.topology, quadrille::record_into(recorder),
         quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))

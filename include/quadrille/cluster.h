@@ -30,7 +30,7 @@
 
 namespace quadrille {
 
-/// So many cells along each axis, from 1 to 2⁵². They fill the bounding box.
+/// That many cells along each axis, from 1 to 2⁵². They fill the bounding box.
 struct Grid {
   std::size_t x; ///< cells along the first axis
   std::size_t y; ///< cells along the second axis

@@ -119,7 +119,7 @@ struct SoupChannelView {
   enum class Kind { texture, normals, colors, attributes };
   Kind kind = Kind::texture;  ///< what it holds
   std::size_t components = 2; ///< 2 of a texture, 3 of normals, 3 or 4 of colours, else at least 1
-  std::span<const double> values; ///< one value after the other, each of so many components
+  std::span<const double> values; ///< one value after the other, each of that many components
   /// Of each triangle, the values of its corners; empty: a value has the index of its point.
   std::span<const std::array<std::uint32_t, 3>> triangles = {};
   ChannelOptions options = {}; ///< how it counts

@@ -24,7 +24,7 @@ struct ErrorAtMost {
 struct DistanceAtMost {
   double distance; ///< at least 0
 };
-/// The level after so many contractions.
+/// The level after that many contractions.
 struct AfterContractions {
   std::size_t contractions; ///< 0: the input
 };

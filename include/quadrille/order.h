@@ -19,7 +19,7 @@ struct GreedyOrder {
   /// For costs that look at the surface as it is now (MemorylessQuadric, ThinFeatureQuadric): after
   /// each contraction, cost the pairs of the neighbouring vertices anew as well, since the faces
   /// around them have changed; but not where the vertex or its neighbour has more than 64 faces.
-  /// Without it, a pair that has become dearer goes back when its turn comes, and one that has
+  /// Without it, a pair that has become more costly goes back when its turn comes, and one that has
   /// become cheaper may wait for too long: only where the unevenness of the faces around a vertex
   /// has fallen to 0.7 of what it was are its pairs costed anew. Takes two to three times the time,
   /// for an error that is lower by half a percent.

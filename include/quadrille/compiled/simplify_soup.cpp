@@ -1,4 +1,8 @@
+// The engines are those of the other sources.
+#define QUADRILLE_WITH_COMPILED
+
 #include <quadrille/compiled.h>
+#include <quadrille/compiled/run_soup.h>
 #include <quadrille/compiled/soup_channel_map.h>
 #include <quadrille/compiled/soup_run.h>
 
@@ -44,13 +48,13 @@ Report simplify_by_cost_of_options(SoupRun& run) {
   using Cost = SoupOptions::Cost;
   switch (run.options.cost) {
   case Cost::quadric:
-    return internal::simplify_by_quadric(run);
+    return internal::simplify_by_cost(run, Quadric{});
   case Cost::memoryless_quadric:
-    return internal::simplify_by_memoryless_quadric(run);
+    return internal::simplify_by_cost(run, MemorylessQuadric{});
   case Cost::thin_feature_quadric:
-    return internal::simplify_by_thin_feature_quadric(run);
+    return internal::simplify_by_cost(run, ThinFeatureQuadric{});
   case Cost::edge_length:
-    return internal::simplify_by_edge_length(run);
+    return internal::simplify_by_cost(run, EdgeLength{});
   }
   refuse("there is no such cost");
 }

@@ -26,12 +26,6 @@ struct SoupRun {
   }
 };
 
-// For each cost.
-Report simplify_by_quadric(SoupRun&);
-Report simplify_by_memoryless_quadric(SoupRun&);
-Report simplify_by_thin_feature_quadric(SoupRun&);
-Report simplify_by_edge_length(SoupRun&);
-
 } // namespace quadrille::internal
 
 #endif // QUADRILLE_COMPILED_SOUP_RUN_H

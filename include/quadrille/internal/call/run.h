@@ -13,7 +13,7 @@
 
 namespace quadrille::internal {
 
-/// Of a surface of so many vertices and faces, most of which will go.
+/// Of a surface of that many vertices and faces, most of which will go.
 template <class Policies>
 MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t vertices,
                          std::size_t faces) {

@@ -18,7 +18,7 @@ class CellGrid {
 public:
   using Counts = std::array<double, 3>; ///< of cells along each axis, whole numbers from 1
 
-  /// So many cells fill the box.
+  /// That many cells fill the box.
   CellGrid(const Box<3>& box, const Counts& counts) : low_(box.low), counts_(counts) {
     for (std::size_t i = 0; i < 3; ++i)
       width_[i] = (box.high[i] - box.low[i]) / counts_[i];

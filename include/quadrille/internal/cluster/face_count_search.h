@@ -12,7 +12,7 @@
 
 namespace quadrille::internal {
 
-/// Looks for a fine grid of cubes that leaves at most so many faces.
+/// Looks for a fine grid of cubes that leaves at most that many faces.
 ///
 /// Faces of a surface are about as many as the square of the cells along a side. So the next grid
 /// is guessed from the one before, which takes two to four steps; after ten the rest is halved.

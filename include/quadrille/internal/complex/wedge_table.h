@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// How many wedges have a number, of so many vertices.
+  /// How many wedges have a number, of that many vertices.
   std::size_t size(std::size_t vertices) const { return has_seams() ? next_.size() : vertices; }
 
   /// The wedge of a face's corner i, which is at a vertex.

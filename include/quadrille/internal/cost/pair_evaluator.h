@@ -125,7 +125,7 @@ public:
     return ends;
   }
 
-  /// The keys of many pairs, in their order; 0 for what is below, or no number. `labels` may be
+  /// The keys of many pairs, in their order; a negative or NaN key becomes 0. `labels` may be
   /// written to.
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, AppendBuffer<float>& keys,
                     VertexLabels& labels) const {

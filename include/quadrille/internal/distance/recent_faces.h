@@ -10,7 +10,7 @@
 namespace quadrille::internal {
 
 /// Faces of which something has held lately, so that it may hold again: they are asked first. Those
-/// that are asked in vain fall behind.
+/// that are asked in vain move to the back.
 class RecentFaces {
 public:
   /// Does is(face, i) hold for one of them that is at the vertex, in place i of its corners?

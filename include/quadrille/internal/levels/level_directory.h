@@ -16,7 +16,7 @@
 
 namespace quadrille::internal {
 
-/// Where a block of a file is: so many bytes, which become others where they are compressed.
+/// Where a block of a file is: that many bytes, which become others where they are compressed.
 struct FileBlock {
   std::uint64_t offset = 0, stored = 0, raw = 0;
   std::uint32_t crc = 0; // of what is stored
@@ -39,7 +39,7 @@ struct FileBlock {
     return block;
   }
 
-  /// The block of a file of so many bytes.
+  /// The block of a file of that many bytes.
   Bytes read(std::istream& file, std::uint64_t size) const {
     constexpr std::uint64_t best_compression = 100'000; // more makes no sense
     if (offset > size || stored > size - offset || raw / best_compression > stored ||

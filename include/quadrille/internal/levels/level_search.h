@@ -23,7 +23,7 @@ inline LevelInfo level_info(std::size_t faces, std::size_t vertices, std::size_t
                             : unknown};
 }
 
-/// So many contractions into a segment.
+/// That many contractions into a segment.
 struct LevelPlace {
   std::size_t segment, contractions;
 };

@@ -29,12 +29,12 @@ struct LevelTrack {
   std::vector<double> changed_values;
 
   std::size_t items() const { return values.size() / width; }
-  /// After so many contractions of the segment.
+  /// After that many contractions of the segment.
   std::size_t items_at(std::size_t contractions) const {
     return contractions == 0 ? items() : items_after[contractions - 1];
   }
 
-  /// What has become of each item after so many contractions of the segment.
+  /// What has become of each item after that many contractions of the segment.
   std::vector<Index> images(std::size_t contractions) const {
     const std::size_t left = items_at(contractions);
     std::vector<Index> images(items());
@@ -52,7 +52,7 @@ struct LevelTrack {
     }
   }
 
-  /// Calls visit(item, numbers) for what has changed of items that are still there after so many
+  /// Calls visit(item, numbers) for what has changed of items that are still there after that many
   /// contractions of the segment, in their order.
   template <class Visit>
   void for_each_change(std::size_t contractions, Visit visit) const {
@@ -63,7 +63,7 @@ struct LevelTrack {
         visit(changed[i], changed_values.data() + i * width);
   }
 
-  /// The numbers of all items that are there after so many contractions of the segment.
+  /// The numbers of all items that are there after that many contractions of the segment.
   std::vector<double> values_at(std::size_t contractions) const {
     std::vector<double> left(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(
                                                                   items_at(contractions) * width));

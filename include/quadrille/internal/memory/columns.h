@@ -28,7 +28,7 @@ void pack_columns(const Array<Index>& left, Part&... part) {
   (std::apply(pack_all, Part::vertex_columns(part)), ...);
 }
 
-/// Bits are too small to ask for.
+/// A vector<bool> is too dense to gain from prefetching.
 QUADRILLE_ALWAYS_INLINE inline void prefetch_value(const std::vector<bool>&, Index) {}
 template <class Column>
 QUADRILLE_ALWAYS_INLINE inline void prefetch_value(const Column& column, Index v) {

@@ -148,7 +148,7 @@ private:
     });
   }
 
-  // Into the queue, if it has become dearer.
+  // Into the queue, if it has become more costly.
   bool goes_back(const Candidate& candidate, const QueuedPair& pair) {
     surface_.progress().announce(candidate.error);
     if constexpr (has_local_terms<Cost> || looks_at_star<typename Policies::Placement>) {
@@ -161,7 +161,7 @@ private:
     return false;
   }
 
-  // Has it no place, or one that is dearer, now that its placement has looked at the star?
+  // Has it no place, or one that is more costly, now that its placement has looked at the star?
   bool is_put_off(Candidate& candidate, const PairStar& star, const QueuedPair& pair) {
     if constexpr (looks_at_star<typename Policies::Placement>) {
       if (surface_.evaluator().settle(candidate, star))

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_PAIR_QUEUE_H
 #define QUADRILLE_INTERNAL_ORDER_PAIR_QUEUE_H
 
+#include <quadrille/internal/base/assert.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/memory/array.h>
@@ -47,7 +48,7 @@ public:
     size_to_drop_at_ = most_blocks(expected) + bucket_count / 8;
   }
 
-  /// For how many the queue makes room, of a surface with so many pairs and vertices.
+  /// For how many the queue makes room, of a surface with that many pairs and vertices.
   static std::size_t expected_pairs(std::size_t pairs, std::size_t vertices) {
     return pairs + vertices / 8;
   }
@@ -58,6 +59,7 @@ public:
 
   template <class IsOutdated>
   QUADRILLE_ALWAYS_INLINE void push(QueuedPair pair, IsOutdated is_outdated) {
+    QUADRILLE_ASSERT(pair.cost >= 0 && pair.first < pair.second); // no NaN either
     const std::size_t bucket = bucket_of(pair.cost);
     if (bucket < open_end_) {
       push_to_heap(pair);

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_PAIR_STAMPS_H
 #define QUADRILLE_INTERNAL_ORDER_PAIR_STAMPS_H
 
+#include <quadrille/internal/base/assert.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/order/pair_queue.h>
@@ -37,6 +38,7 @@ public:
   }
 
   QueuedPair pair_now(Index v, Index w, float key) const {
+    QUADRILLE_ASSERT(v != w && !is_retired(v) && !is_retired(w));
     const auto [first, second] = std::minmax(v, w);
     return {key, first, second, time_};
   }

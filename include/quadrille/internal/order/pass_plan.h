@@ -12,7 +12,7 @@ namespace quadrille::internal {
 /// limit, and in each block no more of them than its quota. It is made from a sample of what the
 /// pairs of each block cost.
 struct PassPlan {
-  static constexpr std::size_t sample_step = 32; // one vertex in so many is in the sample
+  static constexpr std::size_t sample_step = 32; // one vertex in that many is in the sample
 
   float cost_limit = std::numeric_limits<float>::infinity();
   std::vector<std::size_t> quotas; // contractions, of each block
@@ -27,7 +27,7 @@ struct PassPlan {
   }
 
 private:
-  static constexpr std::size_t pairs_per_contraction = 4; // so many find enough that can be done
+  static constexpr std::size_t pairs_per_contraction = 4; // that many find enough that can be done
 
   static float limit(const std::vector<std::vector<float>>& samples, double share,
                      std::size_t quota) {

@@ -45,7 +45,7 @@ public:
   }
 
   /// Does the cheapest cost less than `limit`, and leave the surface at the target or before it? If
-  /// it would go beyond, it has to wait, with all that are dearer, for the last resort.
+  /// it would go beyond, it has to wait, with all that are more costly, for the last resort.
   bool has_below(double limit, bool is_last_resort) {
     return !heap_.empty() && has_cheap(static_cast<float>(limit), is_last_resort);
   }

@@ -35,7 +35,7 @@ public:
   void note_left_behind(Index v) { left_behind_.push_back(v); }
   bool empty() const { return refused_.size() == 0; }
 
-  /// So many pairs of a vertex look at few² faces together; all of them where there are few.
+  /// That many pairs of a vertex look at few² faces together; all of them where there are few.
   std::size_t most_pairs(Index v) const {
     const std::size_t faces = complex_.degree_bound(v);
     return faces <= few_faces ? all : (std::max<std::size_t>)(1, few_faces * few_faces / faces);

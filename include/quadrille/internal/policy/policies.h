@@ -19,7 +19,7 @@ concept has_local_terms = requires {
   typename Cost::Current;
 };
 
-/// How many times as dear as it was a pair may have become while it waited, and still be
+/// How many times as costly as it was a pair may have become while it waited, and still be
 /// contracted.
 template <class Cost>
 inline constexpr float tolerated_rise = 1;
@@ -74,7 +74,7 @@ struct GuessOf<Placement> {
   using type = typename Placement::Guess;
 };
 
-/// By which factor such a pair is dearer then, at least, as a rule.
+/// By which factor such a pair is more costly then, at least, as a rule.
 template <class Placement>
 inline constexpr double rise_of_guess = 1;
 template <class Placement>

@@ -19,7 +19,7 @@ namespace quadrille::internal {
 /// A channel as an adapter reads it: values, and which of them each corner of a face has.
 struct ChannelInput {
   explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
-  /// What options say of a channel of so many components; values and corners are still to come.
+  /// What options say of a channel of that many components; values and corners are still to come.
   ChannelInput(const ChannelOptions& options, std::size_t size, bool holds_texture,
                Workspace& workspace)
       : ChannelInput(&workspace) {
