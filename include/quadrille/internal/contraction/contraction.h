@@ -96,6 +96,12 @@ std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
   return b_stays ? std::pair(b, a) : std::pair(a, b);
 }
 
+/// What a contraction loses: see recession_of.
+struct Recession {
+  double way;   ///< in the engine's unit; 0 where the surface is not thin
+  double error; ///< of the contraction, with that, in the mesh's unit: see Report::error
+};
+
 /// What observers of the surface are told before a contraction, and after it: which vertex is kept
 /// and which is gone.
 ///
@@ -110,6 +116,7 @@ struct ContractionEvent {
   const Contraction<Cost>& contraction;
   const Mode& mode;
   Index kept, gone;
+  Recession recession;
 };
 
 /// An observer as a tuple, or none.

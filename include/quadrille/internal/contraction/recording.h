@@ -114,7 +114,7 @@ public:
     const RecordedContraction contraction{numbering_.vertices[event.kept],
                                           numbering_.vertices[event.gone],
                                           values_of(event.kept, position, buffer.values),
-                                          event.contraction.error(),
+                                          event.recession.error,
                                           distance_bound(event.contraction),
                                           buffer.faces,
                                           buffer.views};

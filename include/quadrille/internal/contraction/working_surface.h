@@ -18,6 +18,7 @@
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/progress.h>
+#include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/setup.h>
@@ -46,8 +47,7 @@
 
 namespace quadrille::internal {
 
-/// A surface that is being simplified: its faces, and the parts that keep up with its contractions.
-/// Each part has one job; which pair is contracted when is not among these.
+/// A surface that is being simplified, and the parts that keep up with it, each with one job.
 template <class Policies>
 class WorkingSurface {
 public:
@@ -145,12 +145,13 @@ public:
   template <class Mode>
   Index apply(const Contraction& contraction, const Mode& mode) {
     const auto [kept, gone] = kept_and_gone(contraction, geometry_);
-    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone};
+    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone,
+                                             recession_of(contraction, geometry_, scale_)};
     const auto observers = this->observers();
     std::apply([&](auto&... observer) { (tell_before(observer, event), ...); }, observers);
     change_faces(event);
     std::apply([&](auto&... observer) { (tell_after(observer, event), ...); }, observers);
-    contraction.scratch().tally.count_contraction(contraction.error());
+    contraction.scratch().tally.count_contraction(event.recession.error);
     return kept;
   }
 
@@ -175,8 +176,8 @@ public:
     }
   }
 
-  /// What has become of the surface, which is not here any more then; with what vertices remember,
-  /// if that is asked for. Tells the report the rest, and the visitor that this is the end.
+  /// What has become of the surface, which is gone then; with memories, if that is asked for. Tells
+  /// the report the rest, and the visitor that this is the end.
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
     if (is_asking_for_distance(policies_.stop))
@@ -201,8 +202,7 @@ public:
 private:
   static constexpr bool asks_for_distance = internal::asks_for_distance<typename Policies::Stop>;
 
-  // All that keeps up with contractions. The order matters: who compares old and new places comes
-  // before the geometry, and who looks at the surface as it is comes last.
+  // Who compares old and new places comes before the geometry; who looks at the surface, last.
   auto observers() {
     return std::tuple_cat(
         tie_if<Policies::records>(recording_), tie_if<asks_for_distance>(bounds_),
