@@ -211,11 +211,11 @@ TEMPLATE_TEST_CASE("The error tells how far thin parts have receded", "", Greedy
       CHECK(report.error < 3 * lost + height);
     }
   }
-  Mesh l = test::make_mesh(thin_l()); // to half of the faces that it needs
-  const Report report = simplify(l, FaceCount{10}, TestType{});
+  Mesh l = test::make_mesh(thin_l()); // flat it has 8
+  const Report report = simplify(l, FaceCount{6}, TestType{});
   const double lost = greatest_loss(thin_l(), test::to_soup(l));
   INFO(report << ": lost " << lost);
-  CHECK(lost > 10);
+  CHECK(lost > 5);
   CHECK(report.error > 0.7 * lost);
 }
 
