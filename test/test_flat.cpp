@@ -139,7 +139,7 @@ TEMPLATE_TEST_CASE("Block solids lose nothing down to their corners, and make no
 
 namespace {
 
-// A foil of these sides, each cut into 20 × 20 squares, and such a foil without a quarter.
+// A foil of these sides, each cut into 20 × 20 squares, and one without a quarter.
 test::Soup foil(double x, double y, double z) {
   return test::mapped(test::cube(20), [=](const Position& p) {
     return Position{{x * p[0], y * p[1], z * p[2]}};
