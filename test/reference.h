@@ -372,8 +372,14 @@ private:
     });
   }
 
-  // Does a face become lower than 10⁻⁴ of about its length that was not?
+  // Does a face become lower than 10⁻⁴ of about its length that was not, and is no part of a narrow
+  // wall: is less than a quarter of its area left, or less than 0.01 of the least such height?
   bool makes_needle(Vertex a, Vertex b, const Position& target) const {
+    struct Needle {
+      double area_left, height;
+    };
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Needle> needles;
     for (const auto& face : faces_) {
       if (has(face, a) == has(face, b))
         continue;
@@ -386,12 +392,16 @@ private:
               edges += squared_distance(at(v), at(w));
         return std::sqrt(squared_length(normal)) / edges;
       };
+      const double before = height(f.before, [&](Vertex v) { return position_[v]; });
       const double after =
           height(f.after, [&](Vertex v) { return v == a || v == b ? target : position_[v]; });
-      if (after < 2e-4 && height(f.before, [&](Vertex v) { return position_[v]; }) >= 2e-4)
-        return true;
+      least = std::min(least, before);
+      if (after < 2e-4 && before >= 2e-4)
+        needles.push_back({std::sqrt(squared_length(f.after) / squared_length(f.before)), after});
     }
-    return false;
+    return std::any_of(needles.begin(), needles.end(), [&](const Needle& n) {
+      return n.area_left < 0.25 || n.height < 0.01 * least;
+    });
   }
 
   static constexpr double degrees = 180 / std::numbers::pi; // in a radian

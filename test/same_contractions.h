@@ -92,7 +92,8 @@ void require_same_contractions(const Soup& soup, Reference& reference, Run run,
     REQUIRE(difference(mesh, reference, tolerance) == "");
     REQUIRE(other_difference(mesh) == "");
     REQUIRE(report.contractions == contractions);
-    REQUIRE(report.error == Approx(reference.error).epsilon(1e-5).margin(1e-8 * diagonal(soup)));
+    // Where the surface is thin, the way by which it recedes may be more: see test_flat.cpp.
+    REQUIRE(report.error >= reference.error * (1 - 1e-5) - 1e-8 * diagonal(soup));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -133,6 +135,88 @@ TEMPLATE_TEST_CASE("Block solids lose nothing down to their corners, and make no
       CHECK(lowest_face(mesh) > 1e-4);
     }
   }
+}
+
+namespace {
+
+// A foil of these sides, each cut into 20 × 20 squares, and one without a quarter.
+test::Soup foil(double x, double y, double z) {
+  return test::mapped(test::cube(20), [=](const Position& p) {
+    return Position{{x * p[0], y * p[1], z * p[2]}};
+  });
+}
+test::Soup thin_l() {
+  return test::mapped(
+      test::surface_of_cubes(16, 16, 2, [](int x, int y, int) { return x < 8 || y < 8; }),
+      [](const Position& p) {
+        return Position{{6.25 * p[0], 6.25 * p[1], 0.005 * p[2]}};
+      });
+}
+
+// How far the furthest point of one surface is from the other, measured at vertices.
+double greatest_loss(const test::Soup& from, const test::Soup& to) {
+  double greatest = 0;
+  for (const Position& p : from.points) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& t : to.triangles)
+      nearest = std::min(nearest, internal::squared_distance_to_triangle(
+                                      p, to.points[t[0]], to.points[t[1]], to.points[t[2]]));
+    greatest = std::max(greatest, nearest);
+  }
+  return std::sqrt(greatest);
+}
+
+} // namespace
+
+// The faces of a wall of 100 × 0.01 are as low as needles: what is narrow in the input is none.
+TEMPLATE_TEST_CASE("Foils lose nothing down to their corners", "",
+                   (std::pair<Quadric, GreedyOrder>), (std::pair<MemorylessQuadric, GreedyOrder>),
+                   (std::pair<Quadric, RelaxedOrder>)) {
+  const auto& [cost, order] = TestType();
+  for (const auto& [solid, lossless] :
+       {std::pair{foil(100, 100, 0.01), 12}, std::pair{test::tilted(foil(100, 50, 0.01)), 12},
+        std::pair{foil(100, 0.01, 0.01), 12}, std::pair{thin_l(), 20}}) {
+    const Mesh input = test::make_mesh(solid);
+    for (int faces : {lossless, 2 * lossless}) {
+      Mesh mesh = input;
+      const Report report = simplify(mesh, cost, order, FaceCount{static_cast<std::size_t>(faces)});
+      INFO(report);
+      CHECK(report.stop == StopReason::target_met);
+      CHECK(report.error < 1e-4);
+      CHECK(greatest_loss(solid, test::to_soup(mesh)) < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("A limit of error leaves nothing of a foil but its corners") {
+  Mesh mesh = test::make_mesh(test::tilted(foil(100, 100, 0.01)));
+  const Report report = simplify(mesh, ErrorLimit{0.001});
+  CHECK(report.faces_after == 12);
+}
+
+// The planes of the rim weigh a thousandth of the others, and tell next to nothing in the mean.
+TEMPLATE_TEST_CASE("The error tells how far thin parts have receded", "", GreedyOrder,
+                   RelaxedOrder) {
+  for (const double height : {1.0, 0.01}) {
+    const test::Soup disc =
+        test::mapped(test::sphere(4), [=](const Position& p) { // its equator becomes the rim
+          return Position{{50 * p[0], 50 * p[1], (p[2] > 0 ? 0.5 : -0.5) * height}};
+        });
+    for (const std::size_t faces : {200u, 60u, 24u, 10u}) {
+      Mesh mesh = test::make_mesh(disc);
+      const Report report = simplify(mesh, FaceCount{faces}, TestType{});
+      const double lost = greatest_loss(disc, test::to_soup(mesh));
+      INFO(report << ": lost " << lost);
+      CHECK(report.error > 0.7 * lost);
+      CHECK(report.error < 3 * lost + height);
+    }
+  }
+  Mesh l = test::make_mesh(thin_l()); // flat it has 8
+  const Report report = simplify(l, FaceCount{6}, TestType{});
+  const double lost = greatest_loss(thin_l(), test::to_soup(l));
+  INFO(report << ": lost " << lost);
+  CHECK(lost > 5);
+  CHECK(report.error > 0.7 * lost);
 }
 
 TEST_CASE("Corners of a block keep their bits") {

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_FILTERS_H
 #define QUADRILLE_FILTERS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -24,7 +26,9 @@ enum class Folds { refused, allowed };
 ///
 /// A *needle* is lower than a ten thousandth of its length: rounding soon decides its normal. A
 /// contraction that makes one of another face is refused as well; flat and straight parts would
-/// end in faces of three points on a line otherwise.
+/// end in faces of three points on a line otherwise. A face of a wall that is narrow by itself,
+/// such as the rim of a foil, may become one: it keeps a quarter of its area, and a hundredth of
+/// the relative height of the lowest face around.
 ///
 /// On by default, with 90 degrees. A face of three points on a line, up to rounding, has no normal
 /// and may turn to any; 180 degrees allows everything.
@@ -56,8 +60,9 @@ public:
       if (turns_too_far(product, squared_lengths) &&
           has_normal(face.before, face.second, face.third))
         return false;
-      if (is_needle(squared_after, face.after, face.second, face.third) &&
-          !is_needle(squared_length(before), face.before, face.second, face.third)) [[unlikely]]
+      if (Shape(squared_after, face.after, face).is_needle() &&
+          !Shape(squared_length(before), face.before, face).is_needle() &&
+          !stays_in_narrow_wall(contraction)) [[unlikely]]
         return false;
       may_fold |= product * product < squared_cosine_of_20_degrees * squared_lengths;
     }
@@ -69,12 +74,40 @@ private:
     return squared_length(normal_vector(p, q, r)) > 0;
   }
 
-  // Twice the area is the height times the longest edge, whose square is at most twice the sum of
-  // those of the two others.
-  static bool is_needle(double squared_doubled_area, const Vector<3>& p, const Vector<3>& q,
-                        const Vector<3>& r) {
-    const double edges = squared_distance(p, q) + squared_distance(p, r);
-    return squared_doubled_area < 4 * least_height * least_height * edges * edges;
+  // Of a face, from its moving corner p.
+  struct Shape {
+    double squared_area; // of the parallelogram
+    double edges;        // |pq|² + |pr|², at least half of the square of the longest edge
+
+    Shape(double squared_doubled_area, const Vector<3>& p, const auto& face)
+        : squared_area(squared_doubled_area),
+          edges(squared_distance(p, face.second) + squared_distance(p, face.third)) {}
+    Shape(const Vector<3>& p, const auto& face)
+        : Shape(squared_length(double_area_vector(p, face.second, face.third)), p, face) {}
+
+    // Twice the area is the height times the longest edge.
+    bool is_needle() const {
+      return squared_area < 4 * least_height * least_height * edges * edges;
+    }
+    // The square of the height in the longest edge, but for a factor of 4 at most.
+    double squared_height() const { return edges > 0 ? squared_area / (edges * edges) : 0; }
+  };
+
+  // Are all needles that a contraction makes of better faces parts of a narrow wall? Along such a
+  // one faces get longer, but not smaller, and faces around are nearly as narrow. Next to
+  // collinear points a face loses its area.
+  QUADRILLE_NOINLINE static bool stays_in_narrow_wall(const auto& contraction) { // seldom
+    double squared_least = std::numeric_limits<double>::infinity();
+    for (const auto& face : contraction.faces())
+      squared_least = (std::min)(squared_least, Shape(face.before, face).squared_height());
+    for (const auto& face : contraction.faces()) {
+      const Shape before(face.before, face), after(face.after, face);
+      if (after.is_needle() && !before.is_needle() &&
+          (after.squared_area < least_area * least_area * before.squared_area ||
+           after.squared_height() < least_part * least_part * squared_least))
+        return false;
+    }
+    return true;
   }
 
   bool turns_too_far(double product, double squared_lengths) const {
@@ -83,6 +116,8 @@ private:
 
   static constexpr double squared_cosine_of_20_degrees = 0.883;
   static constexpr double least_height = 1e-4; // of a face, in its longest edge
+  static constexpr double least_area = 0.25;   // of a needle in a narrow wall, in what it was
+  static constexpr double least_part = 0.01;   // of its height, in the least of the faces around
 
   double cosine_;
   bool allows_everything_, allows_folds_;

@@ -132,8 +132,10 @@ struct Report {
   /// For a quadric it is √(Q(x)/w): the root mean square distance from the new vertex x to the
   /// planes that it remembers, weighted as the quadric weights them (w is their sum). It is an
   /// estimate and no bound: it is measured at vertices only, to planes and not to triangles, and a
-  /// plane may count up to three times. For the distance between the surfaces call
-  /// `surface_distance` of <quadrille/distance.h>.
+  /// plane may count up to three times. Where the surface is thin, as foils and blades are, planes
+  /// of little area hide in that mean: there it is at least the way by which vertices have receded
+  /// from the surface. For the distance between the surfaces call `surface_distance` of
+  /// <quadrille/distance.h>.
   double error = 0;
 
   /// No point of the result is further from the input than that, in the mesh's units: an upper

@@ -96,6 +96,12 @@ std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
   return b_stays ? std::pair(b, a) : std::pair(a, b);
 }
 
+/// What a contraction loses: see recession_of.
+struct Recession {
+  double way;   ///< in the engine's unit; 0 where the surface is not thin
+  double error; ///< of the contraction, with that, in the mesh's unit: see Report::error
+};
+
 /// What observers of the surface are told before a contraction, and after it: which vertex is kept
 /// and which is gone.
 ///
@@ -110,6 +116,7 @@ struct ContractionEvent {
   const Contraction<Cost>& contraction;
   const Mode& mode;
   Index kept, gone;
+  Recession recession;
 };
 
 /// An observer as a tuple, or none.
@@ -141,6 +148,21 @@ template <class Observer, class Event>
 QUADRILLE_ALWAYS_INLINE inline void tell_after(Observer& observer, const Event& event) {
   if constexpr (HearsAfter<Observer, Event>)
     observer.after(event);
+}
+
+template <class Event, class... Observer>
+QUADRILLE_ALWAYS_INLINE inline void tell_all_before(const std::tuple<Observer&...>& observers,
+                                                    const Event& event) {
+  std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+    (tell_before(observer, event), ...);
+  }, observers);
+}
+template <class Event, class... Observer>
+QUADRILLE_ALWAYS_INLINE inline void tell_all_after(const std::tuple<Observer&...>& observers,
+                                                   const Event& event) {
+  std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+    (tell_after(observer, event), ...);
+  }, observers);
 }
 
 } // namespace quadrille::internal

@@ -92,7 +92,8 @@ public:
     }
   }
 
-  void after(const Contraction& contraction, Index kept, Index gone, bool is_in_pass) override {
+  void after(const Contraction& contraction, Index kept, Index gone, double error,
+             bool is_in_pass) override {
     Scratch& scratch = contraction.scratch();
     RecordBuffer& buffer = scratch.recorded;
     const Vector<dimension> position = scale_.position_of_mesh(contraction.target());
@@ -106,7 +107,7 @@ public:
     const RecordedContraction recorded{numbering_.vertices[kept],
                                           numbering_.vertices[gone],
                                           values_of(kept, position, buffer.values),
-                                          contraction.error(),
+                                          error,
                                           distance_bound(contraction),
                                           buffer.faces,
                                           buffer.views};

@@ -31,8 +31,10 @@ public:
   /// The surface as it is before the first contraction. `back_channels`: see BackValues.
   virtual void begin(const std::vector<std::size_t>& back_channels) = 0;
   virtual void before(const Contraction& contraction) = 0;
-  /// A contraction in a pass is told at the end of its stage.
-  virtual void after(const Contraction& contraction, Index kept, Index gone, bool is_in_pass) = 0;
+  /// A contraction, with the error that Report::error counts; one in a pass is told at the end of
+  /// its stage.
+  virtual void after(const Contraction& contraction, Index kept, Index gone, double error,
+                     bool is_in_pass) = 0;
   virtual void vanished(const PartEvent& event) = 0;
   /// A pair of these ends, or a part, which has none.
   virtual void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
@@ -80,7 +82,8 @@ public:
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
     if (recording_) [[unlikely]]
-      recording_->after(event.contraction, event.kept, event.gone, Event::is_in_pass);
+      recording_->after(event.contraction, event.kept, event.gone, event.recession.error,
+                        Event::is_in_pass);
   }
   void vanished(const PartEvent& event) {
     if (recording_)

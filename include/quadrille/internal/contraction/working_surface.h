@@ -18,6 +18,7 @@
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/progress.h>
+#include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/setup.h>
@@ -46,8 +47,7 @@
 
 namespace quadrille::internal {
 
-/// A surface that is being simplified: its faces, and the parts that keep up with its contractions.
-/// Each part has one job; which pair is contracted when is not among these.
+/// A surface that is being simplified, and the parts that keep up with it, each with one job.
 template <class Policies>
 class WorkingSurface {
 public:
@@ -146,12 +146,13 @@ public:
   template <class Mode>
   Index apply(const Contraction& contraction, const Mode& mode) {
     const auto [kept, gone] = kept_and_gone(contraction, geometry_);
-    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone};
+    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone,
+                                             recession_of(contraction, geometry_, scale_)};
     const auto observers = this->observers();
-    std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_before(observer, event), ...); }, observers);
+    tell_all_before(observers, event);
     change_faces(event);
-    std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_after(observer, event), ...); }, observers);
-    contraction.scratch().tally.count_contraction(contraction.error());
+    tell_all_after(observers, event);
+    contraction.scratch().tally.count_contraction(event.recession.error);
     return kept;
   }
 
@@ -176,8 +177,8 @@ public:
     }
   }
 
-  /// What has become of the surface, which is not here any more then; with what vertices remember,
-  /// if that is asked for. Tells the report the rest, and the visitor that this is the end.
+  /// What has become of the surface, which is gone then; with memories, if that is asked for. Tells
+  /// the report the rest, and the visitor that this is the end.
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
     if (policies_.stop.is_asking_for_distance())
@@ -200,8 +201,7 @@ public:
   }
 
 private:
-  // All that keeps up with contractions. The order matters: who compares old and new places comes
-  // before the geometry, and who looks at the surface as it is comes last.
+  // Who compares old and new places comes before the geometry; who looks at the surface, last.
   auto observers() {
     return std::tuple_cat(
         std::tie(recording_, bounds_), appearance_.observers(),

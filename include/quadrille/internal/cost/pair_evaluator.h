@@ -60,7 +60,7 @@ public:
   const Channels& channels() const { return channels_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
-    prefetch_columns(geometry_, v);
+    geometry_.prefetch(v);
     prefetch_columns(memories_, v);
     prefetch_columns(terms_, v);
     if constexpr (counts_channels)
