@@ -20,18 +20,15 @@
 #include <quadrille/internal/contraction/progress.h>
 #include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/recording.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/distance/distance_bounds.h>
-#include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
 #include <quadrille/internal/policy/orders.h>
-#include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -153,6 +150,15 @@ public:
     std::apply([&](auto&... observer) { (tell_after(observer, event), ...); }, observers);
     contraction.scratch().tally.count_contraction(event.recession.error);
     return kept;
+  }
+
+  /// To be called after contractions that were done at once: see TriangleComplex::review_hubs().
+  template <class Visit>
+  void review_hubs(Visit visit) {
+    complex_.review_hubs([&](Index v) {
+      terms_.sum_up(v, scratch().labels);
+      visit(v);
+    });
   }
 
   /// Removes a part whole, of which these vertices are left. Observers are told before.

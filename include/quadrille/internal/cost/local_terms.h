@@ -42,11 +42,19 @@ public:
   /// See SharedTerms.
   Current shared(Index a, Index b) const {
     SharedTerms<Cost> shared;
-    complex_.for_each_corner(a, [&](Index face, Index i) {
-      const StarFace f = star_face_at(complex_, face, i);
-      if (f.has(b))
-        shared.add(term(a, f), f.other_than(b));
-    });
+    if (complex_.hubs().has(a)) // then b has fewer faces, as a rule
+      complex_.for_each_corner(b, [&](Index face, Index i) {
+        if (star_face_at(complex_, face, i).has(a)) {
+          const StarFace f = star_face_from(complex_, face, a);
+          shared.add(term(a, f), f.other_than(b));
+        }
+      });
+    else
+      complex_.for_each_corner(a, [&](Index face, Index i) {
+        const StarFace f = star_face_at(complex_, face, i);
+        if (f.has(b))
+          shared.add(term(a, f), f.other_than(b));
+      });
     return shared.sum(a, b, cost_, geometry_.positions());
   }
 
@@ -92,6 +100,10 @@ public:
     take_out(contraction.star().first, contraction.first());
     take_out(contraction.star().second, contraction.second());
     take_out(contraction.star().shared, contraction.first());
+    if constexpr (!Event::is_in_pass)
+      if (const Index hub = contraction.star().hub; hub != none)
+        for (const StarFace& f : contraction.star().shared)
+          terms_[hub] -= term(contraction.first(), f);
   }
 
   /// Puts in the faces that the contraction has left. In a pass the vertex that is left takes part
@@ -101,9 +113,21 @@ public:
     if constexpr (Event::is_in_pass) {
       add_star(event.contraction.star(), event.kept, event.mode);
     } else {
-      add_contracted(event.kept);
+      if (event.contraction.star().hub == event.kept)
+        add_to_hub(event.contraction.star(), event.kept, event.kept == event.contraction.first());
+      else
+        add_contracted(event.kept);
       renew_boundary(event);
     }
+  }
+
+  /// Looks at all faces of a vertex anew that is a hub or was one: what boundary edges add to it
+  /// has been as it was since the last time.
+  void sum_up(Index hub, VertexLabels& labels) {
+    const bool is_on_boundary = may_be_on_boundary(hub);
+    terms_[hub] = sum_of_faces(hub);
+    if (is_on_boundary)
+      add_boundary(hub, labels);
   }
 
 private:
@@ -122,6 +146,27 @@ private:
         if (mode.may_write_to(v))
           terms_[v] += now;
     });
+  }
+
+  // The faces of a hub do not change, but for those that come from the other end of the pair.
+  void add_to_hub(const PairStar& star, Index hub, bool is_first) {
+    last_star_.clear();
+    const auto add = [&](const AppendBuffer<StarFace>& faces, bool are_new) {
+      for (const StarFace& f : faces) {
+        const Current now = term(hub, f);
+        const bool is_there = !complex_.is_removed(f.face); // else it was a duplicate
+        if (is_there) {
+          terms_[f.second] += now;
+          terms_[f.third] += now;
+        }
+        if (is_there && are_new)
+          terms_[hub] += now;
+        else if (!is_there && !are_new)
+          terms_[hub] -= now;
+      }
+    };
+    add(is_first ? star.first : star.second, false);
+    add(is_first ? star.second : star.first, true);
   }
 
   void add_contracted(Index kept) {
@@ -180,12 +225,17 @@ private:
   }
 
   void renew(Index v, VertexLabels& labels) {
-    if (!may_be_on_boundary(v))
+    if (!may_be_on_boundary(v) || complex_.hubs().has(v))
       return;
-    Current& sum = terms_[v] = {};
+    terms_[v] = sum_of_faces(v);
+    add_boundary(v, labels);
+  }
+
+  Current sum_of_faces(Index v) {
+    Current sum{};
     complex_.prune_corners(
         v, [&](Index face, Index i) { sum += term(v, star_face_at(complex_, face, i)); });
-    add_boundary(v, labels);
+    return sum;
   }
 
   // Returns whether there is any.
@@ -217,6 +267,7 @@ struct NoLocalTerms {
   NoLocalTerms(const Cost&, const Geometry&, const TriangleComplex&, const LinkCondition&) {}
   double unevenness(Index) const { return 0; }
   void sum_up(VertexLabels&) {}
+  void sum_up(Index, VertexLabels&) {}
   static auto vertex_columns(auto&) { return std::tuple<>(); }
 };
 

@@ -70,6 +70,7 @@ private:
 
   static constexpr Index vertices_between_visits = 1 << 16;
   static constexpr std::size_t pairs_between_visits = 256;
+  static constexpr float tolerated_rise_at_hub = 1.25f;
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   StopReason contract_pairs() {
@@ -153,17 +154,21 @@ private:
     });
   }
 
-  // Into the queue, if it has become dearer.
+  // Into the queue, if it has become dearer: those of a hub by more than a little, since each
+  // contraction with it makes all of them so.
   bool goes_back(const Candidate& candidate, const QueuedPair& pair) {
     surface_.progress().announce(candidate.error);
-    if constexpr (has_local_terms<Cost> || looks_at_star<typename Policies::Placement>) {
-      const auto key = static_cast<float>(candidate.key);
-      if (!(key > tolerated_rise<Cost> * pair.cost) || is_last_resort_)
-        return false;
-      queue_.push(pair.first, pair.second, key);
-      return true;
-    }
-    return false;
+    constexpr bool may_rise = has_local_terms<Cost> || looks_at_star<typename Policies::Placement>;
+    const bool is_at_hub = surface_.complex().hubs().of_pair(pair.first, pair.second) != none;
+    if (!may_rise && !is_at_hub)
+      return false;
+    const auto key = static_cast<float>(candidate.key);
+    const float tolerated =
+        is_at_hub ? (std::max)(tolerated_rise_at_hub, tolerated_rise<Cost>) : tolerated_rise<Cost>;
+    if (!(key > tolerated * pair.cost) || is_last_resort_)
+      return false;
+    queue_.push(pair.first, pair.second, key);
+    return true;
   }
 
   // Has it no place, or one that is dearer, now that its placement has looked at the star?
@@ -212,6 +217,15 @@ private:
     const Index kept = surface_.apply(contraction, AtOnce{});
     surface_.progress().count(scratch_.tally);
     queue_.stamps().advance();
+    if (contraction.star().hub != none && surface_.pairs().are_edges())
+      go_on_at_hub(contraction);
+    else
+      go_on_around(contraction, kept);
+    if (surface_.complex().hubs().any())
+      review_hubs();
+  }
+
+  void go_on_around(const Contraction& contraction, Index kept) {
     for (Index end : {contraction.first(), contraction.second()})
       forget(end);
     queue_.stamps().renew(kept);
@@ -219,10 +233,54 @@ private:
     if (!surface_.complex().has_faces(kept))
       return;
     refresh_.note(kept);
-    if (surface_.complex().degree_bound(kept) > WaitingPairs::few_faces)
-      push_cheapest(kept);
+    push_pairs(kept);
+  }
+
+  void push_pairs(Index v) {
+    if (surface_.complex().degree_bound(v) > WaitingPairs::few_faces)
+      push_cheapest(v);
     else
-      push_all(kept);
+      push_all(v);
+  }
+
+  // The pairs that a hub had stay as they are: where they have become dearer, they go back when
+  // their turn comes. It gets further ones with neighbours of the vertex that has come to it.
+  void go_on_at_hub(const Contraction& contraction) {
+    const PairStar& star = contraction.star();
+    const bool is_first = star.hub == contraction.first();
+    forget(is_first ? contraction.second() : contraction.first());
+    release_around(star);
+    neighbours_.clear();
+    for (const StarFace& f : is_first ? star.second : star.first)
+      for (Index w : {f.second, f.third})
+        if (surface_.complex().has_faces(w))
+          neighbours_.push_back(w);
+    std::sort(neighbours_.begin(), neighbours_.end());
+    neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
+    const auto is_at = [](Index w) { return [w](const StarFace& f) { return f.has(w); }; };
+    const auto& others = is_first ? star.first : star.second;
+    for (Index w : neighbours_) {
+      waiting_.release(w, push_again());
+      refresh_.look_at(w);
+      if (std::none_of(star.shared.begin(), star.shared.end(), is_at(w)) &&
+          std::none_of(others.begin(), others.end(), is_at(w)))
+        queue_.push(star.hub, w, surface_.evaluator().key_of({star.hub, w}));
+    }
+    refresh_.note(star.hub);
+    refresh_.run_at_hub(neighbours_, push_pair());
+  }
+
+  // A vertex that is no hub any more may move. What boundary edges add to the others is known anew.
+  void review_hubs() {
+    surface_.review_hubs([this](Index v) {
+      const TriangleComplex& complex = surface_.complex();
+      if (complex.hubs().has(v) || queue_.stamps().is_retired(v) || !complex.has_faces(v))
+        return;
+      queue_.stamps().advance();
+      queue_.stamps().renew(v);
+      waiting_.forget(v);
+      push_pairs(v);
+    });
   }
 
   // All pairs of a vertex are outdated.
@@ -288,6 +346,7 @@ private:
   VanishingParts<Policies> parts_;
   Hold<Policies> hold_;
   CostRefresh<Policies> refresh_;
+  std::vector<Index> neighbours_;                  // of a vertex that has come to a hub
   std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: key and partner
   bool is_last_resort_ = false;                    // has one of the deferred pairs its turn?
   std::size_t pairs_seen_ = 0;
