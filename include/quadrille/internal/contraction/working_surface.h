@@ -152,14 +152,8 @@ public:
     return kept;
   }
 
-  /// To be called after contractions that were done at once: see TriangleComplex::review_hubs().
-  template <class Visit>
-  void review_hubs(Visit visit) {
-    complex_.review_hubs([&](Index v) {
-      terms_.sum_up(v, scratch().labels);
-      visit(v);
-    });
-  }
+  /// Of a vertex that is a hub or was one: see LocalTerms::sum_up().
+  void sum_up_terms(Index v) { terms_.sum_up(v, scratch().labels); }
 
   /// Removes a part whole, of which these vertices are left. Observers are told before.
   void remove_part(Index part, std::span<const Index> vertices) {

@@ -53,6 +53,14 @@ public:
       release_some(v, push);
   }
 
+  /// Calls push(pair) for all of them.
+  template <class Push>
+  void release_all(Push push) {
+    left_behind_.clear();
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
+      refused_.release(v, all, push);
+  }
+
   /// Those that were left behind, at a time. False if there are none, or if those of the last time
   /// brought too few contractions: time counts these.
   template <class Push>
