@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_CORNER_LISTS_H
 #define QUADRILLE_INTERNAL_COMPLEX_CORNER_LISTS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -89,7 +90,7 @@ inline bool TriangleComplex::has_room_behind(Index hub, std::size_t corners) con
 }
 
 // For half as many corners again: a list is moved as seldom as an array that grows.
-inline void TriangleComplex::make_room_behind(Index hub, std::size_t corners) {
+QUADRILLE_NOINLINE inline void TriangleComplex::make_room_behind(Index hub, std::size_t corners) {
   if (has_room_behind(hub, corners))
     return;
   const std::size_t room = corners + lists_[hub].size / 2;
@@ -101,7 +102,7 @@ inline void TriangleComplex::make_room_behind(Index hub, std::size_t corners) {
   lists_[hub] = {static_cast<Index>(begin), size};
 }
 
-inline void TriangleComplex::append_to_hub(Index hub, Index gone) {
+QUADRILLE_NOINLINE inline void TriangleComplex::append_to_hub(Index hub, Index gone) {
   List& list = lists_[hub];
   for_each_corner(gone, [&](Index face, Index i) {
     faces_[face][i] = hub;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_FACES_BESIDE_HUB_H
 #define QUADRILLE_INTERNAL_COMPLEX_FACES_BESIDE_HUB_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/star_face.h>
@@ -79,7 +80,8 @@ private:
   AppendBuffer<StarFace>& faces_;
 };
 
-inline void PairStar::gather_beside_hub(TriangleComplex& complex, Index a, Index b, Index its_hub) {
+QUADRILLE_NOINLINE inline void PairStar::gather_beside_hub(TriangleComplex& complex, Index a,
+                                                           Index b, Index its_hub) {
   clear();
   hub = its_hub;
   const Index other = hub == a ? b : a;

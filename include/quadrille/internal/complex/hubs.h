@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_HUBS_H
 #define QUADRILLE_INTERNAL_COMPLEX_HUBS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 
 #include <cstddef>
@@ -66,7 +67,7 @@ public:
   }
 
 private:
-  void add(Index v, std::size_t faces, std::size_t vertices) {
+  QUADRILLE_NOINLINE void add(Index v, std::size_t faces, std::size_t vertices) {
     if (!any()) {
       is_hub_.assign(vertices, 0);
       contractions_ = faces_ = 0;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_STAR_H
 #define QUADRILLE_INTERNAL_COMPLEX_STAR_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star_face.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/append_buffer.h>
@@ -12,7 +13,8 @@
 namespace quadrille::internal {
 
 /// The face at one of its vertices, in place i of its corners.
-inline StarFace star_face_at(const TriangleComplex& complex, Index face, Index i) {
+QUADRILLE_ALWAYS_INLINE inline StarFace star_face_at(const TriangleComplex& complex, Index face,
+                                                     Index i) {
   const auto& v = complex.vertices(face);
   // From tables in numbers: compilers make jumps of conditions.
   const Index next = 0b00'10'01u >> 2 * i & 3, previous = 0b01'00'10u >> 2 * i & 3;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COST_LOCAL_TERMS_H
 #define QUADRILLE_INTERNAL_COST_LOCAL_TERMS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/edge_star.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/star.h>
@@ -41,20 +42,14 @@ public:
 
   /// See SharedTerms.
   Current shared(Index a, Index b) const {
+    if (complex_.hubs().has(a))
+      return shared_with_hub(a, b);
     SharedTerms<Cost> shared;
-    if (complex_.hubs().has(a)) // then b has fewer faces, as a rule
-      complex_.for_each_corner(b, [&](Index face, Index i) {
-        if (star_face_at(complex_, face, i).has(a)) {
-          const StarFace f = star_face_from(complex_, face, a);
-          shared.add(term(a, f), f.other_than(b));
-        }
-      });
-    else
-      complex_.for_each_corner(a, [&](Index face, Index i) {
-        const StarFace f = star_face_at(complex_, face, i);
-        if (f.has(b))
-          shared.add(term(a, f), f.other_than(b));
-      });
+    complex_.for_each_corner(a, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex_, face, i);
+      if (f.has(b))
+        shared.add(term(a, f), f.other_than(b));
+    });
     return shared.sum(a, b, cost_, geometry_.positions());
   }
 
@@ -101,9 +96,8 @@ public:
     take_out(contraction.star().second, contraction.second());
     take_out(contraction.star().shared, contraction.first());
     if constexpr (!Event::is_in_pass)
-      if (const Index hub = contraction.star().hub; hub != none)
-        for (const StarFace& f : contraction.star().shared)
-          terms_[hub] -= term(contraction.first(), f);
+      if (contraction.star().hub != none)
+        take_out_of_hub(contraction.star(), contraction.first());
   }
 
   /// Puts in the faces that the contraction has left. In a pass the vertex that is left takes part
@@ -123,7 +117,7 @@ public:
 
   /// Looks at all faces of a vertex anew that is a hub or was one: what boundary edges add to it
   /// has been as it was since the last time.
-  void sum_up(Index hub, VertexLabels& labels) {
+  QUADRILLE_NOINLINE void sum_up(Index hub, VertexLabels& labels) {
     const bool is_on_boundary = may_be_on_boundary(hub);
     terms_[hub] = sum_of_faces(hub);
     if (is_on_boundary)
@@ -131,6 +125,18 @@ public:
   }
 
 private:
+  // The other end has fewer faces, as a rule.
+  QUADRILLE_NOINLINE Current shared_with_hub(Index hub, Index other) const {
+    SharedTerms<Cost> shared;
+    complex_.for_each_corner(other, [&](Index face, Index i) {
+      if (!star_face_at(complex_, face, i).has(hub))
+        return;
+      const StarFace f = star_face_from(complex_, face, hub);
+      shared.add(term(hub, f), f.other_than(other));
+    });
+    return shared.sum(hub, other, cost_, geometry_.positions());
+  }
+
   Current term(Index corner, const StarFace& f) const {
     return cost_.current_face(geometry_.position(corner), geometry_.position(f.second),
                               geometry_.position(f.third));
@@ -148,8 +154,13 @@ private:
     });
   }
 
+  QUADRILLE_NOINLINE void take_out_of_hub(const PairStar& star, Index first) {
+    for (const StarFace& f : star.shared)
+      terms_[star.hub] -= term(first, f);
+  }
+
   // The faces of a hub do not change, but for those that come from the other end of the pair.
-  void add_to_hub(const PairStar& star, Index hub, bool is_first) {
+  QUADRILLE_NOINLINE void add_to_hub(const PairStar& star, Index hub, bool is_first) {
     last_star_.clear();
     const auto add = [&](const AppendBuffer<StarFace>& faces, bool are_new) {
       for (const StarFace& f : faces) {

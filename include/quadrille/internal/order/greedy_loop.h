@@ -116,7 +116,7 @@ private:
   }
 
   // To the cheaper end of the pair that is not refused, if there is any.
-  bool moves_to_end(Contraction& contraction) {
+  QUADRILLE_NOINLINE bool moves_to_end(Contraction& contraction) {
     const auto& geometry = surface_.evaluator().geometry();
     if (contraction.star().hub != none || geometry.is_fixed(contraction.first()) ||
         geometry.is_fixed(contraction.second()))
@@ -134,7 +134,7 @@ private:
   // Once no pair is left where vertices may go to the places of least cost: around a hub these are
   // ill-determined by narrow faces that look all in about the same direction. Then those that were
   // refused have another turn.
-  bool may_try_ends() {
+  QUADRILLE_NOINLINE bool may_try_ends() {
     if (tries_ends_ || waiting_.empty() || !surface_.complex().hubs().any())
       return false;
     tries_ends_ = true;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_PAIR_UPDATES_H
 #define QUADRILLE_INTERNAL_ORDER_PAIR_UPDATES_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
@@ -78,7 +79,7 @@ private:
 
   // The pairs that a hub had stay as they are: where they have become dearer, they go back when
   // their turn comes. It gets further ones with neighbours of the vertex that has come to it.
-  void follow_at_hub(const Contraction& contraction) {
+  QUADRILLE_NOINLINE void follow_at_hub(const Contraction& contraction) {
     const PairStar& star = contraction.star();
     const bool is_first = star.hub == contraction.first();
     forget(is_first ? contraction.second() : contraction.first());
@@ -104,7 +105,7 @@ private:
   }
 
   // A vertex that is no hub any more may move. What boundary edges add to the others is known anew.
-  void review_hubs() {
+  QUADRILLE_NOINLINE void review_hubs() {
     surface_.complex().review_hubs([this](Index v) {
       surface_.sum_up_terms(v);
       const TriangleComplex& complex = surface_.complex();
