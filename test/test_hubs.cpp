@@ -148,7 +148,7 @@ Work work(const Soup& soup, const Others&... others) {
 template <class Cost, class Placement, class... Others>
 void require_linear_work(const std::string& call, const Others&... others) {
   for (const Shape& shape : shapes) {
-    const std::uint32_t n = 3000;
+    const std::uint32_t n = 6000;
     const Work once = work<Cost, Placement>(shape.of_faces(n), others...);
     const Work twice = work<Cost, Placement>(shape.of_faces(2 * n), others...);
     INFO(shape.name << ", " << call << ": " << once.steps << " steps to " << once.faces_left
