@@ -75,8 +75,8 @@ inline namespace QUADRILLE_THREADING {
 /// property maps stay right. As in CGAL, meshes that only mark what is removed (Surface_mesh,
 /// OpenMesh) are left for the caller to tidy up: `mesh.collect_garbage()`.
 ///
-/// Time O(n log n) for n faces and close to linear on meshes; a vertex of d faces adds O(d²) if
-/// many of its pairs are refused. Memory: about 100 to 150 bytes a face beside the mesh, 190 with
+/// Time O(n log n) for n faces and close to linear, also where vertices have very many faces; such a
+/// vertex stays where it is as long as it has more than 128. Memory: about 100 to 150 bytes a face beside the mesh, 190 with
 /// ThinFeatureQuadric, more with attributes (see AttributeQuadric).
 ///
 /// Throws std::invalid_argument for a face that is not a triangle, a vertex that is not finite,

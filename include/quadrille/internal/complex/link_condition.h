@@ -40,8 +40,8 @@ public:
   }
 
   bool holds(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
-    if (star.shared.empty())
-      return false; // not an edge
+    if (star.shared.empty() || star.may_meet_hub)
+      return false; // not an edge, or one that would join two hubs if they are not joined yet
     constexpr Index in_first = 0, in_both = 1;
     labels.clear(2);
     for (const StarFace& f : star.shared)
@@ -133,7 +133,9 @@ private:
   bool is_along_spine(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
     if (star.shared.size() < 3 || (kind_[a] != Kind::spine && kind_[b] != Kind::spine))
       return false;
-    const AppendBuffer<StarFace>& faces = kind_[a] == Kind::spine ? star.first : star.second;
+    const bool is_seen_from_first =
+        kind_[a] == Kind::spine && (star.hub != a || kind_[b] != Kind::spine);
+    const AppendBuffer<StarFace>& faces = is_seen_from_first ? star.first : star.second;
     const Index pages = static_cast<Index>(star.shared.size());
     labels.clear(pages + 1);
     for (const StarFace& f : faces)

@@ -1,30 +1,46 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_STAR_H
 #define QUADRILLE_INTERNAL_COMPLEX_STAR_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star_face.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/append_buffer.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace quadrille::internal {
 
 /// The face at one of its vertices, in place i of its corners.
-inline StarFace star_face_at(const TriangleComplex& complex, Index face, Index i) {
+QUADRILLE_ALWAYS_INLINE inline StarFace star_face_at(const TriangleComplex& complex, Index face,
+                                                     Index i) {
   const auto& v = complex.vertices(face);
   // From tables in numbers: compilers make jumps of conditions.
   const Index next = 0b00'10'01u >> 2 * i & 3, previous = 0b01'00'10u >> 2 * i & 3;
   return {face, v[next], v[previous]};
 }
 
+/// The face at that one of its vertices.
+inline StarFace star_face_from(const TriangleComplex& complex, Index face, Index vertex) {
+  const auto& v = complex.vertices(face);
+  return star_face_at(complex, face, v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
+}
+
 /// The faces around a pair of vertices: those of one end only, which a contraction changes, and
 /// those of both, which it removes.
+///
+/// Where one end is a hub, to which the other comes, its faces do not change. Only those beside the
+/// other end are here: those that have a vertex in common with its link; of further hubs in the
+/// link, at least one each that is opposite to the pair.
 struct PairStar {
   AppendBuffer<StarFace> first, second; // the faces of one end only
   AppendBuffer<StarFace> shared;        // the faces of both, seen from the first end
+  Index hub = none;                     // the end of which faces are left out, if one is
+  bool may_meet_hub = false; // may it be joined to a further hub in the link that is not opposite?
 
   void gather(TriangleComplex& complex, Index a, Index b) {
-    first.clear(), second.clear(), shared.clear();
+    clear();
     StarFace* const ours = first.extend(complex.degree_bound(a));
     StarFace* const both = shared.extend(complex.degree_bound(a));
     StarFace* const theirs = second.extend(complex.degree_bound(b));
@@ -47,6 +63,10 @@ struct PairStar {
     second.add(their_count);
   }
 
+  /// Of a pair of which one end is a hub, in about as many steps as the other end and its
+  /// neighbours have faces.
+  void gather_beside_hub(TriangleComplex& complex, Index a, Index b, Index its_hub);
+
   /// Calls visit(face) for each face that a contraction changes.
   template <class Visit>
   void for_each_changed(Visit visit) const {
@@ -54,8 +74,19 @@ struct PairStar {
       for (const StarFace& f : *faces)
         visit(f);
   }
+
+private:
+  void clear() {
+    first.clear(), second.clear(), shared.clear();
+    hub = none;
+    may_meet_hub = false;
+  }
+
+  std::vector<Index> link_; // of the end that is no hub
 };
 
 } // namespace quadrille::internal
+
+#include <quadrille/internal/complex/faces_beside_hub.h>
 
 #endif // QUADRILLE_INTERNAL_COMPLEX_STAR_H

@@ -5,6 +5,7 @@
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/complex/backs.h>
+#include <quadrille/internal/complex/hubs.h>
 #include <quadrille/internal/complex/too_large.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -24,7 +25,8 @@ namespace quadrille::internal {
 /// does not wait for one face to learn of the next, and an edge of three faces is nothing special.
 /// Merging two vertices writes their corners to the end of the pool; when that is full, the lists
 /// are built anew. A face that has been removed stays in the lists of its corners until the next
-/// walk along them drops it.
+/// walk along them drops it. The list of a hub has places left behind it for the corners of those
+/// that are merged into it.
 class TriangleComplex {
 public:
   static constexpr std::size_t max_faces = std::size_t{1} << 30;
@@ -62,6 +64,15 @@ public:
   std::size_t count_vertices() const {
     return static_cast<std::size_t>(std::count_if(lists_.begin(), lists_.end(), has_corners));
   }
+
+  /// Which vertices have very many faces. Their lists shrink in review_hubs(), if not before.
+  const Hubs& hubs() const { return hubs_; }
+  /// From here on, none counts as such.
+  void forget_hubs() { hubs_.forget(); }
+  /// To be called after each contraction. Once these may have taken a part of the faces of the
+  /// hubs, drops those that are gone, and calls visit(v) for each vertex that has been a hub.
+  template <class Visit>
+  void review_hubs(Visit visit);
 
   bool is_removed(Index face) const { return faces_[face][0] == none; }
   const Triangle& vertices(Index face) const { return faces_[face]; }
@@ -101,6 +112,16 @@ public:
   void prune_corners(Index vertex) {
     prune_corners(vertex, [](Index, Index) {});
   }
+  /// Drops corners of removed faces until the first is none of these, or none is left; the others
+  /// may get another order.
+  void prune_first_corners(Index vertex) {
+    List& list = lists_[vertex];
+    while (list.size > 0 && is_removed(pool_[list.begin] >> 2)) {
+      Index& last = pool_[list.begin + --list.size];
+      pool_[list.begin] = last;
+      last = none;
+    }
+  }
 
   /// Does is(face, i) hold for any of them? Asks no further then.
   template <class Is>
@@ -125,12 +146,19 @@ public:
   /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces
   /// are removed whose vertices are asked about: in new lists these may have none.
   void reserve_for_merge(Index kept, Index gone) {
-    reserve_corners(lists_[kept].size + lists_[gone].size);
+    if (hubs_.has(kept))
+      make_room_behind(kept, lists_[gone].size);
+    else
+      reserve_corners(lists_[kept].size + lists_[gone].size);
   }
-  /// Moves all faces of `gone` to `kept`, whose list is then free of removed ones. Faces that hold
-  /// both must have been removed already.
+  /// Moves all faces of `gone` to `kept`, whose list is then free of removed ones unless it is a
+  /// hub. Faces that hold both must have been removed already.
   void merge(Index kept, Index gone) {
     reserve_for_merge(kept, gone); // no walk may see the pool move
+    if (hubs_.has(kept)) {
+      append_to_hub(kept, gone);
+      return;
+    }
     const std::size_t most = lists_[kept].size + lists_[gone].size;
     const std::size_t begin = pool_.size();
     pool_.resize(begin + most);
@@ -148,6 +176,7 @@ public:
     lists_[kept] = {static_cast<Index>(begin), static_cast<Index>(end - (pool_.data() + begin))};
     lists_[gone].size = 0;
     pool_.resize(begin + lists_[kept].size);
+    hubs_.note(kept, lists_[kept].size, lists_.size());
   }
 
   /// The same, but the faces do not come into the list of `kept` before build_lists() is called.
@@ -219,76 +248,24 @@ private:
     if (pool_.size() + corners <= pool_.capacity())
       return;
     build_lists();
-    pool_.reserve(pool_.size() + (std::max)(corners, faces_.size() / 2));
+    const std::size_t more = faces_.size() / 2;
+    pool_.reserve(pool_.size() + (corners > more ? corners + more : more));
   }
+
+  // Behind the list of a hub: places of the pool that hold no corner.
+  bool has_room_behind(Index hub, std::size_t corners) const;
+  void make_room_behind(Index hub, std::size_t corners);
+  void append_to_hub(Index hub, Index gone);
 
   Array<Triangle> faces_;
   Array<Index> pool_;
   Array<List> lists_; // of each vertex
+  Hubs hubs_;
   Backs backs_;
 };
 
-inline TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
-                                 bool will_merge, Threads threads)
-    : faces_(std::move(triangles)), pool_(faces_.get_allocator()),
-      lists_(vertex_count, faces_.get_allocator()) {
-  check_size(vertex_count, faces_.size());
-  for (Index face = 0; face < faces_.size(); ++face) {
-    const auto [a, b, c] = faces_[face];
-    if (a == b || b == c || c == a)
-      remove_face(face);
-  }
-  pool_.reserve((will_merge ? 4 : 3) * faces_.size());
-  build_lists(threads);
-}
-
-inline void TriangleComplex::build_lists(Threads threads) {
-  for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
-    for (Index v = range.begin; v < range.end; ++v)
-      lists_[v].size = 0;
-    for (const Triangle& face : faces_)
-      if (face[0] != none)
-        for (Index v : face)
-          if (range.contains(v))
-            ++lists_[v].size;
-  });
-  fill_lists(threads);
-}
-
-inline void TriangleComplex::fill_lists(Threads threads) {
-  Index all = 0;
-  for (List& list : lists_) {
-    list.begin = all;
-    all += std::exchange(list.size, 0);
-  }
-  pool_.resize(all);
-  for_each_range(threads, lists_.size(), [this](const auto& range, std::size_t) {
-    for (Index face = 0; face < faces_.size(); ++face)
-      if (!is_removed(face))
-        for (Index i = 0; i < 3; ++i)
-          if (const Index v = faces_[face][i]; range.contains(v)) {
-            List& list = lists_[v];
-            pool_[list.begin + list.size++] = 4 * face + i;
-          }
-  });
-}
-
-inline void TriangleComplex::pack(const Array<Index>& vertices) {
-  for (List& list : lists_)
-    list.size = 0;
-  for (Index v = 0; v < vertices.size(); ++v)
-    lists_[vertices[v]].begin = v; // until fill_lists()
-  const auto is_left = [this](Index face) { return !is_removed(face); };
-  backs_.pack_if(is_left);
-  pack_if(faces_, is_left);
-  for (Triangle& face : faces_)
-    for (Index& v : face) {
-      v = lists_[v].begin;
-      ++lists_[v].size;
-    }
-  lists_.resize(vertices.size());
-}
-
 } // namespace quadrille::internal
+
+#include <quadrille/internal/complex/corner_lists.h>
 
 #endif // QUADRILLE_INTERNAL_COMPLEX_TRIANGLE_COMPLEX_H

@@ -54,6 +54,8 @@ public:
     for (Index v = 0; v < complex_.vertex_capacity() && !seams_.is_empty(); ++v)
       if (seams_.is_corner(v))
         geometry_.fix(v);
+    if (has_seams())
+      complex_.forget_hubs(); // whose corners would all have to be looked at
   }
 
   /// Adds what it is now to what vertices remember.
@@ -92,6 +94,15 @@ public:
 
 private:
   static constexpr bool has_channels = Policies::has_channels;
+
+  // Of faces or of the values at their corners.
+  bool has_seams() const {
+    if constexpr (has_channels)
+      for (const Channel& channel : channels_.all())
+        if (channel.has_seams())
+          return true;
+    return !seams_.is_empty();
+  }
 
   const Policies& policies_;
   TriangleComplex& complex_;

@@ -48,20 +48,21 @@ public:
     const Index a = contraction.first(), b = contraction.second();
     if (seams_.is_changed_by(star, a, b))
       return Rejection::seam;
-    if ((is_fixed(a) && is_fixed(b)) || takes_a_fixed_vertex_away(star, a, b))
+    if ((stays(star, a) && stays(star, b)) || takes_a_fixed_vertex_away(star, a, b))
       return Rejection::constraint;
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
     const std::optional<Rejection> cause = refusal(contraction, contraction.target());
-    if (cause && !is_fixed(a) && !is_fixed(b) && finds_other_place(contraction, *cause))
+    if (cause && !stays(star, a) && !stays(star, b) && finds_other_place(contraction, *cause))
       return std::nullopt;
     return cause;
   }
 
 private:
   bool is_fixed(Index v) const { return geometry_.is_fixed(v); }
+  bool stays(const PairStar& star, Index end) const { return is_fixed(end) || star.hub == end; }
 
   bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
     return geometry_.is_any_fixed() && !is_topology_kept_ &&

@@ -132,21 +132,27 @@ private:
         first = i;
   }
 
+  void prune(Index v) {
+    if (complex_.hubs().has(v))
+      complex_.prune_first_corners(v);
+    else
+      complex_.prune_corners(v);
+  }
+
   // Has a vertex other faces than those that vanish?
   bool has_others(Index v) {
-    bool has = false;
-    complex_.prune_corners(v, [&](Index face, Index) {
+    prune(v);
+    return complex_.any_corner(v, [&](Index face, Index) {
       const auto is_it = [face](const StarFace& f) { return f.face == face; };
       const auto& vanishing = scratch_.star.shared;
-      has |= std::none_of(vanishing.begin(), vanishing.end(), is_it);
+      return std::none_of(vanishing.begin(), vanishing.end(), is_it);
     });
-    return has;
   }
 
   void remove_if_isolated(Index v) {
     if (!complex_.has_faces(v))
       return;
-    complex_.prune_corners(v);
+    prune(v);
     scratch_.tally.vertices += !complex_.has_faces(v);
   }
 

@@ -21,7 +21,10 @@ class GatheredStar {
 public:
   GatheredStar(TriangleComplex& complex, Index first, Index second, Scratch& scratch)
       : scratch_(scratch) {
-    scratch.star.gather(complex, first, second);
+    if (const Index hub = complex.hubs().of_pair(first, second); hub != none)
+      scratch.star.gather_beside_hub(complex, first, second, hub);
+    else
+      scratch.star.gather(complex, first, second);
   }
 
   const PairStar& operator*() const { return scratch_.star; }
@@ -83,14 +86,16 @@ struct InPass {
 template <class MayWriteTo>
 InPass(MayWriteTo) -> InPass<MayWriteTo>;
 
-/// Which end of a pair is kept, and which is gone: one that keeps its place is kept, else the
-/// first.
+/// Which end of a pair is kept, and which is gone: a hub is kept, or one that keeps its place, else
+/// the first.
 template <class Cost>
 std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
                                       const Geometry<Cost::dimension>& geometry) {
   const Index a = contraction.first(), b = contraction.second();
   const auto& pair = contraction.pair();
   const auto& target = contraction.target();
+  if (const Index hub = contraction.star().hub; hub != none)
+    return {hub, hub == a ? b : a};
   const bool b_stays = !geometry.is_fixed(a) &&
                        (geometry.is_fixed(b) || (target == pair.second && target != pair.first));
   return b_stays ? std::pair(b, a) : std::pair(a, b);

@@ -60,8 +60,8 @@ private:
       return policies_.stop(status);
     };
     const FaceDeviation deviation = measure(contraction, status);
-    if (!is_next_to_nothing(deviation, contraction) || geometry_.is_fixed(contraction.first()) ||
-        geometry_.is_fixed(contraction.second()))
+    if (!is_next_to_nothing(deviation, contraction) || contraction.star().hub != none ||
+        geometry_.is_fixed(contraction.first()) || geometry_.is_fixed(contraction.second()))
       return stops(deviation);
     const Candidate wanted = contraction.candidate();
     for (const Candidate& end : evaluator_.at_ends(wanted)) {

@@ -20,18 +20,15 @@
 #include <quadrille/internal/contraction/progress.h>
 #include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/recording.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/distance/distance_bounds.h>
-#include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
 #include <quadrille/internal/policy/orders.h>
-#include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -155,6 +152,9 @@ public:
     contraction.scratch().tally.count_contraction(event.recession.error);
     return kept;
   }
+
+  /// Of a vertex that is a hub or was one: see LocalTerms::sum_up().
+  void sum_up_terms(Index v) { terms_.sum_up(v, scratch().labels); }
 
   /// Removes a part whole, of which these vertices are left. Observers are told before.
   void remove_part(Index part, std::span<const Index> vertices) {

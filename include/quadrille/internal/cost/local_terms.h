@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COST_LOCAL_TERMS_H
 #define QUADRILLE_INTERNAL_COST_LOCAL_TERMS_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/edge_star.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/star.h>
@@ -41,6 +42,8 @@ public:
 
   /// See SharedTerms.
   Current shared(Index a, Index b) const {
+    if (complex_.hubs().has(a))
+      return shared_with_hub(a, b);
     SharedTerms<Cost> shared;
     complex_.for_each_corner(a, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex_, face, i);
@@ -92,6 +95,9 @@ public:
     take_out(contraction.star().first, contraction.first());
     take_out(contraction.star().second, contraction.second());
     take_out(contraction.star().shared, contraction.first());
+    if constexpr (!Event::is_in_pass)
+      if (contraction.star().hub != none)
+        take_out_of_hub(contraction.star(), contraction.first());
   }
 
   /// Puts in the faces that the contraction has left. In a pass the vertex that is left takes part
@@ -101,12 +107,36 @@ public:
     if constexpr (Event::is_in_pass) {
       add_star(event.contraction.star(), event.kept, event.mode);
     } else {
-      add_contracted(event.kept);
+      if (event.contraction.star().hub == event.kept)
+        add_to_hub(event.contraction.star(), event.kept, event.kept == event.contraction.first());
+      else
+        add_contracted(event.kept);
       renew_boundary(event);
     }
   }
 
+  /// Looks at all faces of a vertex anew that is a hub or was one: what boundary edges add to it
+  /// has been as it was since the last time.
+  QUADRILLE_NOINLINE void sum_up(Index hub, VertexLabels& labels) {
+    const bool is_on_boundary = may_be_on_boundary(hub);
+    terms_[hub] = sum_of_faces(hub);
+    if (is_on_boundary)
+      add_boundary(hub, labels);
+  }
+
 private:
+  // The other end has fewer faces, as a rule.
+  QUADRILLE_NOINLINE Current shared_with_hub(Index hub, Index other) const {
+    SharedTerms<Cost> shared;
+    complex_.for_each_corner(other, [&](Index face, Index i) {
+      if (!star_face_at(complex_, face, i).has(hub))
+        return;
+      const StarFace f = star_face_from(complex_, face, hub);
+      shared.add(term(hub, f), f.other_than(other));
+    });
+    return shared.sum(hub, other, cost_, geometry_.positions());
+  }
+
   Current term(Index corner, const StarFace& f) const {
     return cost_.current_face(geometry_.position(corner), geometry_.position(f.second),
                               geometry_.position(f.third));
@@ -122,6 +152,32 @@ private:
         if (mode.may_write_to(v))
           terms_[v] += now;
     });
+  }
+
+  QUADRILLE_NOINLINE void take_out_of_hub(const PairStar& star, Index first) {
+    for (const StarFace& f : star.shared)
+      terms_[star.hub] -= term(first, f);
+  }
+
+  // The faces of a hub do not change, but for those that come from the other end of the pair.
+  QUADRILLE_NOINLINE void add_to_hub(const PairStar& star, Index hub, bool is_first) {
+    last_star_.clear();
+    const auto add = [&](const AppendBuffer<StarFace>& faces, bool are_new) {
+      for (const StarFace& f : faces) {
+        const Current now = term(hub, f);
+        const bool is_there = !complex_.is_removed(f.face); // else it was a duplicate
+        if (is_there) {
+          terms_[f.second] += now;
+          terms_[f.third] += now;
+        }
+        if (is_there && are_new)
+          terms_[hub] += now;
+        else if (!is_there && !are_new)
+          terms_[hub] -= now;
+      }
+    };
+    add(is_first ? star.first : star.second, false);
+    add(is_first ? star.second : star.first, true);
   }
 
   void add_contracted(Index kept) {
@@ -180,12 +236,17 @@ private:
   }
 
   void renew(Index v, VertexLabels& labels) {
-    if (!may_be_on_boundary(v))
+    if (!may_be_on_boundary(v) || complex_.hubs().has(v))
       return;
-    Current& sum = terms_[v] = {};
+    terms_[v] = sum_of_faces(v);
+    add_boundary(v, labels);
+  }
+
+  Current sum_of_faces(Index v) {
+    Current sum{};
     complex_.prune_corners(
         v, [&](Index face, Index i) { sum += term(v, star_face_at(complex_, face, i)); });
-    add_boundary(v, labels);
+    return sum;
   }
 
   // Returns whether there is any.
@@ -217,6 +278,7 @@ struct NoLocalTerms {
   NoLocalTerms(const Cost&, const Geometry&, const TriangleComplex&, const LinkCondition&) {}
   double unevenness(Index) const { return 0; }
   void sum_up(VertexLabels&) {}
+  void sum_up(Index, VertexLabels&) {}
   static auto vertex_columns(auto&) { return std::tuple<>(); }
 };
 

@@ -84,7 +84,7 @@ public:
                     "A placement that looks at the star has to be scale-free: see CostPolicy and "
                     "PlacementPolicy in <quadrille/concepts.h>.");
       const Index a = candidate.first, b = candidate.second;
-      if (geometry_.is_fixed(a) || geometry_.is_fixed(b)) {
+      if (is_settled(a, b)) {
         candidate.target = target(a, b, candidate.pair);
       } else {
         const auto x =
@@ -136,6 +136,8 @@ public:
                   (!counts_channels || remembers_forms<Cost>))
       if (is_optimal(policies_.placement)) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
+        if (complex_.hubs().any())
+          evaluate_at_hubs(pairs, values);
         return;
       }
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -167,6 +169,18 @@ public:
   }
 
 private:
+  // Is it known where the pair goes, whatever it costs there? To what is fixed, or to a hub.
+  bool is_settled(Index a, Index b) const {
+    return geometry_.is_fixed(a) || geometry_.is_fixed(b) || complex_.hubs().of_pair(a, b) != none;
+  }
+
+  QUADRILLE_NOINLINE void evaluate_at_hubs(const AppendBuffer<VertexPair>& pairs,
+                                           float* keys) const {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (complex_.hubs().of_pair(pairs[i].first, pairs[i].second) != none)
+        keys[i] = key_of(pairs[i]);
+  }
+
   // The pair as cost and placement see it.
   Pair view(Index a, Index b) const {
     const Position &p = geometry_.position(a), &q = geometry_.position(b);
@@ -184,6 +198,8 @@ private:
   Position target(Index a, Index b, const Pair& pair) const {
     if (geometry_.is_fixed(a) || geometry_.is_fixed(b))
       return geometry_.is_fixed(a) ? pair.first : pair.second;
+    if (const Index hub = complex_.hubs().of_pair(a, b); hub != none)
+      return hub == a ? pair.first : pair.second;
     if constexpr (is_scale_free<Placement>)
       return policies_.placement(policies_.cost, pair);
     else

@@ -52,6 +52,19 @@ public:
       push_flattened(push);
   }
 
+  /// The same, where a vertex has come to a hub, of which only these neighbours have been touched.
+  template <class Push>
+  void run_at_hub(const std::vector<Index>& neighbours, Push push) {
+    if (is_eager()) {
+      ring_.clear();
+      for (Index w : neighbours)
+        add_to_ring(w);
+      push_pairs_of_ring([](Index) { return true; }, push);
+    } else if (flattened_.are_many()) {
+      push_flattened(push);
+    }
+  }
+
 private:
   // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
   bool is_eager() const {
@@ -68,13 +81,17 @@ private:
     const TriangleComplex& complex = surface_.complex();
     surface_.complex().prune_corners(v, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex, face, i);
-      for (Index w : {f.second, f.third})
-        if (!stamps_.is_new(w) && complex.degree_bound(w) <= WaitingPairs::few_faces) {
-          stamps_.renew(w);
-          ring_.push_back(w);
-        }
+      add_to_ring(f.second);
+      add_to_ring(f.third);
     });
     push_pairs_of_ring([v](Index x) { return x != v; }, push);
+  }
+
+  void add_to_ring(Index w) {
+    if (!stamps_.is_new(w) && surface_.complex().degree_bound(w) <= WaitingPairs::few_faces) {
+      stamps_.renew(w);
+      ring_.push_back(w);
+    }
   }
 
   template <class Push>

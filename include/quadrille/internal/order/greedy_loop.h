@@ -6,13 +6,12 @@
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/memory/append_buffer.h>
-#include <quadrille/internal/order/cost_refresh.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
+#include <quadrille/internal/order/pair_updates.h>
 #include <quadrille/internal/order/stamped_queue.h>
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/order/waiting_pairs.h>
@@ -24,16 +23,14 @@
 #include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
 /// Contracts the cheapest pair until the stop policy is satisfied or no pair can be contracted.
 ///
-/// A contraction outdates the pairs of its two ends: their costs are computed anew, and what the
-/// queue knew before is dropped when its turn comes. A cost that looks at the surface as it is can
-/// make a pair dearer while it waits; such a pair goes back. Where one may have become cheaper, it
-/// is costed anew (CostRefresh). A pair that is refused waits until a vertex of a face at one of
+/// What a contraction changes about other pairs is up to PairUpdates. A cost that looks at the
+/// surface as it is can make a pair dearer while it waits, and so can a hub; such a pair goes back.
+/// A pair that is refused waits until a vertex of a face at one of
 /// its ends has moved (WaitingPairs); one that would go beyond the target, until there are no
 /// others (DeferredPairs).
 template <class Policies>
@@ -47,7 +44,7 @@ public:
                            surface.complex().vertex_capacity()),
             surface.complex().workspace()),
         waiting_(surface.complex()), distance_stop_(surface), parts_(surface), hold_(surface),
-        refresh_(surface, queue_.stamps()) {
+        updates_(surface, queue_, waiting_) {
     fill_queue();
   }
 
@@ -65,6 +62,7 @@ private:
 
   static constexpr Index vertices_between_visits = 1 << 16;
   static constexpr std::size_t pairs_between_visits = 256;
+  static constexpr float tolerated_rise_at_hub = 1.25f;
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   StopReason contract_pairs() {
@@ -84,10 +82,14 @@ private:
           candidate, GatheredStar(surface_.complex(), next->first, next->second, scratch_));
       if (is_put_off(candidate, contraction.star(), *next))
         continue;
-      if (const auto cause = surface_.checks().rejection(contraction))
+      std::optional<Rejection> cause = refusal(contraction);
+      if (cause && tries_ends_ && moves_to_end(contraction)) {
+        if (goes_back(contraction.candidate(), *next))
+          continue;
+        cause.reset();
+      }
+      if (cause)
         refuse(*next, *cause);
-      else if (distance_stop_.is_too_far(contraction))
-        refuse(*next, Rejection::distance);
       else if (surface_.progress().is_enough())
         return surface_.target_rules().reason_of_stop(surface_.status());
       else if (destroys(contraction))
@@ -98,6 +100,41 @@ private:
         contract(contraction);
     }
     return final_reason();
+  }
+
+  std::optional<Rejection> refusal(Contraction& contraction) {
+    if (const auto cause = surface_.checks().rejection(contraction))
+      return cause;
+    if (distance_stop_.is_too_far(contraction))
+      return Rejection::distance;
+    return std::nullopt;
+  }
+
+  // To the cheaper end of the pair that is not refused, if there is any.
+  QUADRILLE_NOINLINE bool moves_to_end(Contraction& contraction) {
+    const auto& geometry = surface_.evaluator().geometry();
+    if (contraction.star().hub != none || geometry.is_fixed(contraction.first()) ||
+        geometry.is_fixed(contraction.second()))
+      return false;
+    const Candidate wanted = contraction.candidate();
+    for (const Candidate& end : surface_.evaluator().at_ends(wanted)) {
+      contraction.replace(end);
+      if (!refusal(contraction))
+        return true;
+    }
+    contraction.replace(wanted);
+    return false;
+  }
+
+  // Once no pair is left where vertices may go to the places of least cost: around a hub these are
+  // ill-determined by narrow faces that look all in about the same direction. Then those that were
+  // refused have another turn.
+  QUADRILLE_NOINLINE bool may_try_ends() {
+    if (tries_ends_ || waiting_.empty() || !surface_.complex().hubs().any())
+      return false;
+    tries_ends_ = true;
+    waiting_.release_all(push_again());
+    return true;
   }
 
   void fill_queue() {
@@ -126,7 +163,7 @@ private:
     while (parts_.has_below(next ? static_cast<double>(next->cost) : no_limit, is_last_resort_)) {
       if (next)
         queue_.push_again(*next);
-      if (is_cancelled() || !parts_.vanish_next([this](Index v) { forget(v); }))
+      if (is_cancelled() || !parts_.vanish_next([this](Index v) { updates_.forget(v); }))
         return std::nullopt;
       next = next_queued();
     }
@@ -140,7 +177,7 @@ private:
         [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA { waiting_.prefetch(w); });
     std::optional<QueuedPair> next = queue_.pop();
     while (next ? has_isolated_end(*next)
-                : waiting_.release_rest(queue_.stamps().time(), push_again()))
+                : waiting_.release_rest(queue_.stamps().time(), push_again()) || may_try_ends())
       next = queue_.pop();
     is_last_resort_ = !next;
     return next ? next : deferred_.take([this](const QueuedPair& pair) {
@@ -148,17 +185,21 @@ private:
     });
   }
 
-  // Into the queue, if it has become more costly.
+  // Into the queue, if it has become more costly; by more than a little at a hub, where each contraction
+  // makes all pairs so.
   bool goes_back(const Candidate& candidate, const QueuedPair& pair) {
     surface_.progress().announce(candidate.error);
-    if constexpr (has_local_terms<Cost> || looks_at_star<typename Policies::Placement>) {
-      const auto key = static_cast<float>(candidate.key);
-      if (!(key > tolerated_rise<Cost> * pair.cost) || is_last_resort_)
-        return false;
-      queue_.push(pair.first, pair.second, key);
-      return true;
-    }
-    return false;
+    constexpr bool may_rise = has_local_terms<Cost> || looks_at_star<typename Policies::Placement>;
+    const bool is_at_hub = surface_.complex().hubs().of_pair(pair.first, pair.second) != none;
+    if (!may_rise && !is_at_hub && !tries_ends_)
+      return false;
+    const auto key = static_cast<float>(candidate.key);
+    const float tolerated =
+        is_at_hub ? (std::max)(tolerated_rise_at_hub, tolerated_rise<Cost>) : tolerated_rise<Cost>;
+    if (!(key > tolerated * pair.cost) || is_last_resort_)
+      return false;
+    queue_.push(pair.first, pair.second, key);
+    return true;
   }
 
   // Has it no place, or one that is more costly, now that its placement has looked at the star?
@@ -206,68 +247,7 @@ private:
   void contract(const Contraction& contraction) {
     const Index kept = surface_.apply(contraction, AtOnce{});
     surface_.progress().count(scratch_.tally);
-    queue_.stamps().advance();
-    for (Index end : {contraction.first(), contraction.second()})
-      forget(end);
-    queue_.stamps().renew(kept);
-    release_around(contraction.star());
-    if (!surface_.complex().has_faces(kept))
-      return;
-    refresh_.note(kept);
-    if (surface_.complex().degree_bound(kept) > WaitingPairs::few_faces)
-      push_cheapest(kept);
-    else
-      push_all(kept);
-  }
-
-  // All pairs of a vertex are outdated.
-  void forget(Index v) {
-    queue_.stamps().retire(v);
-    waiting_.forget(v);
-  }
-
-  // Vertices of faces that are gone may be no neighbours any more. The others are partners, if all
-  // pairs are edges, and met as such.
-  void release_around(const PairStar& star) {
-    release(star.shared);
-    if (surface_.pairs().are_edges())
-      return;
-    release(star.first);
-    release(star.second);
-  }
-  void release(const AppendBuffer<StarFace>& faces) {
-    for (const StarFace& f : faces)
-      for (Index v : {f.second, f.third})
-        waiting_.release(v, push_again());
-  }
-
-  void push_all(Index v) {
-    const bool are_edges = surface_.pairs().are_edges();
-    surface_.pairs().for_each(scratch_, v, [&](Index partner, float key) {
-      queue_.push(v, partner, key);
-      if (are_edges)
-        waiting_.release(partner, push_again());
-      refresh_.look_at(partner);
-    });
-    refresh_.run(v, push_pair());
-  }
-
-  // Of a vertex of many faces. Its other pairs wait as if they were refused.
-  void push_cheapest(Index v) {
-    const bool are_edges = surface_.pairs().are_edges();
-    new_pairs_.clear();
-    surface_.pairs().for_each(scratch_, v, [&](Index partner, float key) {
-      new_pairs_.push_back({key, partner});
-      if (are_edges)
-        waiting_.release(partner, push_again());
-    });
-    std::sort(new_pairs_.begin(), new_pairs_.end());
-    const std::size_t pushed = (std::min)(waiting_.most_pairs(v), new_pairs_.size());
-    for (std::size_t i = 0; i < pushed; ++i)
-      queue_.push(v, new_pairs_[i].second, new_pairs_[i].first);
-    for (std::size_t i = pushed; i < new_pairs_.size(); ++i)
-      waiting_.add(queue_.stamps().pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
-    waiting_.note_left_behind(v);
+    updates_.follow(contraction, kept);
   }
 
   bool is_cancelled() {
@@ -282,9 +262,9 @@ private:
   DistanceStop<Policies> distance_stop_;
   VanishingParts<Policies> parts_;
   Hold<Policies> hold_;
-  CostRefresh<Policies> refresh_;
-  std::vector<std::pair<float, Index>> new_pairs_; // of a vertex of many faces: key and partner
-  bool is_last_resort_ = false;                    // has one of the deferred pairs its turn?
+  PairUpdates<Policies> updates_;
+  bool is_last_resort_ = false; // has one of the deferred pairs its turn?
+  bool tries_ends_ = false;     // see may_try_ends()
   std::size_t pairs_seen_ = 0;
   bool has_met_distance_ = false, has_met_destruction_ = false;
 };

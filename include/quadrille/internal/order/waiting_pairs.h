@@ -16,9 +16,10 @@ namespace quadrille::internal {
 
 /// Refused pairs, until something changes beside them.
 ///
-/// Looking at a pair takes time in proportion to the faces at its ends. So that a vertex of d faces
-/// costs no more than about d² in all, a change beside it brings back only as many of its pairs as
-/// `most_pairs` says, and all of them when no others are left, as long as that pays.
+/// Looking at a pair takes time in proportion to the faces at its ends, but for those of hubs. So
+/// that no vertex takes more time at each change than one of few faces, a change beside it brings
+/// back only as many of its pairs as `most_pairs` says, and all of them when no others are left, as
+/// long as that pays.
 class WaitingPairs {
 public:
   static constexpr std::size_t few_faces = 64; // at a vertex
@@ -50,6 +51,14 @@ public:
   void release(Index v, Push push) {
     if (refused_.has(v))
       release_some(v, push);
+  }
+
+  /// Calls push(pair) for all of them.
+  template <class Push>
+  void release_all(Push push) {
+    left_behind_.clear();
+    for (Index v = 0; v < complex_.vertex_capacity(); ++v)
+      refused_.release(v, all, push);
   }
 
   /// Those that were left behind, at a time. False if there are none, or if those of the last time

@@ -50,9 +50,10 @@ public:
                   const Vector<N>& first, const Vector<N>& second, const Vector<N>& target)
       : first_faces_(star.first.begin(), star.first.end()),
         second_faces_(star.second.begin(), star.second.end()), shared_(star.shared.size()),
-        complex_(complex), positions_(positions), first_(first), second_(second), target_(target) {}
+        hub_(star.hub), complex_(complex), positions_(positions), first_(first), second_(second),
+        target_(target) {}
 
-  /// The faces that stay.
+  /// The faces that stay. At a hub, which stays in its place, those beside the other end only.
   ChangedFaces<ContractionView> faces() const { return ChangedFaces(*this); }
   std::size_t face_count() const { return first_faces_.size() + second_faces_.size(); }
   ChangedFace face(std::size_t i) const {
@@ -64,6 +65,8 @@ public:
 
   /// How many faces the end with more of them has before.
   std::size_t highest_degree() const {
+    if (hub_ != none)
+      return complex_.degree_bound(hub_);
     return (std::max)(first_faces_.size(), second_faces_.size()) + shared_;
   }
 
@@ -148,6 +151,7 @@ private:
 
   std::span<const StarFace> first_faces_, second_faces_;
   std::size_t shared_;
+  Index hub_; // of which not all faces are here, or none
   const Complex& complex_;
   const Vector<N>* positions_;
   const Vector<N>&first_, &second_, &target_;

@@ -65,7 +65,9 @@ public:
   template <class Event>
   void after(const Event& event) {
     positions_[event.kept] = event.contraction.target();
-    float farthest = 0, nearest = std::numeric_limits<float>::infinity();
+    const bool is_hub = event.contraction.star().hub == event.kept; // it keeps other neighbours
+    float farthest = is_hub ? squared_reach_[event.kept] : 0;
+    float nearest = std::numeric_limits<float>::infinity();
     event.contraction.star().for_each_changed([&](const StarFace& f) {
       const float second = squared_length_of(event.kept, f.second);
       const float third = squared_length_of(event.kept, f.third);
