@@ -71,8 +71,7 @@ bool are_near(const std::vector<test::Position>& p, const std::vector<test::Posi
 template <class Cost, class... Pairs>
 int compare_with_brute_force(const Soup& input, const Cost& cost, const Pairs&... pairs) {
   const Soup soup = test::large(input);
-  const auto policies =
-      internal::pick_policies<Cost, OptimalPlacement>(Topology::kept, pairs...);
+  const auto policies = internal::pick_policies<Cost, OptimalPlacement>(Topology::kept, pairs...);
   const auto surface_input = test::input_of(soup);
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(
       surface_input, surface_input.box(), policies);

@@ -47,16 +47,16 @@ TEST_CASE("One engine is compiled for a cost and the placements that are built i
   int calls = 0;
   Listener listener;
   const auto plain = pick_policies<NotGiven, NotGiven>();
-  CHECK(are_alike(plain, pick_policies<NotGiven, NotGiven>(
-                             OwnStop{}, EndpointPlacement{}, RelaxedOrder{}, RefusesAll{&calls},
-                             Topology::free, record_into(listener),
-                             CGAL::parameters::visitor(Watcher()))));
+  CHECK(are_alike(plain, pick_policies<NotGiven, NotGiven>(OwnStop{}, EndpointPlacement{},
+                                                           RelaxedOrder{}, RefusesAll{&calls},
+                                                           Topology::free, record_into(listener),
+                                                           CGAL::parameters::visitor(Watcher()))));
   CHECK(are_alike(plain, pick_policies<Quadric, MidpointPlacement>(ErrorLimit(1), NormalFlip(60))));
   CHECK_FALSE(are_alike(plain, pick_policies<MemorylessQuadric, NotGiven>()));
   CHECK_FALSE(are_alike(plain, pick_policies<NotGiven, NotGiven>(OwnPlacement{})));
   std::vector<Vector<3>> colors;
-  CHECK_FALSE(are_alike(plain, pick_policies<NotGiven, NotGiven>(
-                                   Colors(CGAL::make_property_map(colors)))));
+  CHECK_FALSE(
+      are_alike(plain, pick_policies<NotGiven, NotGiven>(Colors(CGAL::make_property_map(colors)))));
 }
 
 TEST_CASE("What a call cannot need is not compiled for it") {
@@ -74,8 +74,8 @@ TEST_CASE("What a call cannot need is not compiled for it") {
 TEST_CASE("Filters are asked in their order after the first NormalFlip, and as which they refuse") {
   test::PointSoup soup(test::sphere(3));
   int first = 0, second = 0;
-  const Report report = simplify(soup.points, soup.triangles, FaceCount{100},
-                                 RefusesAll{&first}, RefusesAll{&second});
+  const Report report = simplify(soup.points, soup.triangles, FaceCount{100}, RefusesAll{&first},
+                                 RefusesAll{&second});
   CHECK(first > 0);
   CHECK(second == 0);
   CHECK(report.contractions == 0);

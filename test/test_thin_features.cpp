@@ -135,8 +135,8 @@ TEST_CASE("Nothing is lost of a sphere") {
 TEST_CASE("A loss is what the squared distances to remembered planes grow by, beyond a tolerance") {
   const double weight = 5, tolerance = GENERATE(0.0, 0.1, 0.2);
   CAPTURE(tolerance);
-  const auto policies = internal::pick_policies<internal::NotGiven, internal::NotGiven>(
-      with_loss(weight, tolerance));
+  const auto policies =
+      internal::pick_policies<internal::NotGiven, internal::NotGiven>(with_loss(weight, tolerance));
   const auto no_losses =
       internal::pick_policies<internal::NotGiven, internal::NotGiven>(with_loss(0, 0));
   std::size_t losses = 0, others = 0;

@@ -61,8 +61,7 @@ private:
     const internal::SoupVisitor visitor{options_.proceed};
     quadrille::SoupRecorder recorder = options_.recorder;
     const quadrille::Report report = quadrille::simplify(
-        mesh_.points, mesh_.triangles, cost,
-        internal::placement_of<Cost>(options_),
+        mesh_.points, mesh_.triangles, cost, internal::placement_of<Cost>(options_),
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
         *options_.topology, quadrille::record_into(recorder),
         quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))

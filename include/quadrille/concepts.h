@@ -201,7 +201,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 /// **Requirements**, for a constant `filter`:
 ///
 /// - `filter.allows(contraction)`: a bool. `contraction.faces()` are the faces that change, each
-///   with its moving corner `before` and `after` and its others, `second` and `third`;
+///   with its moving corner `before` and `after` and its others, `second` and `third`; at a vertex
+///   of more than 128 faces that stays in its place, of its own only those beside the others;
 ///   `contraction.target()` is the new position; `contraction.highest_degree()` is that of the
 ///   pair's ends, in faces; `contraction.makes_fold()` tells whether a face would come to lie over
 ///   a neighbour.

@@ -195,8 +195,7 @@ Cost with_weights(Cost cost, const SoupOptions& options) {
 
 template <class Cost>
 Report simplify_by_cost(SoupRun& run, const Cost& cost) {
-  return simplify_with_all(run, with_weights(cost, run.options),
-                           placement_of<Cost>(run.options));
+  return simplify_with_all(run, with_weights(cost, run.options), placement_of<Cost>(run.options));
 }
 
 } // namespace quadrille::internal

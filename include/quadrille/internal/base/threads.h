@@ -38,7 +38,7 @@ class Threads {
 public:
   /// What a library of threads does with more than one.
   struct Library {
-    void (*loop)(std::size_t n, TaskView task);     ///< see parallel_for()
+    void (*loop)(std::size_t n, TaskView task);   ///< see parallel_for()
     void (*run)(unsigned threads, TaskView task); ///< task(0, 0): see with_threads()
   };
 

@@ -7,13 +7,11 @@
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>
-#include <quadrille/internal/contraction/distance_check.h>
-#include <quadrille/internal/contraction/recorder_teller.h>
-#include <quadrille/internal/order/relaxed_passes.h>
-#include <quadrille/internal/policy/mesh_units.h>
-#include <quadrille/internal/policy/orders.h>
+#include <quadrille/internal/call/optional_parts.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/engine_policies.h>
+#include <quadrille/internal/policy/mesh_units.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/visitor_holder.h>
 #include <quadrille/order.h>
@@ -206,19 +204,6 @@ RecorderHandle pick_recorder([[maybe_unused]] const Arguments&... arguments) {
         *pick<Kind::recorder, Cost, NotGiven, Arguments...>(arguments...).recorder);
   else
     return {};
-}
-
-/// The functions of the parts that a call may need.
-template <class Policies, class Stop, class Order, bool is_recorded>
-OptionalParts<Policies> optional_parts() {
-  OptionalParts<Policies> parts;
-  if constexpr (!std::same_as<Order, GreedyOrder>)
-    parts.run_passes = &run_passes<Policies>;
-  if constexpr (is_recorded)
-    parts.make_recording = &make_recording<Policies>;
-  if constexpr (asks_for_distance<Stop>)
-    parts.distances = distance_calls<Policies>();
-  return parts;
 }
 
 /// Refuses to compile a call with two arguments where one is meant.

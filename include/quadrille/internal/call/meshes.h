@@ -172,9 +172,8 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
                               CGAL::Identity_property_map<Point>());
   check_geom_traits<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   auto attributes = pick_attributes<Cost>(named);
-  Workspace workspace(
-      memory_needs(policies, Carried::has_labels, std::ranges::size(points),
-                   std::ranges::size(triangles)));
+  Workspace workspace(memory_needs(policies, Carried::has_labels, std::ranges::size(points),
+                                   std::ranges::size(triangles)));
   auto adapter = soup_adapter(points, triangles, map, attributes, carried, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();

@@ -18,7 +18,7 @@
 namespace quadrille::internal {
 
 inline TriangleComplex::TriangleComplex(std::size_t vertex_count, Array<Triangle> triangles,
-                                 bool will_merge, Threads threads)
+                                        bool will_merge, Threads threads)
     : faces_(std::move(triangles)), pool_(faces_.get_allocator()),
       lists_(vertex_count, faces_.get_allocator()) {
   check_size(vertex_count, faces_.size());

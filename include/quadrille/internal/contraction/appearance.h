@@ -69,13 +69,11 @@ public:
     });
     if constexpr (has_channels)
       channels_.hold_borders(seams_.labels(), !seams_.is_empty());
-    memories_.remember_creases(policies_.cost, policies_.label_border_weight,
-                               geometry_.positions(), complex_, edges);
+    memories_.remember_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
+                               complex_, edges);
   }
 
-  auto observers() {
-    return std::tuple_cat(tie_if<has_channels>(channels_), std::tie(seams_));
-  }
+  auto observers() { return std::tuple_cat(tie_if<has_channels>(channels_), std::tie(seams_)); }
   static auto vertex_columns(auto& self) {
     using C = std::remove_cvref_t<decltype(self.channels_)>;
     return std::tuple_cat(C::vertex_columns(self.channels_),

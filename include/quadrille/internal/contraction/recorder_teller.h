@@ -105,12 +105,12 @@ public:
     if constexpr (Policies::has_channels)
       gather_wedges(kept, buffer);
     const RecordedContraction recorded{numbering_.vertices[kept],
-                                          numbering_.vertices[gone],
-                                          values_of(kept, position, buffer.values),
-                                          error,
-                                          distance_bound(contraction),
-                                          buffer.faces,
-                                          buffer.views};
+                                       numbering_.vertices[gone],
+                                       values_of(kept, position, buffer.values),
+                                       error,
+                                       distance_bound(contraction),
+                                       buffer.faces,
+                                       buffer.views};
     if (is_in_pass)
       buffer.add(recorded, contraction.cost());
     else

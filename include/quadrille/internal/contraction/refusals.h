@@ -81,6 +81,19 @@ void refuse_in_pass(Surface& surface, const std::array<Index, 2>& ends, Rejectio
     recording->refuse_in_pass(ends, cause, error, scratch);
 }
 
+/// What a thread does and refuses belongs to a block of a pass from here on.
+template <class Surface, class Scratch>
+void begin_block(Surface& surface, std::size_t number, Scratch& scratch) {
+  if (auto* const recording = surface.recording())
+    recording->begin_block(number, scratch);
+}
+/// Tells the recorder of what the blocks have done.
+template <class Surface>
+void end_stage(Surface& surface) {
+  if (auto* const recording = surface.recording())
+    recording->end_stage();
+}
+
 } // namespace quadrille::internal
 
 #endif // QUADRILLE_INTERNAL_CONTRACTION_REFUSALS_H

@@ -25,9 +25,10 @@ namespace quadrille::internal {
 /// Is there a kernel that costs two pairs at the price of one, for this cost and placement?
 template <class Cost, class Placement>
 inline constexpr bool has_two_lanes =
-    (std::same_as<Placement, OptimalPlacement> || std::same_as<Placement, BuiltInPlacement>) &&
-    (std::same_as<Cost, Quadric> || std::same_as<Cost, MemorylessQuadric> ||
-     std::same_as<Cost, ThinFeatureQuadric>);
+    (std::same_as<Placement, OptimalPlacement> ||
+     std::same_as<Placement, BuiltInPlacement>)&&(std::same_as<Cost, Quadric> ||
+                                                  std::same_as<Cost, MemorylessQuadric> ||
+                                                  std::same_as<Cost, ThinFeatureQuadric>);
 
 /// Does a placement of those, or one whose guess is of those, take the position of least cost?
 template <class Placement>
@@ -134,8 +135,7 @@ private:
 
   void write(const Two& two, Lanes values, float* keys) const {
     for (std::size_t k = 0; k < 2; ++k)
-      keys[k] =
-          std::isnan(values[k]) ? evaluator_.key_of(two[k]) : Evaluator::as_key(values[k]);
+      keys[k] = std::isnan(values[k]) ? evaluator_.key_of(two[k]) : Evaluator::as_key(values[k]);
   }
 
   // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has

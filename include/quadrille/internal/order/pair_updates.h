@@ -46,7 +46,7 @@ public:
   }
 
   /// All pairs of a vertex are outdated, for good.
-  void forget(Index v) {
+  QUADRILLE_ALWAYS_INLINE void forget(Index v) {
     queue_.stamps().retire(v);
     waiting_.forget(v);
   }
@@ -59,7 +59,7 @@ private:
     return [this](const QueuedPair& pair) { queue_.push_again(pair); };
   }
 
-  void follow_around(const Contraction& contraction, Index kept) {
+  QUADRILLE_ALWAYS_INLINE void follow_around(const Contraction& contraction, Index kept) {
     for (Index end : {contraction.first(), contraction.second()})
       forget(end);
     queue_.stamps().renew(kept);
@@ -120,14 +120,14 @@ private:
 
   // Vertices of faces that are gone may be no neighbours any more. The others are partners, if all
   // pairs are edges, and met as such.
-  void release_around(const PairStar& star) {
+  QUADRILLE_ALWAYS_INLINE void release_around(const PairStar& star) {
     release(star.shared);
     if (surface_.pairs().are_edges())
       return;
     release(star.first);
     release(star.second);
   }
-  void release(const AppendBuffer<StarFace>& faces) {
+  QUADRILLE_ALWAYS_INLINE void release(const AppendBuffer<StarFace>& faces) {
     for (const StarFace& f : faces)
       for (Index v : {f.second, f.third})
         waiting_.release(v, push_again());

@@ -60,8 +60,9 @@ public:
   }
 
   /// Empties the list of a vertex.
-  void forget(Index vertex) {
-    release(vertex, ~std::size_t{0}, [](const QueuedPair&) {});
+  QUADRILLE_ALWAYS_INLINE void forget(Index vertex) {
+    if (has(vertex))
+      forget_all(vertex);
   }
 
   std::size_t size() const { return size_; }
@@ -87,6 +88,10 @@ private:
     const Index slot = free_.back();
     free_.pop_back();
     return slot;
+  }
+
+  QUADRILLE_NOINLINE void forget_all(Index vertex) { // seldom
+    release(vertex, ~std::size_t{0}, [](const QueuedPair&) {});
   }
 
   // An entry is a slot and the end whose list it is in: 2·slot + end.

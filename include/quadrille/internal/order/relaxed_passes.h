@@ -118,12 +118,10 @@ private:
   template <class Task>
   void for_each_block(Task task) {
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      if (auto* const recording = surface_.recording())
-        recording->begin_block(block, workers_[worker].scratch);
+      begin_block(surface_, block, workers_[worker].scratch);
       task(blocks_[block], workers_[worker]);
     });
-    if (auto* const recording = surface_.recording())
-      recording->end_stage();
+    end_stage(surface_);
   }
   Threads threads() const {
     return surface_.pairs().has_others() ? Threads() : surface_.policies().threads;
@@ -216,16 +214,14 @@ private:
     for (Block& block : blocks_)
       proposals.take(block.rest);
     proposals.sort();
-    if (auto* const recording = surface_.recording())
-      recording->begin_block(0, worker.scratch);
+    begin_block(surface_, 0, worker.scratch);
     for (std::size_t i = 0; i < proposals.size() && !surface_.progress().is_enough(); ++i) {
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       contract(proposals[i], gather(proposals[i], worker));
       surface_.progress().count(worker.scratch.tally);
     }
-    if (auto* const recording = surface_.recording())
-      recording->end_stage();
+    end_stage(surface_);
   }
 
   // Has it been contracted in this pass, or lost its faces?

@@ -19,7 +19,8 @@ namespace quadrille::internal {
 
 /// The pairs that a policy emits, each once with the lower index first, in order.
 template <std::size_t N>
-std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy, const SurfaceInput<N>& input) {
+std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
+                                                const SurfaceInput<N>& input) {
   std::vector<Vector<3>> points;
   points.reserve(input.positions.size());
   for (const Vector<N>& p : input.positions)
@@ -42,8 +43,8 @@ std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy, const 
 
 /// The lists of the pairs that a policy selects; where it includes all edges, of the others only.
 template <std::size_t N>
-PairLists select_pairs(const PairSource& policy, const SurfaceInput<N>& input, TriangleComplex& complex,
-                       VertexLabels& labels) {
+PairLists select_pairs(const PairSource& policy, const SurfaceInput<N>& input,
+                       TriangleComplex& complex, VertexLabels& labels) {
   if (!policy.selects())
     return {};
   PairLists lists(input.positions.size());

@@ -37,7 +37,8 @@ struct OptionalParts {
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named. The
-/// engine is compiled for a cost and a placement, with channels or without; all else is told at run time.
+/// engine is compiled for a cost and a placement, with channels or without; all else is told at run
+/// time.
 template <class Cost_, class Placement_, bool has_channels_>
 struct Policies {
   using Cost = Cost_;

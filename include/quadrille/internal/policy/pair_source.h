@@ -29,7 +29,9 @@ public:
   bool ignores_indices() const { return ignores_indices_; }
   /// Does it select pairs of its own, so that it has to see the surface?
   bool selects() const { return static_cast<bool>(select_); }
-  void operator()(const SurfaceView& surface, const EmitPair& emit) const { select_(surface, emit); }
+  void operator()(const SurfaceView& surface, const EmitPair& emit) const {
+    select_(surface, emit);
+  }
 
 private:
   PairSource() = default;
