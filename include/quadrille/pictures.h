@@ -181,7 +181,7 @@ std::vector<PairSegment<Point>> pair_segments(const SurfaceInput<3>& surface, co
   std::vector<bool> has_faces(surface.positions.size(), false);
   for (const auto& [v, w] : edges)
     has_faces[v] = has_faces[w] = true;
-  auto pairs = emitted_pairs(policy, surface);
+  auto pairs = emitted_pairs(PairSource::of(policy), surface);
   std::erase_if(pairs,
                 [&](const auto& pair) { return !has_faces[pair[0]] || !has_faces[pair[1]]; });
   if (includes_edges<Pairs>)

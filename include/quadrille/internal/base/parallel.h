@@ -12,29 +12,10 @@
 #include <algorithm>
 #include <cstddef>
 
+/// \file
+/// The library of threads of a translation unit: oneTBB, or none.
+
 namespace quadrille::internal {
-
-/// Runs task(), in which parallel_for() may use so many threads. They stay awake between the loops
-/// of one task: to wake one takes longer than many loops do.
-template <class Task>
-void with_threads(Threads threads, const Task& task) {
-  if (threads == 1)
-    task();
-  else
-    threads.library().run(threads, TaskView([&](std::size_t, std::size_t) { task(); }));
-}
-
-/// Calls task(i, worker) for i from 0 to n − 1, at most `threads` at a time; no two calls at a time
-/// have the same worker, a number below `threads`. Inside of with_threads(threads, …) only.
-template <class Task>
-void parallel_for(Threads threads, std::size_t n, const Task& task) {
-  if (threads > 1 && n > 1) {
-    threads.library().loop(n, TaskView(task));
-    return;
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    task(i, std::size_t{0});
-}
 
 inline namespace QUADRILLE_THREADING {
 
@@ -59,6 +40,7 @@ inline void run_by_tbb(unsigned threads, TaskView task) {
 }
 inline constexpr Threads::Library tbb_library{&loop_by_tbb, &run_by_tbb};
 
+/// That many threads, of that library.
 inline Threads threads_here(unsigned count) {
   return {count, &tbb_library};
 }

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_BASE_RANGES_H
 
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/base/threads.h>
 
 #include <cstddef>
 

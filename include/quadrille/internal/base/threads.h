@@ -60,6 +60,28 @@ private:
   const Library* library_ = nullptr;
 };
 
+/// Runs task(), in which parallel_for() may use so many threads. They stay awake between the loops
+/// of one task: to wake one takes longer than many loops do.
+template <class Task>
+void with_threads(Threads threads, const Task& task) {
+  if (threads == 1)
+    task();
+  else
+    threads.library().run(threads, TaskView([&](std::size_t, std::size_t) { task(); }));
+}
+
+/// Calls task(i, worker) for i from 0 to n − 1, at most `threads` at a time; no two calls at a time
+/// have the same worker, a number below `threads`. Inside of with_threads(threads, …) only.
+template <class Task>
+void parallel_for(Threads threads, std::size_t n, const Task& task) {
+  if (threads > 1 && n > 1) {
+    threads.library().loop(n, TaskView(task));
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    task(i, std::size_t{0});
+}
+
 } // namespace quadrille::internal
 
 #endif // QUADRILLE_INTERNAL_BASE_THREADS_H

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_RUN_H
 #define QUADRILLE_INTERNAL_CALL_RUN_H
 
-#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/call/engine.h>
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/policy/orders.h>

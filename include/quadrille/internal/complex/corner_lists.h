@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_CORNER_LISTS_H
 #define QUADRILLE_INTERNAL_COMPLEX_CORNER_LISTS_H
 
+#include <quadrille/internal/base/assert.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/ranges.h>
@@ -60,7 +61,17 @@ inline void TriangleComplex::fill_lists(Threads threads) {
             pool_[list.begin + list.size++] = 4 * face + i;
           }
   });
+  QUADRILLE_ASSERT(are_lists_right());
   hubs_.mark(lists_);
+}
+
+// Does each corner in the list of a vertex have that vertex?
+inline bool TriangleComplex::are_lists_right() const {
+  for (Index v = 0; v < lists_.size(); ++v)
+    for (Index i = 0; i < lists_[v].size; ++i)
+      if (const Index corner = pool_[lists_[v].begin + i]; faces_[corner >> 2][corner & 3] != v)
+        return false;
+  return true;
 }
 
 inline void TriangleComplex::pack(const Array<Index>& vertices) {

@@ -252,6 +252,8 @@ private:
     pool_.reserve(pool_.size() + (corners > more ? corners + more : more));
   }
 
+  bool are_lists_right() const;
+
   // Behind the list of a hub: places of the pool that hold no corner.
   bool has_room_behind(Index hub, std::size_t corners) const;
   void make_room_behind(Index hub, std::size_t corners);

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_ENCLOSED_VOLUME_H
 #define QUADRILLE_INTERNAL_CONTRACTION_ENCLOSED_VOLUME_H
 
-#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/complex/edge_balance.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/working_surface.h>

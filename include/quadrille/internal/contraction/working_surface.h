@@ -1,8 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 #define QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 
+#include <quadrille/internal/base/assert.h>
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/appearance.h>
@@ -91,6 +92,8 @@ public:
     if (!progress_.proceed())
       return;
     remember();
+    QUADRILLE_ASSERT(have_rows(complex_.vertex_capacity(), geometry_, memories_, terms_, moved_,
+                               link_condition_, appearance_, parts_));
     if (recording())
       recording()->begin(back_channels_);
     if (progress_.has_visitor())
@@ -142,6 +145,7 @@ public:
   template <class Mode>
   Index apply(const Contraction& contraction, const Mode& mode) {
     const auto [kept, gone] = kept_and_gone(contraction, geometry_);
+    QUADRILLE_ASSERT(kept != gone && complex_.has_faces(kept) && complex_.has_faces(gone));
     const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone,
                                              recession_of(contraction, geometry_, scale_)};
     const auto observers = this->observers();

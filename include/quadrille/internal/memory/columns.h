@@ -28,6 +28,15 @@ void pack_columns(const Array<Index>& left, Part&... part) {
   (std::apply(pack_all, Part::vertex_columns(part)), ...);
 }
 
+/// Has each column of some parts a value for each of that many vertices? Some may be empty.
+template <class... Part>
+bool have_rows(std::size_t vertices, const Part&... part) {
+  const auto fit = [vertices](const auto&... column) {
+    return ((column.empty() || column.size() == vertices) && ...);
+  };
+  return (std::apply(fit, Part::vertex_columns(part)) && ...);
+}
+
 /// A vector<bool> is too dense to gain from prefetching.
 QUADRILLE_ALWAYS_INLINE inline void prefetch_value(const std::vector<bool>&, Index) {}
 template <class Column>

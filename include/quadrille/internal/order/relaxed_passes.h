@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_RELAXED_PASSES_H
 #define QUADRILLE_INTERNAL_ORDER_RELAXED_PASSES_H
 
-#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>

@@ -21,6 +21,8 @@ namespace quadrille::internal {
 template <std::size_t N>
 std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
                                                 const SurfaceInput<N>& input) {
+  if (!policy.selects())
+    return {};
   std::vector<Vector<3>> points;
   points.reserve(input.positions.size());
   for (const Vector<N>& p : input.positions)

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_SURFACE_SPATIAL_ORDER_H
 
 #include <quadrille/internal/base/digit_sort.h>
-#include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_PARALLEL_H
-#define QUADRILLE_INTERNAL_PARALLEL_H
+#ifndef QUADRILLE_INTERNAL_BASE_PARALLEL_H
+#define QUADRILLE_INTERNAL_BASE_PARALLEL_H
 
 #include <quadrille/internal/base/threads.h>
 
@@ -10,18 +10,20 @@ namespace quadrille::internal {
 /// For test_any_order: are the tasks done from the last to the first?
 inline bool runs_backwards = false;
 
-template <class Task>
-auto with_threads(unsigned, const Task& task) {
-  return task();
-}
-
-/// In place of that of the library: all tasks one after the other, each by another worker.
-template <class Task>
-void parallel_for(unsigned threads, std::size_t n, const Task& task) {
+/// In place of a library of threads: all tasks one after the other, each by another of 3 workers.
+inline void loop_in_order(std::size_t n, TaskView task) {
   for (std::size_t i = 0; i < n; ++i)
-    task(runs_backwards ? n - 1 - i : i, i % threads);
+    task(runs_backwards ? n - 1 - i : i, i % 3);
+}
+inline void run_here(unsigned, TaskView task) {
+  task(0, 0);
+}
+inline constexpr Threads::Library in_order{&loop_in_order, &run_here};
+
+inline Threads threads_here(unsigned count) {
+  return {count, &in_order};
 }
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_PARALLEL_H
+#endif // QUADRILLE_INTERNAL_BASE_PARALLEL_H
