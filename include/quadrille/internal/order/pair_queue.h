@@ -59,7 +59,7 @@ public:
 
   template <class IsOutdated>
   QUADRILLE_ALWAYS_INLINE void push(QueuedPair pair, IsOutdated is_outdated) {
-    QUADRILLE_ASSERT(pair.cost >= 0 && pair.first < pair.second); // no NaN either
+    QUADRILLE_ASSERT(pair.cost >= 0); // nor is it a NaN
     const std::size_t bucket = bucket_of(pair.cost);
     if (bucket < open_end_) {
       push_to_heap(pair);
