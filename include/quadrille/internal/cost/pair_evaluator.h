@@ -165,7 +165,7 @@ public:
       return cost;
     else
       return (std::min)(PowerOfTwo(2 * scale_.exponent())(cost),
-                        double{(std::numeric_limits<float>::max)()});
+                        static_cast<double>((std::numeric_limits<float>::max)()));
   }
 
 private:

@@ -43,7 +43,7 @@ public:
   bool is_thin(Index v) const { return ways_[v] != not_thin; }
   /// How far places in thin parts that have been contracted to the vertex are from the faces around
   /// it, at most: see recession_of.
-  double recession(Index v) const { return (std::max)(0.0f, ways_[v]); }
+  double recession(Index v) const { return static_cast<double>((std::max)(0.0f, ways_[v])); }
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
   void fix(Index v) {
     is_fixed_.resize(positions_.size(), false);
