@@ -11,17 +11,17 @@ namespace quadrille::internal {
 inline bool runs_backwards = false;
 
 /// In place of a library of threads: all tasks one after the other, each by another of 3 workers.
-inline void loop_in_order(std::size_t n, TaskView task) {
+inline void loop_one_by_one(std::size_t n, TaskView task) {
   for (std::size_t i = 0; i < n; ++i)
     task(runs_backwards ? n - 1 - i : i, i % 3);
 }
-inline void run_here(unsigned, TaskView task) {
+inline void run_one_by_one(unsigned, TaskView task) {
   task(0, 0);
 }
-inline constexpr Threads::Library in_order{&loop_in_order, &run_here};
+inline constexpr Threads::Library one_by_one{&loop_one_by_one, &run_one_by_one};
 
 inline Threads threads_here(unsigned count) {
-  return {count, &in_order};
+  return {count, &one_by_one};
 }
 
 } // namespace quadrille::internal
