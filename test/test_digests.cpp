@@ -57,7 +57,8 @@ std::uint64_t digest_of(const Result& result) {
   for (std::size_t cause = 0; cause < rejection_causes; ++cause)
     if (const auto rejection = static_cast<Rejection>(cause);
         rejection != Rejection::seam && rejection != Rejection::texture &&
-        rejection != Rejection::hull && rejection != Rejection::volume) // the table is older
+        rejection != Rejection::hull && rejection != Rejection::volume &&
+        rejection != Rejection::self_intersection) // the table is older
       digest.add(std::uint64_t{result.report.rejections[cause]});
   return digest.value();
 }

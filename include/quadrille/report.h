@@ -75,8 +75,9 @@ enum class Rejection {
   hull,    ///< no place that the planes around it allow: see OuterHull
   volume,  ///< no place that keeps the volume: see VolumeKeeping
   filter,  ///< a filter of the user's refused
+  self_intersection, ///< faces would intersect that do not: see NoSelfIntersection
 };
-inline constexpr std::size_t rejection_causes = 13; ///< how many there are
+inline constexpr std::size_t rejection_causes = 14; ///< how many there are
 
 /// In words.
 constexpr std::string_view to_string(Stage stage) {
@@ -96,7 +97,8 @@ constexpr std::string_view to_string(StopReason reason) {
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
       "topology",    "constraint", "normal flip", "shape", "degree", "distance", "position",
-      "destruction", "seam",       "texture",     "hull",  "volume", "filter"};
+      "destruction", "seam",       "texture",     "hull",  "volume", "filter",
+      "self-intersection"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -155,6 +157,13 @@ struct Report {
   std::optional<double> volume_before;
   std::optional<double> volume_after; ///< the same of the result
 
+  /// How many pairs of faces intersect beyond the vertices and edges that both have.
+  struct SelfIntersections {
+    std::size_t before = 0; ///< of the input, without degenerate and doubled faces
+    std::size_t after = 0;  ///< of the result, all of which did in the input
+  };
+  std::optional<SelfIntersections> self_intersections; ///< known with NoSelfIntersection
+
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
   std::array<std::size_t, rejection_causes> rejections{};
   /// How many contractions were refused for one cause.
@@ -183,6 +192,9 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
     out << ", within " << report.distance_bound << " of the input";
   if (report.volume_before && report.volume_after)
     out << ", volume " << *report.volume_before << " -> " << *report.volume_after;
+  if (report.self_intersections)
+    out << ", self-intersections " << report.self_intersections->before << " -> "
+        << report.self_intersections->after;
   if (report.non_edge_contractions > 0)
     out << ", " << report.non_edge_contractions << " contractions of no edge";
   if (report.components_before != report.components_after)

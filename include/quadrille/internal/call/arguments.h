@@ -6,6 +6,7 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/call/carried.h>
+#include <quadrille/internal/call/intersection_choice.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/call/optional_parts.h>
 #include <quadrille/internal/policy/built_in_placement.h>
@@ -48,6 +49,7 @@ enum class Kind {
   channel,
   split_vertices,
   recorder,
+  intersection,
   named_parameters,
   unknown
 };
@@ -91,6 +93,8 @@ constexpr Kind kind_of() {
     return Kind::split_vertices;
   else if constexpr (is_recorder<T>)
     return Kind::recorder;
+  else if constexpr (IsIntersection<T>)
+    return Kind::intersection;
   else if constexpr (is_order<T>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)
@@ -228,6 +232,8 @@ constexpr void check_counts() {
                 "simplify takes one order: pass only one.");
   static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
                 "simplify takes one recorder: pass record_into only once.");
+  static_assert(count_of<Kind::intersection, Cost, Arguments...> <= 1,
+                "simplify takes one NoSelfIntersection: pass it only once.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
@@ -260,6 +266,8 @@ auto pick_policies(const Arguments&... arguments) {
   validate(pairs);
   validate(stop);
   validate(order);
+  const auto intersection = pick<Kind::intersection, Cost, AnyIntersection>(arguments...);
+  check_order(intersection, order);
   const auto carried = pick_carried<Cost>(arguments...);
   using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
                                       EnginePlacement<std::remove_const_t<decltype(placement)>>,
@@ -278,7 +286,7 @@ auto pick_policies(const Arguments&... arguments) {
       topology,
       pick_filters<Cost>(arguments...),
       optional_parts<Policies, std::remove_const_t<decltype(stop)>,
-                     std::remove_const_t<decltype(order)>, is_recorded>()};
+                     std::remove_const_t<decltype(order)>, is_recorded>(intersection)};
   policies.threads.validate();
   return policies;
 }

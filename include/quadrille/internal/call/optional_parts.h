@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_OPTIONAL_PARTS_H
 #define QUADRILLE_INTERNAL_CALL_OPTIONAL_PARTS_H
 
+#include <quadrille/internal/call/intersection_choice.h>
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/recorder_teller.h>
 #include <quadrille/internal/order/relaxed_passes.h>
@@ -13,8 +14,8 @@
 namespace quadrille::internal {
 
 /// The functions of the parts that a call may need, for what its types tell.
-template <class Policies, class Stop, class Order, bool is_recorded>
-OptionalParts<Policies> optional_parts() {
+template <class Policies, class Stop, class Order, bool is_recorded, class Intersection>
+OptionalParts<Policies> optional_parts([[maybe_unused]] const Intersection& intersection) {
   OptionalParts<Policies> parts;
   if constexpr (!std::same_as<Order, GreedyOrder>)
     parts.run_passes = &run_passes<Policies>;
@@ -22,6 +23,10 @@ OptionalParts<Policies> optional_parts() {
     parts.make_recording = &make_recording<Policies>;
   if constexpr (asks_for_distance<Stop>)
     parts.distances = distance_calls<Policies>();
+  if constexpr (!std::same_as<Intersection, AnyIntersection>)
+    if (intersection.is_asked)
+      parts.make_intersection_check =
+          &Intersection::template make_check<Policies::Cost::dimension>;
   return parts;
 }
 

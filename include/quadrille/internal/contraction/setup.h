@@ -42,9 +42,10 @@ Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policie
   using Cost = typename Policies::Cost;
   const Cost& cost = policies.cost;
   Scale<N> scale(box, is_scale_free<Cost>);
-  if constexpr (needs_closed_surface<typename Policies::Placement>)
-    if (are_floats(input.positions))
-      scale.write_floats();
+  if ((needs_closed_surface<typename Policies::Placement> ||
+       policies.optional.make_intersection_check) &&
+      are_floats(input.positions))
+    scale.write_floats();
   if constexpr (requires {
                   cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);
                 })

@@ -10,6 +10,7 @@
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,6 +25,10 @@ template <class Policies>
 struct RecordingNeeds;
 template <class Policies>
 struct DistanceCalls;
+template <std::size_t N>
+class Geometry;
+class IntersectionCheck;
+class TriangleComplex;
 
 /// What only some calls need, as functions: a call that cannot need it does not compile it.
 template <class Policies>
@@ -34,6 +39,9 @@ struct OptionalParts {
   std::unique_ptr<Recording<Policies>> (*make_recording)(const RecordingNeeds<Policies>&) = nullptr;
   /// What measures distances for a stop policy that asks for them.
   const DistanceCalls<Policies>* distances = nullptr;
+  /// What keeps faces apart.
+  std::unique_ptr<IntersectionCheck> (*make_intersection_check)(
+      const TriangleComplex&, const Geometry<Policies::Cost::dimension>&) = nullptr;
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named. The

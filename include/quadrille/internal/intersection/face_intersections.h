@@ -1,0 +1,232 @@
+#ifndef QUADRILLE_INTERNAL_INTERSECTION_FACE_INTERSECTIONS_H
+#define QUADRILLE_INTERNAL_INTERSECTION_FACE_INTERSECTIONS_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/intersection/box_tree.h>
+#include <quadrille/internal/intersection/intersection_check.h>
+#include <quadrille/internal/intersection/triangle_pair.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Where the faces of a surface are, in a tree of boxes, and which of them intersect.
+///
+/// Once half of the faces are gone, the tree is built anew of those that are left, in the same
+/// order: what was next to each other still is. So all that takes linear time, but for the first
+/// sort. 36 bytes a face.
+template <std::size_t N>
+class FaceIntersections final : public IntersectionCheck {
+public:
+  FaceIntersections(const TriangleComplex& complex, const Geometry<N>& geometry)
+      : complex_(complex), geometry_(geometry) {}
+
+  void begin() override {
+    sort_faces();
+    plant();
+  }
+
+  bool makes_intersection(const PairStar& star, Index first, Index second,
+                          const Vector<3>& target) override {
+    gather(star, first, second, target);
+    for (std::size_t i = 0; i < changed_.size(); ++i)
+      if (meets_others(changed_[i], i))
+        return true;
+    return false;
+  }
+
+  void follow(const PairStar& star, Index first) override {
+    for (const StarFace& f : star.shared)
+      forget(f.face);
+    for_each_changed(star, first, [&](const StarFace& f) {
+      if (complex_.is_removed(f.face))
+        forget(f.face);
+      else
+        boxes_.move(slots_[f.face], box_of(f.face));
+    });
+    if (2 * left_ < faces_.size())
+      replant();
+  }
+
+  void forget(std::span<const Index> faces) override {
+    for (Index face : faces)
+      forget(face);
+  }
+
+  std::size_t count() const override {
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin < faces_.size(); begin += BoxTree::width)
+      count += count_behind(begin);
+    return count;
+  }
+
+private:
+  // A face at the place that it has now, or is to have.
+  struct PlacedFace {
+    Index face;
+    FloatBox box;
+    FaceCorners corners;
+  };
+
+  std::array<float, 3> rounded(const Vector<3>& p) const {
+    std::array<float, 3> point;
+    for (std::size_t i = 0; i < 3; ++i)
+      point[i] = static_cast<float>(p[i] - origin_[i]);
+    return point;
+  }
+  FloatBox box_of(const FaceCorners& corners) const {
+    FloatBox box = FloatBox::empty();
+    for (const Vector<3>& p : corners.points)
+      box.add(rounded(p));
+    return box;
+  }
+  FaceCorners corners_of(Index face) const {
+    const auto& v = complex_.vertices(face);
+    const auto point = [&](std::size_t i) { return space(geometry_.position(v[i])); };
+    return {v, {point(0), point(1), point(2)}};
+  }
+  FloatBox box_of(Index face) const { return box_of(corners_of(face)); }
+
+  // In the order of the tree. Boxes are about one of their places, so that they lose no more of
+  // their coordinates than they have to.
+  void sort_faces() {
+    struct Centre {
+      Index face;
+      std::array<float, 3> point;
+      bool operator<(const Centre& other) const { return face < other.face; }
+    };
+    std::vector<Centre> centres;
+    for (Index face = 0; face < complex_.face_capacity(); ++face) {
+      if (complex_.is_removed(face))
+        continue;
+      if (centres.empty())
+        origin_ = corners_of(face).points[0];
+      const FloatBox box = box_of(face);
+      Centre centre{face, {}};
+      for (std::size_t i = 0; i < 3; ++i)
+        centre.point[i] = box.low[i] + box.high[i];
+      centres.push_back(centre);
+    }
+    sort_for_box_tree(centres.data(), centres.data() + centres.size(),
+                      [](const Centre& centre) { return centre.point; });
+    faces_.reserve(centres.size());
+    for (const Centre& centre : centres)
+      faces_.push_back(centre.face);
+  }
+
+  void plant() {
+    slots_.resize(complex_.face_capacity());
+    boxes_ = BoxTree(); // two at a time take more memory
+    boxes_ = BoxTree(faces_.size());
+    for (std::size_t slot = 0; slot < faces_.size(); ++slot) {
+      slots_[faces_[slot]] = static_cast<Index>(slot);
+      boxes_.put(slot, box_of(faces_[slot]));
+    }
+    boxes_.fit();
+    left_ = faces_.size();
+  }
+
+  void replant() {
+    const auto is_gone = [this](Index face) { return complex_.is_removed(face); };
+    faces_.erase(std::remove_if(faces_.begin(), faces_.end(), is_gone), faces_.end());
+    plant();
+  }
+
+  void forget(Index face) {
+    boxes_.move(slots_[face], FloatBox::empty());
+    --left_;
+  }
+
+  // A hub keeps its place, and its faces.
+  template <class Visit>
+  static void for_each_changed(const PairStar& star, Index first, Visit visit) {
+    if (star.hub == none)
+      return star.for_each_changed(visit);
+    for (const StarFace& f : star.hub == first ? star.second : star.first)
+      visit(f);
+  }
+
+  // The faces that a contraction would change, where they would be, and those that are near them.
+  void gather(const PairStar& star, Index first, Index second, const Vector<3>& target) {
+    changed_.clear();
+    near_.clear();
+    FloatBox around = FloatBox::empty();
+    const Index kept = star.hub == none ? first : star.hub;
+    for_each_changed(star, first, [&](const StarFace& f) {
+      const FaceCorners corners{{kept, f.second, f.third},
+                                {target, space(geometry_.position(f.second)),
+                                 space(geometry_.position(f.third))}};
+      const FloatBox box = box_of(corners);
+      changed_.push_back({f.face, box, corners});
+      around.add(box);
+    });
+    const auto is_changed = [&](Index face) {
+      const auto& v = complex_.vertices(face);
+      return std::any_of(v.begin(), v.end(), [&](Index w) {
+        return w != star.hub && (w == first || w == second);
+      });
+    };
+    boxes_.for_each_meeting(around, [&](std::size_t slot, const FloatBox& box) {
+      if (const Index face = faces_[slot]; !complex_.is_removed(face) && !is_changed(face))
+        near_.push_back({face, box, corners_of(face)});
+    });
+  }
+
+  // Does one of the changed faces, in place i of them, intersect others that it does not intersect
+  // now? Those behind it of the changed ones have not been looked at.
+  bool meets_others(const PlacedFace& changed, std::size_t i) const {
+    if (is_degenerate(changed.corners) && !is_degenerate(corners_of(changed.face)))
+      return true; // it would meet others without being seen
+    const auto is_met = [&](const PlacedFace& other) {
+      return changed.box.meets(other.box) &&
+             TrianglePair(changed.corners, other.corners).intersect() &&
+             !TrianglePair(corners_of(changed.face), corners_of(other.face)).intersect();
+    };
+    return std::any_of(near_.begin(), near_.end(), is_met) ||
+           std::any_of(changed_.begin() + static_cast<std::ptrdiff_t>(i) + 1, changed_.end(),
+                       is_met);
+  }
+
+  // The pairs of a face in one of eight slots and another one behind it.
+  std::size_t count_behind(std::size_t begin) const {
+    const std::size_t end = (std::min)(begin + BoxTree::width, faces_.size());
+    std::size_t count = 0;
+    boxes_.for_each_meeting(boxes_.around(begin / BoxTree::width), [&](std::size_t slot,
+                                                                       const FloatBox& box) {
+      for (std::size_t other = begin; other < (std::min)(end, slot); ++other)
+        if (boxes_[other].meets(box) &&
+            TrianglePair(corners_of(faces_[other]), corners_of(faces_[slot])).intersect())
+          ++count;
+    });
+    return count;
+  }
+
+  const TriangleComplex& complex_;
+  const Geometry<N>& geometry_;
+  Vector<3> origin_{};
+  std::vector<Index> faces_; // of each slot
+  std::vector<Index> slots_; // of each face
+  BoxTree boxes_;
+  std::size_t left_ = 0;
+  std::vector<PlacedFace> changed_, near_; // see gather()
+};
+
+/// What keeps the faces of a surface apart.
+template <std::size_t N>
+std::unique_ptr<IntersectionCheck> make_intersection_check(const TriangleComplex& complex,
+                                                           const Geometry<N>& geometry) {
+  return std::make_unique<FaceIntersections<N>>(complex, geometry);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_INTERSECTION_FACE_INTERSECTIONS_H

@@ -1,0 +1,34 @@
+#ifndef QUADRILLE_INTERNAL_INTERSECTION_INTERSECTION_CHECK_H
+#define QUADRILLE_INTERNAL_INTERSECTION_INTERSECTION_CHECK_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/vector.h>
+
+#include <cstddef>
+#include <span>
+
+namespace quadrille::internal {
+
+/// What knows where the faces of a surface are, so that it can tell whether they meet. It is
+/// compiled for calls with NoSelfIntersection only: see FaceIntersections.
+class IntersectionCheck {
+public:
+  virtual ~IntersectionCheck() = default;
+
+  /// The surface is as it is before the first contraction.
+  virtual void begin() = 0;
+  /// Would faces intersect that do not, if this pair came together at a target?
+  virtual bool makes_intersection(const PairStar& star, Index first, Index second,
+                                  const Vector<3>& target) = 0;
+  /// That has been done: the vertex that is left has its place.
+  virtual void follow(const PairStar& star, Index first) = 0;
+  /// Faces that are gone.
+  virtual void forget(std::span<const Index> faces) = 0;
+  /// How many pairs of faces intersect, now.
+  virtual std::size_t count() const = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_INTERSECTION_INTERSECTION_CHECK_H

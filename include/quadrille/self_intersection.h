@@ -1,0 +1,44 @@
+#ifndef QUADRILLE_SELF_INTERSECTION_H
+#define QUADRILLE_SELF_INTERSECTION_H
+
+// This header includes CGAL's kernel for exact predicates, which is LGPL as the parts are that
+// <quadrille/simplify.h> includes. That does not include this one, so that calls that do without
+// need not compile it.
+
+#include <quadrille/internal/intersection/face_intersections.h>
+#include <quadrille/internal/intersection/intersection_check.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace quadrille {
+
+/// An argument of `simplify`: the surface does not pass through itself where it did not before.
+///
+/// Two faces intersect if they have a point in common beside the vertices and edges that both have:
+/// so do faces that lie on each other in a plane, and those that touch where they have no common
+/// vertex. No pair of faces of the result intersects that did not in the input. Pairs of the input
+/// that intersect may stay or vanish: Report::self_intersections says how many there were, and how
+/// many are left. Faces without an area intersect none, and no face loses its area.
+///
+/// What would make faces intersect is refused: Rejection::self_intersection. All is decided exactly,
+/// by CGAL's predicates, on the coordinates that will be written to the mesh: where all coordinates
+/// of the input are floats, those of the result are, too.
+///
+/// For GreedyOrder only. O(log n) for each contraction, as a rule, and 36 bytes a face: all takes two to three
+/// times as long.
+struct NoSelfIntersection {
+  /// If not, it is as if this were not there: for programs that choose at run time.
+  bool is_asked = true;
+
+  /// For the engine: what keeps the faces apart.
+  template <std::size_t N>
+  static std::unique_ptr<internal::IntersectionCheck>
+  make_check(const internal::TriangleComplex& complex, const internal::Geometry<N>& geometry) {
+    return internal::make_intersection_check<N>(complex, geometry);
+  }
+};
+
+} // namespace quadrille
+
+#endif // QUADRILLE_SELF_INTERSECTION_H
