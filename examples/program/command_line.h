@@ -160,6 +160,9 @@ inline void add_topology(CLI::App& app, Options& options) {
                "small parts may vanish whole where that is the cheapest thing to do; else topology "
                "is kept")
       ->group("Policies");
+  app.add_flag("--no-self-intersection", options.forbids_intersections,
+               "no faces of OUT intersect that do not in IN; takes two to four times as long")
+      ->group("Policies");
   using quadrille::Seams;
   const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},
                                                          {"held", Seams::held},
@@ -249,8 +252,8 @@ inline void add_records(CLI::App& app, Options& options) {
   reads->type_name("FILE")->group("Files");
   for (const char* const name :
        {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary", "--crease",
-        "--pairs", "--topology", "--drop-parts", "--seams", "--order", "--threads", "--measure",
-        "--keep-partial", "--orient"})
+        "--pairs", "--topology", "--drop-parts", "--no-self-intersection", "--seams", "--order",
+        "--threads", "--measure", "--keep-partial", "--orient"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())
@@ -276,6 +279,9 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");
+  refuse_if(options.forbids_intersections && options.is_relaxed,
+            "--no-self-intersection does not go with --order relaxed: the blocks of a pass do not "
+            "see each other");
   refuse_if(options.threads > 0 && !options.is_relaxed, "--threads needs --order relaxed");
   refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
             "--keep-partial does not go with --levels or --record: they have several results");

@@ -41,8 +41,9 @@ struct Options {
   std::string topology;                  // empty: free if there are pairs that are no edges
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
   bool drops_parts = false;
-  bool is_relaxed = false; // the order
-  unsigned threads = 0;    // 0: as many as the machine has, where the order is relaxed
+  bool forbids_intersections = false; // of faces that do not intersect in IN
+  bool is_relaxed = false;            // the order
+  unsigned threads = 0;               // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;
   bool orients = false; // are faces wound alike first?
   bool measures = false;

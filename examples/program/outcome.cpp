@@ -66,6 +66,9 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", error about " + distance_text(report.error, outcome.diagonal);
   if (outcome.measured)
     text += measured_text(*outcome.measured, outcome.diagonal);
+  if (report.self_intersections)
+    text += ", " + with_commas(report.self_intersections->before) + arrow() +
+            with_commas(report.self_intersections->after) + " pairs of faces intersect";
   if (report.vanished_parts > 0)
     text += ", " + with_commas(report.vanished_parts) + " parts vanished";
   const quadrille::Status input{.initial_faces = report.counted_faces,
@@ -130,6 +133,7 @@ Json json_of(const Outcome& outcome) {
                {"non_manifold_vertices", report.non_manifold_vertices},
                {"error", report.error},
                {"distance_bound", nullptr},
+               {"self_intersections", nullptr},
                {"diagonal", outcome.diagonal},
                {"rejections", rejections},
                {"seconds",
@@ -139,6 +143,9 @@ Json json_of(const Outcome& outcome) {
                  {"write", report.seconds.write}}}};
   if (std::isfinite(report.distance_bound)) // JSON has no infinity
     json["distance_bound"] = report.distance_bound;
+  if (report.self_intersections)
+    json["self_intersections"] =
+        before_and_after(report.self_intersections->before, report.self_intersections->after);
   if (outcome.measured)
     json["measured"] = json_of(*outcome.measured);
   return json;

@@ -50,6 +50,7 @@ quadrille::SoupOptions soup_options(const Options& options) {
     result.threads = options.threads;
   }
   result.topology = topology(options);
+  result.no_self_intersection = options.forbids_intersections;
   result.proceed = options.proceed;
   return result;
 }

@@ -29,18 +29,28 @@ inline auto numbers_of(const quadrille::Status& status) {
                     next_distance, diagonal, progress, static_cast<int>(stage));
 }
 
+using SelfIntersections = std::optional<quadrille::Report::SelfIntersections>;
+using OptionalPair = std::optional<std::array<std::size_t, 2>>;
+
+inline OptionalPair pair_of(const SelfIntersections& counts) {
+  return counts ? OptionalPair({counts->before, counts->after}) : std::nullopt;
+}
+inline SelfIntersections self_intersections_of(const OptionalPair& counts) {
+  return counts ? SelfIntersections({(*counts)[0], (*counts)[1]}) : std::nullopt;
+}
+
 /// The same of a report.
 inline auto numbers_of(const quadrille::Report& report) {
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, volume_before,
-               volume_after, rejections, seconds] = report;
+               volume_after, self_intersections, rejections, seconds] = report;
   return std::tuple(faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                     contractions, non_edge_contractions, components_before, components_after,
                     vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                     doubled_faces, doubled_labels, static_cast<int>(stop), error, distance_bound,
-                    volume_before, volume_after, rejections,
+                    volume_before, volume_after, pair_of(self_intersections), rejections,
                     std::array{seconds.read, seconds.prepare, seconds.contract, seconds.write});
 }
 
@@ -68,7 +78,7 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, volume_before,
-               volume_after, rejections, seconds] = numbers;
+               volume_after, self_intersections, rejections, seconds] = numbers;
   return {faces_before,
           counted_faces,
           faces_after,
@@ -89,6 +99,7 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
           distance_bound,
           volume_before,
           volume_after,
+          self_intersections_of(self_intersections),
           rejections,
           {seconds[0], seconds[1], seconds[2], seconds[3]}};
 }
@@ -137,6 +148,10 @@ inline void add_report(py::module_& m) {
       .def_readonly("distance_bound", &Report::distance_bound,
                     "no point of the result is further from the input; infinite but with error= "
                     "and relative_error=")
+      .def_property_readonly(
+          "self_intersections", [](const Report& r) { return pair_of(r.self_intersections); },
+          "how many pairs of faces of the input intersect, and of the result; None but with "
+          "no_self_intersection=True")
       .def("__repr__", [](const Report& r) { return "<quadrille.Report: " + text_of(r) + '>'; })
       .def("__str__", text_of);
   report.def(py::pickle([](const Report& r) { return numbers_of(r); }, &report_of));

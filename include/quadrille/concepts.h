@@ -196,7 +196,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** NormalFlip, TriangleShape, HighestDegree.
+/// **Has models** NormalFlip, TriangleShape, HighestDegree. NoSelfIntersection is none: it has to
+/// follow contractions, which a filter does not see.
 ///
 /// **Requirements**, for a constant `filter`:
 ///

@@ -75,7 +75,8 @@ enum class Rejection {
   hull,    ///< no place that the planes around it allow: see OuterHull
   volume,  ///< no place that keeps the volume: see VolumeKeeping
   filter,  ///< a filter of the user's refused
-  self_intersection, ///< faces would intersect that do not: see NoSelfIntersection
+  /// faces would intersect that do not: see NoSelfIntersection
+  self_intersection,
 };
 inline constexpr std::size_t rejection_causes = 14; ///< how many there are
 

@@ -21,12 +21,12 @@ namespace quadrille {
 /// that intersect may stay or vanish: Report::self_intersections says how many there were, and how
 /// many are left. Faces without an area intersect none, and no face loses its area.
 ///
-/// What would make faces intersect is refused: Rejection::self_intersection. All is decided exactly,
-/// by CGAL's predicates, on the coordinates that will be written to the mesh: where all coordinates
-/// of the input are floats, those of the result are, too.
+/// What would make faces intersect is refused: Rejection::self_intersection. All is decided
+/// exactly, by CGAL's predicates, on the coordinates that will be written to the mesh: where all
+/// coordinates of the input are floats, those of the result are, too.
 ///
-/// For GreedyOrder only. O(log n) for each contraction, as a rule, and 36 bytes a face: all takes two to three
-/// times as long.
+/// For GreedyOrder only. O(log n) for each contraction, as a rule, and 36 bytes a face: all takes
+/// two to three times as long.
 struct NoSelfIntersection {
   /// If not, it is as if this were not there: for programs that choose at run time.
   bool is_asked = true;

@@ -8,6 +8,7 @@
 #include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -141,7 +142,8 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,
                       ThresholdPairs(options.pairs_closer_than), SoupStop(options),
-                      order_of(options), NormalFlip(options.normal_flip), record_into(recorder),
+                      order_of(options), NormalFlip(options.normal_flip),
+                      NoSelfIntersection{options.no_self_intersection}, record_into(recorder),
                       more..., topology..., rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();

@@ -24,9 +24,10 @@ template <class Intersection, class Order>
 void check_order([[maybe_unused]] const Intersection& intersection,
                  [[maybe_unused]] const Order& order) {
   if constexpr (!std::same_as<Intersection, AnyIntersection>) {
-    static_assert(!std::same_as<Order, RelaxedOrder>,
-                  "NoSelfIntersection needs GreedyOrder, since the blocks of a pass do not see each "
-                  "other: leave RelaxedOrder out.");
+    static_assert(
+        !std::same_as<Order, RelaxedOrder>,
+        "NoSelfIntersection needs GreedyOrder, since the blocks of a pass do not see each "
+        "other: leave RelaxedOrder out.");
     if (intersection.is_asked && has_passes(order))
       throw std::invalid_argument("quadrille::NoSelfIntersection needs GreedyOrder, since the "
                                   "blocks of a pass do not see each other");

@@ -25,8 +25,7 @@ OptionalParts<Policies> optional_parts([[maybe_unused]] const Intersection& inte
     parts.distances = distance_calls<Policies>();
   if constexpr (!std::same_as<Intersection, AnyIntersection>)
     if (intersection.is_asked)
-      parts.make_intersection_check =
-          &Intersection::template make_check<Policies::Cost::dimension>;
+      parts.make_intersection_check = &Intersection::template make_check<Policies::Cost::dimension>;
   return parts;
 }
 

@@ -6,9 +6,9 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/optional_intersections.h>
 #include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/cost/channels.h>
-#include <quadrille/internal/intersection/intersection_check.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
@@ -35,13 +35,13 @@ public:
 
   Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
          const Geometry<dimension>& geometry, const LinkCondition& link_condition,
-         const SeamGraph& seams, const ChannelsOf<Policies>& channels, bool is_topology_kept,
-         IntersectionCheck* intersections)
+         const SeamGraph& seams, const ChannelsOf<Policies>& channels, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
         link_condition_(link_condition), seams_(seams), channels_(channels),
-        is_topology_kept_(is_topology_kept), intersections_(intersections) {}
+        is_topology_kept_(is_topology_kept), intersections_(policies, complex, geometry) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
+  const OptionalIntersections& intersections() const { return intersections_; }
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
   /// that costs the same suits them, it goes there. Where faces are kept apart, it goes to a place
@@ -57,7 +57,7 @@ public:
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
-    if (intersections_) [[unlikely]]
+    if (intersections_.get()) [[unlikely]]
       contraction.move_to(scale_.as_written(contraction.target()));
     const std::optional<Rejection> cause = refusal(contraction, contraction.target());
     if (cause && !stays(star, a) && !stays(star, b) && finds_other_place(contraction, *cause))
@@ -87,10 +87,8 @@ private:
     if constexpr (looks_at_star<Placement>)
       if (!cause && !policies_.placement.admits(contraction.pair(), star_view(contraction), target))
         return Placement::cause;
-    if (intersections_ && !cause) [[unlikely]]
-      if (intersections_->makes_intersection(contraction.star(), contraction.first(),
-                                             contraction.second(), space(target)))
-        return Rejection::self_intersection;
+    if (!cause && intersections_.are_made_by(contraction, space(target)))
+      return Rejection::self_intersection;
     return cause;
   }
 
@@ -102,7 +100,7 @@ private:
   QUADRILLE_NOINLINE bool finds_other_place(Contraction& contraction,
                                             [[maybe_unused]] Rejection cause) const { // seldom
     const auto takes = [&](const Position& place) {
-      const Position x = intersections_ ? scale_.as_written(place) : place;
+      const Position x = intersections_.get() ? scale_.as_written(place) : place;
       if (refusal(contraction, x))
         return false;
       contraction.move_to(x);
@@ -133,7 +131,7 @@ private:
   const SeamGraph& seams_;
   const ChannelsOf<Policies>& channels_;
   bool is_topology_kept_;
-  IntersectionCheck* intersections_; // nullptr if faces may intersect
+  OptionalIntersections intersections_;
 };
 
 } // namespace quadrille::internal

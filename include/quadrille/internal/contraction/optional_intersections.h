@@ -8,6 +8,7 @@
 #include <quadrille/internal/policy/engine_policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/report.h>
+#include <quadrille/vector.h>
 
 #include <cstddef>
 #include <memory>
@@ -29,30 +30,38 @@ public:
   IntersectionCheck* get() const { return check_.get(); }
 
   /// The surface is as it is before the first contraction.
-  void begin() {
+  void begin(Report& report) const {
     if (check_) {
       check_->begin();
-      before_ = check_->count();
+      report.self_intersections = {check_->count(), 0};
     }
   }
-  void tell(Report& report) const {
+  void end(Report& report) const {
     if (check_)
-      report.self_intersections = {before_, check_->count()};
+      report.self_intersections->after = check_->count();
+  }
+
+  /// Would faces intersect that do not, if the ends of a contraction came to a target?
+  template <class Contraction>
+  bool are_made_by(const Contraction& contraction, const Vector<3>& target) const {
+    if (check_) [[unlikely]]
+      return check_->makes_intersection(contraction.star(), contraction.first(),
+                                        contraction.second(), target);
+    return false;
   }
 
   template <class Event>
-  QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
+  QUADRILLE_ALWAYS_INLINE void after(const Event& event) const {
     if (check_) [[unlikely]]
       check_->follow(event.contraction.star(), event.contraction.first());
   }
-  void vanished(const PartEvent& event) {
+  void vanished(const PartEvent& event) const {
     if (check_)
       check_->forget(event.faces);
   }
 
 private:
   std::unique_ptr<IntersectionCheck> check_;
-  std::size_t before_ = 0;
 };
 
 } // namespace quadrille::internal

@@ -16,7 +16,6 @@
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
-#include <quadrille/internal/contraction/optional_intersections.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/progress.h>
@@ -37,7 +36,6 @@
 #include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/report.h>
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <tuple>
@@ -75,9 +73,8 @@ public:
                     scratches_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_,
                    appearance_.channels()),
-        intersections_(policies, complex_, geometry_),
         checks_(policies, scale_, complex_, geometry_, link_condition_, appearance_.seams(),
-                appearance_.channels(), is_topology_kept_, intersections_.get()),
+                appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
         target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
@@ -94,7 +91,6 @@ public:
     if (!progress_.proceed())
       return;
     remember();
-    intersections_.begin();
     QUADRILLE_ASSERT(have_rows(complex_.vertex_capacity(), geometry_, memories_, terms_, moved_,
                                link_condition_, appearance_, parts_));
     if (recording())
@@ -189,7 +185,6 @@ public:
     progress_.tell(report);
     if (policies_.stop.is_asking_for_distance())
       report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
-    intersections_.tell(report);
     count_topology(complex_, scratch().labels).tell(report);
     const std::size_t parts = report.components_after + report.vanished_parts;
     report.components_before = is_topology_kept_ ? parts : initial_components_;
@@ -213,7 +208,7 @@ private:
     return std::tuple_cat(
         std::tie(recording_, bounds_), appearance_.observers(),
         std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
-        tie_if<has_local_terms<Cost>>(terms_), std::tie(intersections_));
+        tie_if<has_local_terms<Cost>>(terms_), std::tie(checks_.intersections()));
   }
 
   void classify(const Box<dimension>& box) {
@@ -291,7 +286,6 @@ private:
   Appearance<Policies> appearance_;
   OptionalRecording<Policies> recording_;
   PairEvaluator<Policies> evaluator_;
-  OptionalIntersections intersections_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;
   TargetRules<Policies> target_rules_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -58,7 +59,9 @@ public:
     }
   }
 
-  FloatBox operator[](std::size_t slot) const { return levels_.front()[slot / width].box(slot % width); }
+  FloatBox operator[](std::size_t slot) const {
+    return levels_.front()[slot / width].box(slot % width);
+  }
 
   /// Before all boxes have been put, those around them are not kept up to date.
   void put(std::size_t slot, const FloatBox& box) {
@@ -120,8 +123,8 @@ private:
       }
       return box;
     }
-    std::array<bool, width> meets(const FloatBox& box) const {
-      std::array<bool, width> does;
+    std::array<std::int32_t, width> meets(const FloatBox& box) const {
+      std::array<std::int32_t, width> does; // as wide as floats
       for (std::size_t lane = 0; lane < width; ++lane)
         does[lane] = (low[0][lane] <= box.high[0]) & (box.low[0] <= high[0][lane]) &
                      (low[1][lane] <= box.high[1]) & (box.low[1] <= high[1][lane]) &
@@ -133,7 +136,7 @@ private:
   template <class Visit>
   void descend(std::size_t level, std::size_t block, const FloatBox& box, Visit& visit) const {
     const Block& boxes = levels_[level][block];
-    const std::array<bool, width> meets = boxes.meets(box);
+    const std::array<std::int32_t, width> meets = boxes.meets(box);
     for (std::size_t lane = 0; lane < width; ++lane) {
       if (!meets[lane])
         continue;

@@ -5,6 +5,8 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/intersection/box_tree.h>
+#include <quadrille/internal/intersection/face_sides.h>
+#include <quadrille/internal/intersection/flat_fan.h>
 #include <quadrille/internal/intersection/intersection_check.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <vector>
@@ -38,10 +41,15 @@ public:
   bool makes_intersection(const PairStar& star, Index first, Index second,
                           const Vector<3>& target) override {
     gather(star, first, second, target);
-    for (std::size_t i = 0; i < changed_.size(); ++i)
-      if (meets_others(changed_[i], i))
-        return true;
-    return false;
+    const auto meets_near = [this](const PlacedFace& changed) {
+      const FaceSides sides(changed.corners);
+      return std::any_of(near_.begin(), near_.end(), [&](const PlacedFace& other) {
+        return changed.box.meets(other.box) && !sides.separate(other.corners) &&
+               begin_to_meet(changed, other);
+      });
+    };
+    return (!fan_.is(changed_) && meets_itself()) ||
+           std::any_of(changed_.begin(), changed_.end(), meets_near);
   }
 
   void follow(const PairStar& star, Index first) override {
@@ -62,7 +70,9 @@ public:
       forget(face);
   }
 
-  std::size_t count() const override {
+  std::size_t count() override {
+    if (left_ < faces_.size())
+      replant();
     std::size_t count = 0;
     for (std::size_t begin = 0; begin < faces_.size(); begin += BoxTree::width)
       count += count_behind(begin);
@@ -162,18 +172,17 @@ private:
     FloatBox around = FloatBox::empty();
     const Index kept = star.hub == none ? first : star.hub;
     for_each_changed(star, first, [&](const StarFace& f) {
-      const FaceCorners corners{{kept, f.second, f.third},
-                                {target, space(geometry_.position(f.second)),
-                                 space(geometry_.position(f.third))}};
+      const FaceCorners corners{
+          {kept, f.second, f.third},
+          {target, space(geometry_.position(f.second)), space(geometry_.position(f.third))}};
       const FloatBox box = box_of(corners);
       changed_.push_back({f.face, box, corners});
       around.add(box);
     });
     const auto is_changed = [&](Index face) {
       const auto& v = complex_.vertices(face);
-      return std::any_of(v.begin(), v.end(), [&](Index w) {
-        return w != star.hub && (w == first || w == second);
-      });
+      return std::any_of(v.begin(), v.end(),
+                         [&](Index w) { return w != star.hub && (w == first || w == second); });
     };
     boxes_.for_each_meeting(around, [&](std::size_t slot, const FloatBox& box) {
       if (const Index face = faces_[slot]; !complex_.is_removed(face) && !is_changed(face))
@@ -181,32 +190,43 @@ private:
     });
   }
 
-  // Does one of the changed faces, in place i of them, intersect others that it does not intersect
-  // now? Those behind it of the changed ones have not been looked at.
-  bool meets_others(const PlacedFace& changed, std::size_t i) const {
-    if (is_degenerate(changed.corners) && !is_degenerate(corners_of(changed.face)))
-      return true; // it would meet others without being seen
-    const auto is_met = [&](const PlacedFace& other) {
-      return changed.box.meets(other.box) &&
-             TrianglePair(changed.corners, other.corners).intersect() &&
-             !TrianglePair(corners_of(changed.face), corners_of(other.face)).intersect();
-    };
-    return std::any_of(near_.begin(), near_.end(), is_met) ||
-           std::any_of(changed_.begin() + static_cast<std::ptrdiff_t>(i) + 1, changed_.end(),
-                       is_met);
+  // Do two faces intersect that do not now?
+  bool begin_to_meet(const PlacedFace& a, const PlacedFace& b) const {
+    return TrianglePair(a.corners, b.corners).intersect() &&
+           !TrianglePair(corners_of(a.face), corners_of(b.face)).intersect();
+  }
+
+  // Do two of the changed faces, or does one lose its area? It would meet others without being
+  // seen.
+  bool meets_itself() const {
+    for (auto a = changed_.begin(); a != changed_.end(); ++a) {
+      if (is_degenerate(a->corners) && !is_degenerate(corners_of(a->face)))
+        return true;
+      for (auto b = std::next(a); b != changed_.end(); ++b)
+        if (a->box.meets(b->box) && begin_to_meet(*a, *b))
+          return true;
+    }
+    return false;
   }
 
   // The pairs of a face in one of eight slots and another one behind it.
   std::size_t count_behind(std::size_t begin) const {
     const std::size_t end = (std::min)(begin + BoxTree::width, faces_.size());
+    std::vector<FaceSides> sides;
+    for (std::size_t slot = begin; slot < end; ++slot)
+      sides.emplace_back(corners_of(faces_[slot]));
     std::size_t count = 0;
-    boxes_.for_each_meeting(boxes_.around(begin / BoxTree::width), [&](std::size_t slot,
-                                                                       const FloatBox& box) {
-      for (std::size_t other = begin; other < (std::min)(end, slot); ++other)
-        if (boxes_[other].meets(box) &&
-            TrianglePair(corners_of(faces_[other]), corners_of(faces_[slot])).intersect())
-          ++count;
-    });
+    boxes_.for_each_meeting(
+        boxes_.around(begin / BoxTree::width), [&](std::size_t slot, const FloatBox& box) {
+          if (slot <= begin)
+            return;
+          const FaceCorners corners = corners_of(faces_[slot]);
+          for (std::size_t other = begin; other < (std::min)(end, slot); ++other)
+            if (const FaceSides& face = sides[other - begin];
+                boxes_[other].meets(box) && !face.separate(corners) &&
+                TrianglePair(face.corners(), corners).intersect())
+              ++count;
+        });
     return count;
   }
 
@@ -218,6 +238,7 @@ private:
   BoxTree boxes_;
   std::size_t left_ = 0;
   std::vector<PlacedFace> changed_, near_; // see gather()
+  FlatFan fan_;
 };
 
 /// What keeps the faces of a surface apart.

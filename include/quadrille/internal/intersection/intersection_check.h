@@ -26,7 +26,7 @@ public:
   /// Faces that are gone.
   virtual void forget(std::span<const Index> faces) = 0;
   /// How many pairs of faces intersect, now.
-  virtual std::size_t count() const = 0;
+  virtual std::size_t count() = 0;
 };
 
 } // namespace quadrille::internal

@@ -25,18 +25,13 @@ namespace quadrille::internal {
 struct FaceCorners {
   std::array<Index, 3> vertices;
   std::array<Vector<3>, 3> points;
-
-  void swap(std::size_t i, std::size_t j) {
-    std::swap(vertices[i], vertices[j]);
-    std::swap(points[i], points[j]);
-  }
 };
 
 /// A sum of products that doubles have computed, and what its terms add up to in size.
 struct RoundedSum {
   double value = 0, size = 0;
 
-  void add(double term) {
+  QUADRILLE_ALWAYS_INLINE void add(double term) {
     value += term;
     size += std::abs(term);
   }
@@ -49,23 +44,30 @@ struct RoundedSum {
   static constexpr double least = 0x1p-1000;
 };
 
+QUADRILLE_ALWAYS_INLINE inline Vector<3> difference(const Vector<3>& a, const Vector<3>& b) {
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+
 /// Of differences of points, or with a vector that need not be exact.
-inline RoundedSum rounded_dot(const Vector<3>& a, const Vector<3>& b) {
-  RoundedSum sum;
-  for (std::size_t i = 0; i < 3; ++i)
-    sum.add(a[i] * b[i]);
-  return sum;
+QUADRILLE_ALWAYS_INLINE inline RoundedSum rounded_dot(const Vector<3>& a, const Vector<3>& b) {
+  const double x = a[0] * b[0], y = a[1] * b[1], z = a[2] * b[2];
+  return {x + y + z, std::abs(x) + std::abs(y) + std::abs(z)};
 }
 
 /// Two triangles, of which the common vertices come first.
 class TrianglePair {
 public:
-  TrianglePair(FaceCorners first, FaceCorners second) : first_(first), second_(second) {
+  TrianglePair(const FaceCorners& first, const FaceCorners& second)
+      : first_{&first.points[0], &first.points[1], &first.points[2]}, second_{&second.points[0],
+                                                                              &second.points[1],
+                                                                              &second.points[2]} {
+    std::array<Index, 3> others = second.vertices;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = common_; j < 3; ++j)
-        if (first_.vertices[i] == second_.vertices[j]) {
-          first_.swap(i, common_);
-          second_.swap(j, common_);
+        if (first.vertices[i] == others[j]) {
+          std::swap(first_[i], first_[common_]);
+          std::swap(second_[j], second_[common_]);
+          std::swap(others[j], others[common_]);
           ++common_;
           break;
         }
@@ -89,39 +91,44 @@ public:
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Point = Kernel::Point_3;
+  using Points = std::array<const Vector<3>*, 3>;
 
-  static Point point(const Vector<3>& p) { return {p[0], p[1], p[2]}; }
-  Point p(std::size_t i) const { return point(first_.points[i]); }
-  Point q(std::size_t i) const { return point(second_.points[i]); }
+  static Point point(const Vector<3>* p) { return {(*p)[0], (*p)[1], (*p)[2]}; }
 
   // Is there a plane across the line between the middles, with one on each side?
   bool are_apart() const {
-    const std::array<Vector<3>, 3>&a = first_.points, &b = second_.points;
-    const Vector<3> way = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
-    for (const Vector<3>& from : a)
-      for (const Vector<3>& to : b)
-        if (!rounded_dot(way, to - from).is_positive())
+    const Points &a = first_, &b = second_;
+    Vector<3> way;
+    for (std::size_t i = 0; i < 3; ++i)
+      way[i] = ((*b[0])[i] + (*b[1])[i] + (*b[2])[i]) - ((*a[0])[i] + (*a[1])[i] + (*a[2])[i]);
+    for (const Vector<3>* from : a)
+      for (const Vector<3>* to : b)
+        if (!rounded_dot(way, difference(*to, *from)).is_positive())
           return false;
     return true;
   }
 
   // The same through the common vertex.
   bool are_apart_but_for_a_vertex() const {
-    const Vector<3>& v = first_.points[0];
-    const std::array sides{first_.points[1] - v, first_.points[2] - v, second_.points[1] - v,
-                           second_.points[2] - v};
-    const auto direction = [&](std::size_t i) {
-      return (1 / std::sqrt(squared_length(sides[i]))) * sides[i];
-    };
-    const Vector<3> way = direction(0) + direction(1) - direction(2) - direction(3);
+    const Vector<3>& v = *first_[0];
+    const std::array sides{difference(*first_[1], v), difference(*first_[2], v),
+                           difference(*second_[1], v), difference(*second_[2], v)};
+    std::array<double, 4> inverse_lengths;
+    for (std::size_t i = 0; i < 4; ++i)
+      inverse_lengths[i] = 1 / std::sqrt(rounded_dot(sides[i], sides[i]).value);
+    Vector<3> way;
+    for (std::size_t i = 0; i < 3; ++i)
+      way[i] = inverse_lengths[0] * sides[0][i] + inverse_lengths[1] * sides[1][i] -
+               inverse_lengths[2] * sides[2][i] - inverse_lengths[3] * sides[3][i];
     return rounded_dot(way, sides[0]).is_positive() && rounded_dot(way, sides[1]).is_positive() &&
            rounded_dot(way, sides[2]).is_negative() && rounded_dot(way, sides[3]).is_negative();
   }
 
   // Is the angle between them an obtuse one?
   bool are_apart_but_for_an_edge() const {
-    const auto& [v, w, apex] = first_.points;
-    const Vector<3> edge = w - v, a = apex - v, b = second_.points[2] - v;
+    const Vector<3>& v = *first_[0];
+    const Vector<3> edge = difference(*first_[1], v), a = difference(*first_[2], v),
+                    b = difference(*second_[2], v);
     // (e × a)·(e × b) = e·e a·b − e·a e·b
     const RoundedSum ee = rounded_dot(edge, edge), ab = rounded_dot(a, b),
                      ea = rounded_dot(edge, a), eb = rounded_dot(edge, b);
@@ -131,11 +138,11 @@ private:
   }
 
   QUADRILLE_NOINLINE bool intersect_exactly() const {
-    const Point a = p(0), b = p(1), c = p(2), d = q(0), e = q(1), f = q(2);
+    const Point a = point(first_[0]), b = point(first_[1]), c = point(first_[2]),
+                d = point(second_[0]), e = point(second_[1]), f = point(second_[2]);
     if (common_ == 2)
       return CGAL::orientation(a, b, c, f) == CGAL::COPLANAR && !CGAL::collinear(a, b, c) &&
-             !CGAL::collinear(a, b, f) &&
-             CGAL::coplanar_orientation(a, b, c, f) == CGAL::POSITIVE;
+             !CGAL::collinear(a, b, f) && CGAL::coplanar_orientation(a, b, c, f) == CGAL::POSITIVE;
     if (is_on_one_side(a, b, c, {d, e, f}) || is_on_one_side(d, e, f, {a, b, c}))
       return false;
     if (CGAL::collinear(a, b, c) || CGAL::collinear(d, e, f))
@@ -155,14 +162,14 @@ private:
            (common_ == 1 || CGAL::orientation(a, b, c, others[0]) == side);
   }
 
-  FaceCorners first_, second_;
+  Points first_, second_;
   std::size_t common_ = 0;
 };
 
 /// Has a triangle no area?
 inline bool is_degenerate(const FaceCorners& face) {
   const auto& [a, b, c] = face.points;
-  const Vector<3> ab = b - a, ac = c - a;
+  const Vector<3> ab = difference(b, a), ac = difference(c, a);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     RoundedSum normal;
