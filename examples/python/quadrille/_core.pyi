@@ -65,6 +65,7 @@ class Options:
     pairs_closer_than: float
     topology: Optional[Topology]
     normal_flip: float
+    no_self_intersection: bool
     fixed: List[bool]
     label_border_weight: float
     split_vertices: bool
@@ -130,6 +131,8 @@ class Report:
     def error(self) -> float: ...
     @property
     def distance_bound(self) -> float: ...
+    @property
+    def self_intersections(self) -> Optional[List[int]]: ...
     @property
     def stop(self) -> str: ...
     @property

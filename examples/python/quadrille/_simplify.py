@@ -32,6 +32,7 @@ def simplify(
     topology: Optional[str] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
+    no_self_intersection: bool = False,
     fixed: Optional[np.ndarray] = None,
     labels: Optional[np.ndarray] = None,
     label_border_weight: float = 1.0,
@@ -86,6 +87,8 @@ def simplify(
     pairs_closer_than  points closer than that may be joined without an edge, in the unit of the points;
                      topology is 'free' then by default
     normal_flip      no face turns by that many degrees or more at once, in (0, 180]
+    no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
+                     two to four times as long
     fixed            points that stay where they are: booleans of the shape (n,), or indices
     eager            for 'greedy' and costs but 'quadric': half a percent more accurate, half as fast
     share, refresh   for 'relaxed': see RelaxedOrder in order.h
@@ -136,6 +139,7 @@ def simplify(
     options.threads = _count("threads", threads)
     options.eager, options.refresh = bool(eager), bool(refresh)
     options.split_vertices = bool(split_vertices)
+    options.no_self_intersection = bool(no_self_intersection)
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if progress is not None and not callable(progress):

@@ -37,8 +37,8 @@ struct FloatBox {
     }
   }
   bool meets(const FloatBox& other) const {
-    return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
-           (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
   friend bool operator==(const FloatBox&, const FloatBox&) = default;
 };
@@ -124,11 +124,12 @@ private:
       return box;
     }
     std::array<std::int32_t, width> meets(const FloatBox& box) const {
-      std::array<std::int32_t, width> does; // as wide as floats
+      const auto at_most = [](float a, float b) { return std::int32_t{a <= b}; }; // as wide
+      std::array<std::int32_t, width> does;
       for (std::size_t lane = 0; lane < width; ++lane)
-        does[lane] = (low[0][lane] <= box.high[0]) & (box.low[0] <= high[0][lane]) &
-                     (low[1][lane] <= box.high[1]) & (box.low[1] <= high[1][lane]) &
-                     (low[2][lane] <= box.high[2]) & (box.low[2] <= high[2][lane]);
+        does[lane] = at_most(low[0][lane], box.high[0]) & at_most(box.low[0], high[0][lane]) &
+                     at_most(low[1][lane], box.high[1]) & at_most(box.low[1], high[1][lane]) &
+                     at_most(low[2][lane], box.high[2]) & at_most(box.low[2], high[2][lane]);
       return does;
     }
   };
