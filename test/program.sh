@@ -834,6 +834,14 @@ done
 wrong=$(run 0 parts.obj out.obj --order relaxed --faces 200 &&
   awk -v far=0.05 -v slip=0.3 -v knows_creases=1 "$check_parts" out.obj) || fail "$wrong"
 
+# Faces that are kept apart
+run 0 plain.off out.off --no-self-intersection --faces 200 --report out.json
+expect_faces out.off 200
+expect stdout ', 0 -> 0 pairs of faces intersect$'
+grep -A 2 '"self_intersections"' out.json | grep -q '"after": 0' || fail "no figures of intersections"
+run 2 plain.off out.off --no-self-intersection --order relaxed
+expect stderr '^--no-self-intersection does not go with --order relaxed'
+
 # Boundaries that are locked, or hardly hold
 edge='NF == 3 && ($1 == 0 || $1 == 20 || $2 == 0 || $2 == 20)'
 for cost in quadric memoryless length; do

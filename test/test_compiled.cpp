@@ -3,6 +3,7 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/parameters.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -79,6 +80,12 @@ TEST_CASE("Each option of the compiled library is the policy of its name") {
   options = options_to(60);
   options.normal_flip = 20;
   check(soup, options, Quadric{}, NormalFlip(20), FaceCount{60});
+  options = options_to(60);
+  options.no_self_intersection = true;
+  check(soup, options, Quadric{}, NoSelfIntersection{}, FaceCount{60});
+  options.order = SoupOptions::Order::relaxed;
+  Arrays arrays(soup);
+  CHECK_THROWS_AS(simplify_soup(arrays.points, arrays.triangles, options), std::invalid_argument);
   for (const double t : {0.3, 1e-9}) { // by the second there are no pairs but edges
     options = options_to(60);
     options.pairs_closer_than = t;

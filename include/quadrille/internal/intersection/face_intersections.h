@@ -71,8 +71,7 @@ public:
   }
 
   std::size_t count() override {
-    if (left_ < faces_.size())
-      replant();
+    replant();
     std::size_t count = 0;
     for (std::size_t begin = 0; begin < faces_.size(); begin += BoxTree::width)
       count += count_behind(begin);
@@ -147,7 +146,10 @@ private:
 
   void replant() {
     const auto is_gone = [this](Index face) { return complex_.is_removed(face); };
-    faces_.erase(std::remove_if(faces_.begin(), faces_.end(), is_gone), faces_.end());
+    const auto end = std::remove_if(faces_.begin(), faces_.end(), is_gone);
+    if (end == faces_.end())
+      return;
+    faces_.erase(end, faces_.end());
     plant();
   }
 

@@ -137,6 +137,16 @@ private:
     return true;
   }
 
+  // Once no pair is left, faces may have gone from where others were refused for meeting them: that
+  // need not be near the pairs.
+  QUADRILLE_NOINLINE bool may_have_way() {
+    if (!has_met_intersection_ || has_looked_for_way_)
+      return false;
+    has_looked_for_way_ = true;
+    waiting_.release_all(push_again());
+    return true;
+  }
+
   void fill_queue() {
     const auto end = static_cast<Index>(surface_.complex().vertex_capacity());
     const Index step = surface_.progress().has_visitor() ? vertices_between_visits : end;
@@ -177,7 +187,8 @@ private:
         [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA { waiting_.prefetch(w); });
     std::optional<QueuedPair> next = queue_.pop();
     while (next ? has_isolated_end(*next)
-                : waiting_.release_rest(queue_.stamps().time(), push_again()) || may_try_ends())
+                : waiting_.release_rest(queue_.stamps().time(), push_again()) || may_try_ends() ||
+                      may_have_way())
       next = queue_.pop();
     is_last_resort_ = !next;
     return next ? next : deferred_.take([this](const QueuedPair& pair) {
@@ -241,6 +252,7 @@ private:
     internal::refuse(surface_, {pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
+    has_met_intersection_ |= cause == Rejection::self_intersection;
     waiting_.add(pair, hold_.is_by(cause));
   }
 
@@ -266,7 +278,8 @@ private:
   bool is_last_resort_ = false; // has one of the deferred pairs its turn?
   bool tries_ends_ = false;     // see may_try_ends()
   std::size_t pairs_seen_ = 0;
-  bool has_met_distance_ = false, has_met_destruction_ = false;
+  bool has_met_distance_ = false, has_met_destruction_ = false, has_met_intersection_ = false;
+  bool has_looked_for_way_ = false; // see may_have_way()
 };
 
 } // namespace quadrille::internal
