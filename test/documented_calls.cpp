@@ -15,6 +15,7 @@
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 #include <quadrille/pictures.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

@@ -161,7 +161,7 @@ inline void add_topology(CLI::App& app, Options& options) {
                "is kept")
       ->group("Policies");
   app.add_flag("--no-self-intersection", options.forbids_intersections,
-               "no faces of OUT intersect that do not in IN; takes two to four times as long")
+               "no faces of OUT intersect that do not in IN; takes several times as long")
       ->group("Policies");
   using quadrille::Seams;
   const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>

@@ -26,7 +26,7 @@ namespace quadrille {
 /// coordinates of the input are floats, those of the result are, too.
 ///
 /// For GreedyOrder only. O(log n) for each contraction, as a rule, and 36 bytes a face: all takes
-/// two to three times as long.
+/// three to five times as long.
 struct NoSelfIntersection {
   /// If not, it is as if this were not there: for programs that choose at run time.
   bool is_asked = true;

@@ -88,7 +88,7 @@ def simplify(
                      topology is 'free' then by default
     normal_flip      no face turns by that many degrees or more at once, in (0, 180]
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
-                     two to four times as long
+                     several times as long
     fixed            points that stay where they are: booleans of the shape (n,), or indices
     eager            for 'greedy' and costs but 'quadric': half a percent more accurate, half as fast
     share, refresh   for 'relaxed': see RelaxedOrder in order.h
