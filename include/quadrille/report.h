@@ -97,9 +97,9 @@ constexpr std::string_view to_string(StopReason reason) {
 /// The same.
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
-      "topology",    "constraint", "normal flip", "shape", "degree", "distance", "position",
-      "destruction", "seam",       "texture",     "hull",  "volume", "filter",
-      "self-intersection"};
+      "topology", "constraint",       "normal flip", "shape",   "degree", "distance",
+      "position", "destruction",      "seam",        "texture", "hull",   "volume",
+      "filter",   "self-intersection"};
   return names[static_cast<std::size_t>(cause)];
 }
 
