@@ -304,6 +304,51 @@ TEST_CASE("What is written does not intersect, in floats, far from the origin") 
   check(mesh_of<Kernel::Point_3>(soup));
 }
 
+TEST_CASE("A target is rounded as it will be written before it is looked at") {
+  Soup soup = test::as_floats(shell(0.03));
+  simplify_soup_of(soup, FaceRatio{0.2}, NoSelfIntersection{});
+  CHECK(test::is_identical(soup, test::as_floats(soup)));
+}
+
+TEST_CASE("Faces around a vertex do not fold upon each other") {
+  // 5-4
+  // |b|    of a letter L, from a nothing is seen of the corner 4, and from b nothing of 2
+  // | 3-2
+  // | a |
+  // 0---1
+  using Triangle = internal::TriangleComplex::Triangle;
+  internal::Array<Vector<3>> points;
+  for (const auto& [x, y] : std::vector<std::array<double, 2>>{
+           {0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}, {1.2, 0.3}, {0.3, 1.2}})
+    points.push_back({{x, y, 0}});
+  internal::Array<Triangle> triangles;
+  for (const Triangle& t : std::vector<Triangle>{
+           {6, 0, 1}, {6, 1, 2}, {6, 2, 3}, {6, 3, 7}, {6, 7, 0}, {7, 3, 4}, {7, 4, 5}, {7, 5, 0}})
+    triangles.push_back(t);
+  internal::TriangleComplex complex(points.size(), triangles);
+  const internal::Geometry<3> geometry(complex, points, {}, internal::Threads());
+  internal::FaceIntersections<3> faces(complex, geometry);
+  faces.begin();
+  REQUIRE(faces.count() == 0);
+  internal::PairStar star;
+  star.gather(complex, 6, 7);
+  CHECK(faces.makes_intersection(star, 6, 7, points[6]));
+  CHECK(faces.makes_intersection(star, 6, 7, points[7]));
+  CHECK_FALSE(faces.makes_intersection(star, 6, 7, {{0.75, 0.75, 0}}));
+}
+
+TEST_CASE("What intersects may stay so while its vertices move") {
+  Soup soup = test::grid(40, 1); // all of it, through one face
+  soup.points.insert(soup.points.end(), {{{-1, 0.5, -1}}, {{3, 0.5, -1}}, {{0.5, 0.5, 3}}});
+  const auto end = static_cast<std::uint32_t>(soup.points.size());
+  soup.triangles.push_back({end - 3, end - 2, end - 1});
+  const Report report = simplify_soup_of(soup, FaceCount{5}, NoSelfIntersection{});
+  INFO(report);
+  CHECK(report.faces_after <= 5);
+  CHECK(report.self_intersections->before == 80);
+  CHECK(report.self_intersections->after == report.faces_after - 1);
+}
+
 TEST_CASE("Pairs of the input that intersect are counted, and become no more") {
   Soup soup = test::joined(shell(0.05), test::sphere(4), {{0.7, 0.1, 0.2}});
   const std::size_t before = intersections(soup);
