@@ -73,6 +73,14 @@ struct NoStretch {
   }
 };
 
+// A filter that is told indices: it keeps away from selected vertices.
+struct KeepAway {
+  const std::vector<bool>* is_selected; // of each vertex
+  bool allows(const auto& contraction) const {
+    return !(*is_selected)[contraction.first()] && !(*is_selected)[contraction.second()];
+  }
+};
+
 int main(int argc, char* argv[]) {
   Mesh mesh;
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cow.off");
@@ -80,6 +88,9 @@ int main(int argc, char* argv[]) {
     std::cerr << "not a triangle mesh: " << input << '\n';
     return EXIT_FAILURE;
   }
+  std::vector<bool> is_selected;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    is_selected.push_back(mesh.point(v).x() > 0);
   const auto run = [mesh](const char* name, const auto&... policies) {
     Mesh copy = mesh;
     std::cout << name << ": " << simplify(copy, policies...) << '\n';
@@ -89,5 +100,6 @@ int main(int argc, char* argv[]) {
   run("pairs", EdgesAndSeams{}, FaceCount{1000});
   run("stop", Deadline{std::chrono::steady_clock::now() + std::chrono::milliseconds(2)});
   run("filter", NoStretch{}, FaceCount{1000});
+  run("selection", KeepAway{&is_selected});
   run("all", MovedArea{}, OnSegment{}, EdgesAndSeams{}, FaceCount{1000}, NoStretch{});
 }

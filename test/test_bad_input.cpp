@@ -224,6 +224,17 @@ TEST_CASE("Filters that make no sense are refused") {
   for (double quality : {-0.1, 1.1, not_a_number})
     CHECK_THROWS_AS(TriangleShape(quality), std::invalid_argument);
   CHECK_THROWS_AS(HighestDegree(2), std::invalid_argument);
+  for (double degrees : {-1.0, 61.0, not_a_number})
+    CHECK_THROWS_AS(SmallestAngle(degrees), std::invalid_argument);
+  for (double length : {0.0, -1.0, not_a_number}) {
+    CHECK_THROWS_AS(LongestEdge(length), std::invalid_argument);
+    if (length != 0)
+      CHECK_THROWS_AS(ShortestEdge{length}.validate(), std::invalid_argument);
+  }
+  for (double seconds : {-1.0, not_a_number})
+    CHECK_THROWS_AS(TimeBudget(seconds), std::invalid_argument);
+  for (double z : {0.0, infinity, not_a_number})
+    CHECK_THROWS_WITH(HeightField({{0, 0, z}}), Catch::Contains("HeightField: the direction"));
 }
 
 // --- What throws in between ----------------------------------------------------------------------

@@ -32,6 +32,9 @@ static_assert(StopPolicy<ErrorLimit> && StopPolicy<AnyOf<FaceCount, ErrorLimit>>
               StopPolicy<AllOf<FaceCount, VertexCount>>);
 static_assert(FilterPolicy<NormalFlip, Quadric> && FilterPolicy<TriangleShape, ColorQuadric> &&
               FilterPolicy<HighestDegree, EdgeLength>);
+static_assert(FilterPolicy<HeightField, Quadric> && FilterPolicy<SmallestAngle, ColorQuadric> &&
+              FilterPolicy<LongestEdge, EdgeLength>);
+static_assert(StopPolicy<ShortestEdge> && StopPolicy<AnyOf<FaceCount, TimeBudget>>);
 
 // EdgeLength has no minimum.
 static_assert(!PlacementPolicy<OptimalPlacement, EdgeLength>);

@@ -168,7 +168,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, AnyOf, AllOf.
+/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, ShortestEdge, TimeBudget, AnyOf,
+/// AllOf.
 ///
 /// **Requirements**, for a constant `stop`:
 ///
@@ -196,8 +197,9 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** NormalFlip, TriangleShape, HighestDegree. NoSelfIntersection is none: it has to
-/// follow contractions, which a filter does not see.
+/// **Has models** NormalFlip, TriangleShape, HighestDegree, SmallestAngle, LongestEdge,
+/// HeightField. NoSelfIntersection is none: it has to follow contractions, which a filter does not
+/// see.
 ///
 /// **Requirements**, for a constant `filter`:
 ///
@@ -207,6 +209,13 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///   `contraction.target()` is the new position; `contraction.highest_degree()` is that of the
 ///   pair's ends, in faces; `contraction.makes_fold()` tells whether a face would come to lie over
 ///   a neighbour.
+/// - What it is about, by indices in the input: `contraction.first()` and `contraction.second()`
+/// are
+///   the pair's ends, `face.index` is that of a face that changes, `contraction.removed_faces()`
+///   has those of the faces that go. A soup's are its own; vertices and faces of a mesh are counted
+///   from 0 in the order of `vertices(mesh)` and `faces(mesh)`; of points that SplitVertices joins,
+///   the places are, in the order of the first one at each. A vertex that others have become part
+///   of has the index of one of them. They cost nothing where they are not asked for.
 ///
 /// **Used where there**:
 ///

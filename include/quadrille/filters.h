@@ -159,6 +159,76 @@ private:
   double quality_;
 };
 
+/// Refuses a contraction that makes a face with a smaller angle than `degrees`, unless that angle
+/// is as large as the smallest that the face had before.
+class SmallestAngle {
+public:
+  using ScaleFree = SmallestAngle;                     ///< as well in any unit of length
+  static constexpr Rejection cause = Rejection::shape; ///< what refusals count as
+
+  /// degrees lies in [0, 60]; throws std::invalid_argument otherwise.
+  explicit SmallestAngle(double degrees) : radians_(degrees * std::numbers::pi / 180) {
+    if (!(degrees >= 0 && degrees <= 60))
+      throw std::invalid_argument("quadrille::SmallestAngle: " + internal::text_of(degrees) +
+                                  " degrees are not in [0, 60]");
+  }
+
+  /// False where the contraction is to be refused: see FilterPolicy.
+  bool allows(const auto& contraction) const {
+    for (const auto& face : contraction.faces()) {
+      const double after = smallest_angle(face.after, face);
+      if (after < radians_ && after < smallest_angle(face.before, face))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  // Of the face with its moving corner at p.
+  static double smallest_angle(const Vector<3>& p, const auto& face) {
+    const double area = std::sqrt(squared_length(double_area_vector(p, face.second, face.third)));
+    const auto angle = [area](const Vector<3>& at, const Vector<3>& to, const Vector<3>& and_to) {
+      return std::atan2(area, dot(to - at, and_to - at)); // exact for small ones too
+    };
+    return (std::min)({angle(p, face.second, face.third), angle(face.second, face.third, p),
+                       angle(face.third, p, face.second)});
+  }
+
+  double radians_;
+};
+
+/// Refuses a contraction that makes an edge longer than `length`, unless the edge was as long
+/// before. Edges that are longer in the input may stay as they are or become shorter. Coordinates
+/// that are floats may round an edge beyond the limit.
+class LongestEdge {
+public:
+  /// length is in the mesh's units, and above 0; throws std::invalid_argument otherwise.
+  explicit LongestEdge(double length) : length_(length) {
+    if (!(length > 0))
+      throw std::invalid_argument("quadrille::LongestEdge: the length " +
+                                  internal::text_of(length) + " is not above 0");
+  }
+
+  /// False where the contraction is to be refused: see FilterPolicy.
+  bool allows(const auto& contraction) const {
+    for (const auto& face : contraction.faces())
+      for (const Vector<3>& end : {face.second, face.third}) {
+        const double after = distance(face.after, end);
+        if (after > length_ && after > distance(face.before, end))
+          return false;
+      }
+    return true;
+  }
+
+private:
+  // In the mesh's units, in which squares may over- or underflow.
+  static double distance(const Vector<3>& p, const Vector<3>& q) {
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+
+  double length_;
+};
+
 /// Refuses a contraction after which its vertex would have more than `degree` faces, unless one of
 /// the two ends has as many already.
 class HighestDegree {

@@ -74,7 +74,7 @@ enum class Rejection {
   texture, ///< a face would turn over in a texture: see Texture
   hull,    ///< no place that the planes around it allow: see OuterHull
   volume,  ///< no place that keeps the volume: see VolumeKeeping
-  filter,  ///< a filter of the user's refused
+  filter,  ///< a filter of the user's refused, or LongestEdge
   /// faces would intersect that do not: see NoSelfIntersection
   self_intersection,
 };

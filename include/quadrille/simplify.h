@@ -9,6 +9,7 @@
 #include <quadrille/concepts.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
+#include <quadrille/height_field.h>
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/diagnostics.h>

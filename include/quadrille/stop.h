@@ -5,6 +5,7 @@
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -55,6 +56,32 @@ struct VertexCount {
   bool operator()(const Status& status) const { return status.vertices <= vertices; }
   /// Is the surface beyond the target and not just at it? See StopPolicy.
   bool is_passed(const Status& status) const { return status.vertices < vertices; }
+};
+
+/// Stops when so many seconds have passed since this policy was made: make it in the call itself,
+/// `simplify(mesh, AnyOf{FaceCount{1000}, TimeBudget{0.5}})`, and again for the next call. Reading
+/// the surface and costing pairs are among them; what these and writing take is taken all the same.
+///
+/// This is the one policy with which the same input may give another output the next time: how far
+/// it comes depends on the clock.
+class TimeBudget {
+public:
+  /// seconds is at least 0; throws std::invalid_argument otherwise.
+  explicit TimeBudget(double seconds) : begin_(Clock::now()), seconds_(seconds) {
+    if (!(seconds >= 0))
+      throw std::invalid_argument("quadrille::TimeBudget: " + internal::text_of(seconds) +
+                                  " seconds are no time");
+  }
+
+  /// Is it enough?
+  bool operator()(const Status&) const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_;
+  double seconds_;
 };
 
 /// Takes no contraction that might leave a point of the surface further from the input than a

@@ -13,6 +13,7 @@
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
 #include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
 
@@ -34,10 +35,11 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
-         const Geometry<dimension>& geometry, const LinkCondition& link_condition,
-         const SeamGraph& seams, const ChannelsOf<Policies>& channels, bool is_topology_kept)
-      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        link_condition_(link_condition), seams_(seams), channels_(channels),
+         const Numbering& numbering, const Geometry<dimension>& geometry,
+         const LinkCondition& link_condition, const SeamGraph& seams,
+         const ChannelsOf<Policies>& channels, bool is_topology_kept)
+      : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
+        geometry_(geometry), link_condition_(link_condition), seams_(seams), channels_(channels),
         is_topology_kept_(is_topology_kept), intersections_(policies, complex, geometry) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
@@ -79,7 +81,8 @@ private:
     const ContractionView<dimension> view(contraction.star(), complex_,
                                           geometry_.positions().data(), contraction.pair().first,
                                           contraction.pair().second, target);
-    std::optional<Rejection> cause = policies_.filters.refusal(view, scale_);
+    std::optional<Rejection> cause =
+        policies_.filters.refusal(view, contraction, numbering_, scale_);
     if constexpr (Policies::has_channels)
       if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
                                         contraction.second(), target))
@@ -126,6 +129,7 @@ private:
   const Policies& policies_;
   const Scale<dimension>& scale_;
   const TriangleComplex& complex_;
+  const Numbering& numbering_;
   const Geometry<dimension>& geometry_;
   const LinkCondition& link_condition_;
   const SeamGraph& seams_;

@@ -25,7 +25,7 @@ public:
   class Iterator {
   public:
     Iterator(const View& view, std::size_t i) : view_(view), i_(i) {}
-    ChangedFace operator*() const { return view_.face(i_); }
+    auto operator*() const { return view_.face(i_); }
     Iterator& operator++() { return ++i_, *this; }
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.i_ == b.i_; }
 
@@ -41,7 +41,8 @@ private:
   const View& view_;
 };
 
-/// What a filter sees of a contraction that is about to be done, in the engine's units.
+/// What a filter sees of a contraction that is about to be done, in the engine's units; one of the
+/// user's, an IndexedContraction.
 template <std::size_t N, class Complex = TriangleComplex>
 class ContractionView {
 public:
@@ -86,6 +87,12 @@ public:
       if (!is_within(0.25, normal_after(face(i)), sum) && is_new_fold(i))
         return true;
     return false;
+  }
+
+protected:
+  const StarFace& star_face(std::size_t i) const {
+    const std::size_t n = first_faces_.size();
+    return i < n ? first_faces_[i] : second_faces_[i - n];
   }
 
 private:
@@ -142,11 +149,6 @@ private:
   }
   static Vector<3> normal_after(const ChangedFace& f) {
     return double_area_vector(f.after, f.second, f.third);
-  }
-
-  const StarFace& star_face(std::size_t i) const {
-    const std::size_t n = first_faces_.size();
-    return i < n ? first_faces_[i] : second_faces_[i - n];
   }
 
   std::span<const StarFace> first_faces_, second_faces_;

@@ -4,8 +4,10 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/policy/contraction_view.h>
+#include <quadrille/internal/policy/indexed_contraction.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
 
@@ -31,23 +33,34 @@ public:
     return list;
   }
 
-  /// What the first that does not allow the contraction refuses it as.
-  std::optional<Rejection> refusal(const ContractionView<N>& contraction,
-                                   const Scale<N>& scale) const {
-    if (!normal_flip_.allows(contraction))
+  /// What the first that does not allow the contraction, of which this is a view, refuses it as.
+  template <class Contraction>
+  std::optional<Rejection> refusal(const ContractionView<N>& view, const Contraction& contraction,
+                                   const Numbering& numbering, const Scale<N>& scale) const {
+    if (!normal_flip_.allows(view))
       return NormalFlip::cause;
-    for (const Other& other : others_)
-      if (!other.allows(other.filter.get(), contraction, scale))
-        return other.cause;
-    return std::nullopt;
+    if (others_.empty())
+      return std::nullopt;
+    return refusal_by_others(view, contraction, numbering, scale);
   }
 
 private:
   struct Other {
     std::shared_ptr<const void> filter;
-    bool (*allows)(const void*, const ContractionView<N>&, const Scale<N>&);
+    bool (*allows)(const void*, const IndexedContraction<N>&, const Scale<N>&);
     Rejection cause;
   };
+
+  template <class Contraction>
+  QUADRILLE_NOINLINE std::optional<Rejection>
+  refusal_by_others(const ContractionView<N>& view, const Contraction& contraction,
+                    const Numbering& numbering, const Scale<N>& scale) const {
+    const IndexedContraction<N> indexed(view, contraction, numbering);
+    for (const Other& other : others_)
+      if (!other.allows(other.filter.get(), indexed, scale))
+        return other.cause;
+    return std::nullopt;
+  }
 
   template <class Filter>
   void add(const Filter& filter) {
@@ -60,7 +73,7 @@ private:
   }
 
   template <class Filter>
-  static bool allows(const void* filter, const ContractionView<N>& contraction,
+  static bool allows(const void* filter, const IndexedContraction<N>& contraction,
                      [[maybe_unused]] const Scale<N>& scale) {
     const Filter& by_type = *static_cast<const Filter*>(filter);
     if constexpr (is_scale_free<Filter>)

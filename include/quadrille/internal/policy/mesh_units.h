@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_POLICY_MESH_UNITS_H
 
 #include <quadrille/internal/policy/contraction_view.h>
+#include <quadrille/internal/policy/indexed_contraction.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
@@ -91,15 +92,18 @@ private:
 template <std::size_t N>
 class ContractionInMeshUnits {
 public:
-  ContractionInMeshUnits(const ContractionView<N>& contraction, const Scale<N>& scale)
+  ContractionInMeshUnits(const IndexedContraction<N>& contraction, const Scale<N>& scale)
       : contraction_(contraction), scale_(scale) {}
 
   ChangedFaces<ContractionInMeshUnits> faces() const { return ChangedFaces(*this); }
   std::size_t face_count() const { return contraction_.face_count(); }
-  ChangedFace face(std::size_t i) const {
-    const ChangedFace f = contraction_.face(i);
-    return {point(f.before), point(f.after), point(f.second), point(f.third)};
+  IndexedFace face(std::size_t i) const {
+    const IndexedFace f = contraction_.face(i);
+    return {{point(f.before), point(f.after), point(f.second), point(f.third)}, f.index};
   }
+  RemovedFaces removed_faces() const { return contraction_.removed_faces(); }
+  std::size_t first() const { return contraction_.first(); }
+  std::size_t second() const { return contraction_.second(); }
   Vector<N> target() const { return scale_.position_of_mesh(contraction_.target()); }
   std::size_t highest_degree() const { return contraction_.highest_degree(); }
   bool makes_fold() const { return contraction_.makes_fold(); }
@@ -111,7 +115,7 @@ private:
     return p;
   }
 
-  const ContractionView<N>& contraction_;
+  const IndexedContraction<N>& contraction_;
   const Scale<N>& scale_;
 };
 
@@ -135,7 +139,7 @@ struct SeenByFilter {
 template <class Filter, class Cost>
 requires is_scale_free<Filter>
 struct SeenByFilter<Filter, Cost> {
-  using Contraction = ContractionView<Cost::dimension>;
+  using Contraction = IndexedContraction<Cost::dimension>;
 };
 
 } // namespace quadrille::internal
