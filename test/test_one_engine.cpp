@@ -20,6 +20,10 @@ namespace {
 struct OwnStop {
   bool operator()(const Status& status) const { return status.faces <= 100; }
 };
+// It does not say asks_for_distance, without which nothing measures any.
+struct AsksWithoutSaying : OwnStop {
+  bool is_asking_for_distance() const { return true; }
+};
 struct OwnPlacement {
   auto operator()(const auto&, const auto& pair) const { return pair.second; }
 };
@@ -64,6 +68,7 @@ TEST_CASE("What a call cannot need is not compiled for it") {
   CHECK(plain.optional.run_passes == nullptr);
   CHECK(plain.optional.make_recording == nullptr);
   CHECK(plain.optional.distances == nullptr);
+  CHECK_FALSE(pick_policies<NotGiven, NotGiven>(AsksWithoutSaying{}).stop.is_asking_for_distance());
   Listener listener;
   CHECK(pick_policies<NotGiven, NotGiven>(RelaxedOrder{}).optional.run_passes != nullptr);
   CHECK(pick_policies<NotGiven, NotGiven>(record_into(listener)).optional.make_recording !=

@@ -16,7 +16,7 @@ public:
   template <class Stop>
   static StopRule of(Stop stop) {
     StopRule rule;
-    rule.is_asking_ = internal::is_asking_for_distance(stop);
+    rule.is_asking_ = asks_for_distance<Stop> && internal::is_asking_for_distance(stop);
     rule.is_enough_ = [](const void* policy, const Status& status) -> bool {
       return (*static_cast<const Stop*>(policy))(status);
     };
