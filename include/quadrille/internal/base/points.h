@@ -30,12 +30,14 @@ concept IndexedPoint = std::is_trivially_destructible_v<P> && requires(P& p) {
   requires sizeof(P) == 3 * sizeof(p[0]);
 };
 
+template <class P>
+concept ReadablePoint = NamedPoint<P> || IndexedPoint<P>;
+
 /// The coordinates, or the nearest doubles.
 template <class Point>
 Vector<3> position_of(const Point& p) {
-  static_assert(NamedPoint<Point> || IndexedPoint<Point>,
-                "quadrille: a point is one of a CGAL kernel, or three numbers by index as in "
-                "std::array<double, 3>; for others pass a property map to such ones, point_map");
+  static_assert(ReadablePoint<Point>, "quadrille: a point is one of a CGAL kernel, or three "
+                                      "numbers by index as in std::array<double, 3>");
   if constexpr (NamedPoint<Point>)
     return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
   else if constexpr (IndexedPoint<Point>)

@@ -113,8 +113,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
             parameters::duplicate_output_t>());
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
-  check_geom_traits<typename boost::property_traits<decltype(points)>::value_type,
-                    NamedParameters>();
+  check_points<typename boost::property_traits<decltype(points)>::value_type, NamedParameters>();
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(
@@ -170,7 +169,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
             parameters::vertex_image_t>());
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
-  check_geom_traits<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
+  check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(memory_needs(policies, Carried::has_labels, std::ranges::size(points),
                                    std::ranges::size(triangles)));

@@ -3,6 +3,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/base/points.h>
 #include <quadrille/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -107,10 +108,14 @@ auto pick_attributes(const NamedParameters& named) {
   }
 }
 
-/// Refuses to compile a call with geom_traits that are not of the surface's points. Those that are
-/// say nothing that the points do not: all is computed with their coordinates as doubles.
+/// Refuses to compile a call with points that cannot be read, or with geom_traits that are not of
+/// them. Traits that are say nothing that the points do not: all is computed with their coordinates
+/// as doubles.
 template <class Point, class NamedParameters>
-constexpr void check_geom_traits() {
+constexpr void check_points() {
+  static_assert(ReadablePoint<Point>,
+                "quadrille: a point is one of a CGAL kernel, or three numbers by index as in "
+                "std::array<double, 3>; for others pass a property map to such ones, point_map");
   using Traits = std::remove_cvref_t<decltype(CGAL::parameters::get_parameter(
       std::declval<const NamedParameters&>(), CGAL::internal_np::geom_traits))>;
   if constexpr (is_given<Traits>)
