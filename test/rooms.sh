@@ -1,7 +1,8 @@
 #!/bin/sh
 # Checks that the folders of include/quadrille/internal, the rooms, depend on each other in one
 # direction only: each may include from itself and from those before it in the list; and that no
-# header has more than 300 lines. Prints what is wrong; fails if anything.
+# function of the library, public or internal, has more than 40 lines. Prints what is wrong; fails
+# if anything.
 #   sh test/rooms.sh ROOT
 set -eu
 cd -- "$1/include/quadrille/internal"
@@ -27,8 +28,24 @@ for room in $rooms; do
   done
 done
 
-for header in */*.h; do
-  lines=$(wc -l <"$header")
-  [ "$lines" -le 300 ] || { wrong=1; echo "$header has $lines lines"; }
+# A function begins where a declaration with a parameter list ends in a brace, and ends with a brace
+# below the first letter of the declaration, which comes after one that is complete.
+cd ..
+for header in *.h compiled/*.h compiled/*.cpp internal/*/*.h; do
+  awk '
+    begin && index($0, closing) == 1 {
+      if (NR - begin >= 40) {
+        print FILENAME ":" begin ": a function of " NR - begin + 1 " lines"
+        wrong = 1
+      }
+      begin = 0
+    }
+    !begin && is_complete { match($0, /^ */); closing = substr($0, 1, RLENGTH) "}"; text = "" }
+    !begin { text = text " " $0 }
+    !begin && /\{$/ && !/^ *\/\// && text ~ /\(/ && text !~ /(^|[ >])(namespace|class|struct|union|enum|concept) [^(]*\{$|= *\{$/ {
+      begin = NR
+    }
+    { is_complete = /[;{}:]$/ || /^ *(\/\/|#|$|template <.*>$)/ }
+    END { exit wrong }' "$header" || wrong=1
 done
 exit $wrong

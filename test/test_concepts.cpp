@@ -10,6 +10,7 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 using namespace quadrille;
@@ -436,6 +437,22 @@ TEST_CASE("Generic callables are policies") {
   CHECK(simplified_mesh(soup, placing, stopping).report.faces_after == 4);
   CHECK(simplified_soup(soup, stopping, placing, Topology::kept).report.faces_after == 4);
   CHECK(simplified_mesh(soup, pairing, FaceCount{0}).report.contractions == 1);
+}
+
+struct BadFilter {
+  bool allows(const auto&) const { return true; }
+  void validate() const { throw std::invalid_argument("bad filter"); }
+};
+struct BadPlacement {
+  auto operator()(const auto&, const auto& pair) const { return pair.first; }
+  void validate() const { throw std::invalid_argument("bad placement"); }
+};
+
+TEST_CASE("A placement and a filter that make no sense are refused before anything is changed") {
+  Mesh mesh = make_mesh(octahedron());
+  CHECK_THROWS_WITH(simplify(mesh, BadFilter{}), "bad filter");
+  CHECK_THROWS_WITH(simplify(mesh, BadPlacement{}), "bad placement");
+  CHECK(mesh.number_of_faces() == 8);
 }
 
 TEST_CASE("A pair policy that names a vertex that is not there is an error") {

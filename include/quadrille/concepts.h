@@ -49,9 +49,15 @@ namespace quadrille {
 ///
 /// - `memory.move_origin(d)`: what is remembered is kept about its vertex; `pair.memory` is then
 ///   about `pair.first`.
+/// - `C::Memory::sum_about_first(first, second, d)`: the sum of what two vertices remember, about
+///   the first, where that is quicker than to move the second by −d and to add.
 /// - `cost.minimizer(pair)`: an optional position of least cost, which OptimalPlacement needs.
 /// - `cost.boundary(p, q, r)`: the Memory that the boundary edge pq of the face pqr leaves at p.
-/// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease.
+/// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease, an edge whose
+///   normals differ by more than that, or that `edge_is_crease_map` names.
+/// - `cost.crease_weight`, a member that can be written to: how much such edges count. Edges at
+///   which labels differ, and chart ends of textures, are counted by `crease` with weights of their
+///   own.
 /// - `cost.squared_error(pair, value)`: a cost as the square of a distance, for Status and Report;
 ///   without it that is the cost itself.
 /// - `cost.tie_break(pair, x)`: what is added to a cost in the order of pairs only, to tell those
@@ -60,9 +66,27 @@ namespace quadrille {
 ///   inherit it (Weighted brings it along); `using TieBreak = MyCost;` says the same of a cost of
 ///   yours.
 /// - `cost.validate()`: throws if the policy makes no sense.
-/// - `C::face_is_alike_at_corners`: true if face(p, q, r) leaves the same at q and r.
-/// - `C::Current` and what goes with it: a look at the surface as it is now, see MemorylessQuadric.
 /// - `C::ScaleFree`: the cost does as well in any unit of length, see concepts.h.
+/// - `C::face_is_alike_at_corners`: true if face(p, q, r) leaves the same at q and r.
+/// - `cost.attribute_weights(low, high, diagonal)`, for costs with attributes: by what these are
+///   multiplied before anything sees them, from their least and greatest values and the diagonal
+///   of the box of the surface.
+/// - `C::Memory` is `QuadricForm<3>`, or `pair.current.quadric` is one that others can be added to:
+///   channels (channels.h) then count in the cost; beside other costs they are carried along.
+/// - `C::channel_weight(area)`: how much a face counts for channels; without it its area.
+///
+/// **Local terms**, for a cost that looks at the surface as it is now, as MemorylessQuadric does:
+///
+/// - `C::Current`: what the faces around a vertex say now, a semiregular type with `+=` and `-=`.
+/// - `cost.current_face(p, q, r)`: what a face says at each of its corners, about that corner.
+/// - `cost.current_boundary(p, q, r)`: what the boundary edge pq of the face pqr says at both ends.
+/// - `C::PairCurrent` and `cost.join(first, second, shared, d)`: of a pair, about its first end,
+///   from what both ends say and the faces that they share; d leads from the first to the second
+///   end. The pair then has it as `pair.current`.
+/// - `C::tolerated_rise`: a pair whose cost has risen by no more than this factor while it waited
+///   is contracted all the same; without it 1.
+/// - `cost.unevenness(current)` with `C::tolerated_fall`: where that number falls by more than this
+///   factor, the pairs of the vertex are costed anew.
 ///
 /// **The least model**:
 /// ```cpp
@@ -107,6 +131,12 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 ///
 /// - `placement.any_equal(cost, pair, x, predicate)`: tries other positions that cost what x does,
 ///   where filters refuse x: see OptimalPlacement.
+/// - `P::asks_for_volume`, true: Report::volume_before and volume_after are told.
+/// - `P::needs_closed_surface`, true: a surface is refused of which an edge has not as many faces
+///   on one side as on the other.
+/// - `placement.is_optimal()`, for a choice at run time that may be OptimalPlacement: does this one
+///   take the position of least cost? It may then be computed for two pairs at once.
+/// - `placement.validate()`: throws if the policy makes no sense.
 /// - `P::ScaleFree`: the placement does as well in any unit of length, see concepts.h.
 ///
 /// **Also used**, in a scale-free placement that says `static constexpr bool looks_at_star = true`:
@@ -209,17 +239,18 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///   `contraction.target()` is the new position; `contraction.highest_degree()` is that of the
 ///   pair's ends, in faces; `contraction.makes_fold()` tells whether a face would come to lie over
 ///   a neighbour.
-/// - What it is about, by indices in the input: `contraction.first()` and `contraction.second()`
-/// are
-///   the pair's ends, `face.index` is that of a face that changes, `contraction.removed_faces()`
-///   has those of the faces that go. A soup's are its own; vertices and faces of a mesh are counted
-///   from 0 in the order of `vertices(mesh)` and `faces(mesh)`; of points that SplitVertices joins,
-///   the places are, in the order of the first one at each. A vertex that others have become part
-///   of has the index of one of them. They cost nothing where they are not asked for.
+/// - What it is about, by indices in the input: the pair's ends are `contraction.first()` and
+///   `contraction.second()`, `face.index` is that of a face that changes, and
+///   `contraction.removed_faces()` has those of the faces that go. A soup's are its own; vertices
+///   and faces of a mesh are counted from 0 in the order of `vertices(mesh)` and `faces(mesh)`; of
+///   points that SplitVertices joins, the places are, in the order of the first one at each. A
+///   vertex that others have become part of has the index of one of them. They cost nothing where
+///   they are not asked for.
 ///
 /// **Used where there**:
 ///
 /// - `F::cause`: the Rejection that counts where it says no; Rejection::filter without it.
+/// - `filter.validate()`: throws if the policy makes no sense.
 /// - `F::ScaleFree`: the filter does as well in any unit of length, see concepts.h.
 ///
 /// **The least model**:

@@ -73,10 +73,7 @@ public:
     const Array<Index> inputs = result.input_faces();
     const Array<Index> faces = in_order(inputs, result.input_face_count());
     const SplitPoints split(result, faces, inputs, triangles_, channels_.of_points());
-    if (split.size() > vertex_of_.size())
-      throw std::length_error("quadrille::simplify: split vertices would become more, " +
-                              std::to_string(split.size()) + " of " +
-                              std::to_string(vertex_of_.size()));
+    require_room(split);
     auto points = empty_like(points_);
     for (std::size_t i = 0; i < split.size(); ++i) {
       points.push_back(points_[split.origin(i)]);
@@ -111,6 +108,13 @@ public:
   }
 
 private:
+  void require_room(const SplitPoints& split) const {
+    if (split.size() > vertex_of_.size())
+      throw std::length_error("quadrille::simplify: split vertices would become more, " +
+                              std::to_string(split.size()) + " of " +
+                              std::to_string(vertex_of_.size()));
+  }
+
   // Points at one place are one vertex, which has the number of the first among the vertices.
   void weld(SurfaceInput<3>& surface) {
     Array<Vector<3>> places(workspace_);

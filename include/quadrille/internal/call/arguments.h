@@ -242,6 +242,14 @@ constexpr void check_counts() {
 
 inline namespace QUADRILLE_THREADING {
 
+template <class Placement, class Cost>
+constexpr void check_placement() {
+  static_assert(PlacementPolicy<Placement, Cost>,
+                "OptimalPlacement needs a cost with a minimizer, and this one has none: use "
+                "MidpointPlacement or EndpointPlacement, as in "
+                "simplify<EdgeLength, MidpointPlacement>(mesh).");
+}
+
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
@@ -251,10 +259,7 @@ auto pick_policies(const Arguments&... arguments) {
   check_counts<CostArgument, PlacementArgument, Cost, Arguments...>();
   const auto placement =
       pick<Kind::placement, Cost, Given<PlacementArgument, OptimalPlacement>>(arguments...);
-  static_assert(PlacementPolicy<decltype(placement), Cost>,
-                "OptimalPlacement needs a cost with a minimizer, and this one has none: use "
-                "MidpointPlacement or EndpointPlacement, as in "
-                "simplify<EdgeLength, MidpointPlacement>(mesh).");
+  check_placement<decltype(placement), Cost>();
   std::optional<Topology> topology;
   if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
     topology = pick<Kind::topology, Cost, Topology>(arguments...);
@@ -262,9 +267,7 @@ auto pick_policies(const Arguments&... arguments) {
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
   const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
-  validate(cost);
-  validate(pairs);
-  validate(stop);
+  validate_all(cost, placement, pairs, stop);
   validate(order);
   const auto intersection = pick<Kind::intersection, Cost, AnyIntersection>(arguments...);
   check_order(intersection, order);

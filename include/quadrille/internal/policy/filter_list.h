@@ -64,6 +64,7 @@ private:
 
   template <class Filter>
   void add(const Filter& filter) {
+    validate(filter);
     if constexpr (std::same_as<Filter, NormalFlip>)
       if (!std::exchange(is_normal_flip_given_, true)) {
         normal_flip_ = filter;

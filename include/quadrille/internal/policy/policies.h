@@ -210,6 +210,11 @@ void validate(const Policy& policy) {
     policy.validate();
 }
 
+template <class... Policies>
+void validate_all(const Policies&... policies) {
+  (validate(policies), ...);
+}
+
 } // namespace quadrille::internal
 
 #endif // QUADRILLE_INTERNAL_POLICY_POLICIES_H
