@@ -190,6 +190,18 @@ TEST_CASE("Passes, keys that are kept up to date, creases and weights of borders
   check(in_charts, {}, options, FaceCount{60}, Quadric{.crease_weight = 7, .crease_degrees = 20});
 }
 
+TEST_CASE("Triangles are selected by an option") {
+  SoupOptions options = options_of(SoupOptions::Cost::quadric);
+  for (std::size_t f = 0; f < in_charts.triangles.size(); ++f)
+    options.selected.push_back(f % 7 > 0 && f > in_charts.triangles.size() / 3);
+  const std::vector<bool>& is_selected = options.selected;
+  const auto map = boost::make_function_property_map<std::size_t>(
+      [&](std::size_t f) -> bool { return is_selected[f]; });
+  check(in_charts, {}, options, FaceCount{60}, parameters::face_is_selected_map(map));
+  options.selected.pop_back();
+  CHECK_THROWS_AS(simplified_soup(view_of(in_charts), options), std::invalid_argument);
+}
+
 TEST_CASE("The weight of borders between labels is an option") {
   Carrying expected = in_charts;
   simplify(expected.points, expected.triangles, FaceCount{60},

@@ -96,6 +96,9 @@ struct SoupOptions {
   bool no_self_intersection = false;                  ///< see NoSelfIntersection
   /// Points that stay where they are: empty, or a value for each point.
   std::vector<bool> fixed = {};
+  /// Triangles that may be changed, and count for the targets: empty, or a value for each. See
+  /// face_is_selected_map.
+  std::vector<bool> selected = {};
   /// Asked now and then; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 

@@ -19,6 +19,8 @@ enum vertex_quadric_t { vertex_quadric };
 enum vertex_image_t { vertex_image };
 /// The tag of duplicate_output_iterator().
 enum duplicate_output_t { duplicate_output };
+/// The tag of face_is_selected_map().
+enum face_is_selected_t { face_is_selected };
 
 /// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
 template <class Map>
@@ -29,6 +31,25 @@ auto edge_is_crease_map(const Map& map) {
 template <class Map, class Before>
 auto edge_is_crease_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, edge_is_crease_t, Before>(map, before);
+}
+
+/// A property map from faces (of a soup: from indices of triangles) to bool: only faces where it is
+/// true are simplified. All vertices of other faces stay where they are, with all attributes, so
+/// these faces are left bit by bit and what is simplified fits to them; a soup's degenerate and
+/// doubled ones are dropped as ever. Counts and ratios of stop policies, and what a visitor is
+/// told, are of the selected faces and their vertices; distances relative to a diagonal are of that
+/// of all, and Report tells of all.
+///
+/// The map is read, and not written: in a mesh descriptors of faces stay; of a soup, `Labels` of
+/// the same map come back in order.
+template <class Map>
+auto face_is_selected_map(const Map& map) {
+  return CGAL::Named_function_parameters<Map, face_is_selected_t>(map);
+}
+/// The same behind other parameters.
+template <class Map, class Before>
+auto face_is_selected_map(const Map& map, const Before& before) {
+  return CGAL::Named_function_parameters<Map, face_is_selected_t, Before>(map, before);
 }
 
 /// A property map from vertices (of a soup: from point indices) to N numbers, for

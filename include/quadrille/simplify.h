@@ -61,6 +61,7 @@ inline namespace QUADRILLE_THREADING {
 /// - visitor: see Visitor
 /// - edge_is_constrained_map: such an edge stays, with its ends
 /// - vertex_is_constrained_map: such a vertex stays where it is
+/// - face_is_selected_map: only such faces are simplified, and counted
 /// - edge_is_crease_map: creases, see Quadric
 /// - face_patch_map: the same as Labels
 /// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: the same as

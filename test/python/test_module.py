@@ -138,6 +138,16 @@ class Results(Folder):
             self.same(by_mask.points[by_mask.image[i]], points[i])
         self.assertFalse((quadrille.simplify(points, faces, faces=20).points == points[65]).all(1).any())
 
+    def test_selected_by_mask_and_by_index(self):
+        points, faces, _ = sheet(12)
+        mask = points[faces].mean(1)[:, 0] > 0.5
+        by_mask = quadrille.simplify(points, faces, faces=40, selected=mask)
+        by_index = quadrille.simplify(points, faces, faces=40, selected=np.flatnonzero(mask))
+        self.same(by_mask.points, by_index.points)
+        self.assertEqual(len(by_mask.faces), 40 + np.count_nonzero(~mask))
+        corners = {p.tobytes() for p in by_mask.points[by_mask.faces]}
+        self.assertTrue({p.tobytes() for p in points[faces[~mask]]} <= corners)
+
     def test_labels_of_any_kind_stay(self):
         points, faces, _ = sheet(12)
         for labels in (np.array(["a", "b"])[(points[faces[:, 0], 0] > 0.5).astype(int)],
@@ -362,6 +372,7 @@ class Errors(unittest.TestCase):
     def test_what_goes_along(self):
         self.refused(r"^fixed has the shape \(3,\), not \(36,\)", fixed=[True] * 3)
         self.refused("^fixed names the point 36 of 36", fixed=[36])
+        self.refused("^selected names the triangle 50 of 50", selected=[50])
         self.refused(r"^labels has the shape \(3,\), not \(50,\)", labels=[1, 2, 3])
         self.refused(r"^uv has the shape \(36, 3\), not \(n, 2\)", uv=self.points)
         self.refused("^uv has 35 values for 36 points", uv=self.uv[1:])

@@ -66,20 +66,20 @@ def one_for_each(name, array, count, of_what):
     return array
 
 
-def mask(name, array, count):
-    """A list of booleans of a mask, or of indices."""
+def mask(name, array, count, of="point"):
+    """A list of booleans of a mask, or of indices of what `of` says."""
     array = np.asarray(array)
     if array.dtype == bool:
         if array.shape != (count,):
             raise ValueError(f"{name} has the shape {array.shape}, not ({count},): it is a mask of "
-                             "the points, or their indices")
+                             f"the {of}s, or their indices")
         return array.tolist()
     indices = _integers(name, array.reshape(-1) if array.size == 0 else array)
     if indices.ndim != 1:
-        raise ValueError(f"{name} has the shape {array.shape}: it is a mask of the points, or their "
+        raise ValueError(f"{name} has the shape {array.shape}: it is a mask of the {of}s, or their "
                          "indices")
     if indices.size > 0 and int(indices.max()) >= count:
-        raise ValueError(f"{name} names the point {int(indices.max())} of {count}")
+        raise ValueError(f"{name} names the {of} {int(indices.max())} of {count}")
     result = np.zeros(count, bool)
     result[indices] = True
     return result.tolist()

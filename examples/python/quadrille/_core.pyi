@@ -67,6 +67,7 @@ class Options:
     normal_flip: float
     no_self_intersection: bool
     fixed: List[bool]
+    selected: List[bool]
     label_border_weight: float
     split_vertices: bool
 

@@ -34,6 +34,7 @@ def simplify(
     normal_flip: float = 90.0,
     no_self_intersection: bool = False,
     fixed: Optional[np.ndarray] = None,
+    selected: Optional[np.ndarray] = None,
     labels: Optional[np.ndarray] = None,
     label_border_weight: float = 1.0,
     uv: Optional[Values] = None,
@@ -90,6 +91,8 @@ def simplify(
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
                      several times as long
     fixed            points that stay where they are: booleans of the shape (n,), or indices
+    selected         triangles that are simplified: booleans of the shape (m,), or indices. Targets are
+                     of these; all points of others stay where they are
     eager            for 'greedy' and costs but 'quadric': half a percent more accurate, half as fast
     share, refresh   for 'relaxed': see RelaxedOrder in order.h
 
@@ -142,6 +145,8 @@ def simplify(
     options.no_self_intersection = bool(no_self_intersection)
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
+    if selected is not None:
+        options.selected = _arrays.mask("selected", selected, len(mesh.faces), "triangle")
     if progress is not None and not callable(progress):
         raise ValueError(f"progress is {progress!r}, which cannot be called")
     return _simplified(mesh, options, levels, progress, bool(orient))

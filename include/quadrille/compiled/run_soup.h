@@ -94,6 +94,18 @@ struct FixedPoints {
   }
 };
 
+/// Which triangles are selected.
+struct SelectedTriangles {
+  using key_type = std::size_t;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  const std::vector<bool>* is_selected;
+
+  bool selects_all() const { return is_selected->empty(); }
+  friend bool get(const SelectedTriangles& map, std::size_t i) { return (*map.is_selected)[i]; }
+};
+
 /// What became of each point.
 struct PointImages {
   using key_type = std::size_t;
@@ -135,8 +147,10 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
   const SoupOptions& options = run.options;
   const SoupVisitor visitor{options.proceed};
   SoupRecorder recorder = options.recorder;
-  const auto named = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
-                         .visitor(std::cref(visitor));
+  const auto named = parameters::face_is_selected_map(
+      SelectedTriangles{&options.selected},
+      CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
+          .visitor(std::cref(visitor)));
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,

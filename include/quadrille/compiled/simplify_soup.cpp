@@ -34,6 +34,7 @@ void require_count(const char* name, std::size_t values, std::size_t count, cons
 
 void validate(const SoupView& soup, const SoupOptions& options) {
   require_count("fixed", options.fixed.size(), soup.points.size(), "points");
+  require_count("selected", options.selected.size(), soup.triangles.size(), "triangles");
   require_count("labels", soup.labels.size(), soup.triangles.size(), "triangles");
   for (std::size_t i = 0; i < soup.channels.size(); ++i)
     internal::SoupChannelMap(soup.channels[i])

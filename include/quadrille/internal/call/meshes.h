@@ -81,6 +81,23 @@ void fix_vertices(Reader& reader, Input& input, const NamedParameters& named) {
     reader.fix_vertices(fixed, input);
 }
 
+/// Keeps from being changed what is not selected, if faces are. They are in the order of the input.
+template <class Faces, class Input, class NamedParameters>
+void select_faces(const Faces& faces, Input& input, const NamedParameters& named) {
+  const auto map = CGAL::parameters::get_parameter(named, parameters::face_is_selected);
+  if constexpr (is_given<decltype(map)>) {
+    if constexpr (requires { map.selects_all(); }) // one that is chosen at run time
+      if (map.selects_all())
+        return;
+    for (const auto& face : faces) {
+      input.is_selected.push_back(get(map, face));
+      if (!input.is_selected.back())
+        for (Index v : input.triangles[input.is_selected.size() - 1])
+          input.fix(v);
+    }
+  }
+}
+
 /// Fixes the edges that are constrained, and makes creases of those that are named so.
 template <class Cost, class Reader, class Input, class NamedParameters>
 void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
@@ -125,6 +142,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     fix_vertices(reader, input, named);
+    select_faces(faces(mesh), input, named);
     name_edges<Cost>(reader, input, named);
     if constexpr (Carried::has_labels)
       input.labels = numbers_of_labels(carried.labels.map, faces(mesh), workspace);
@@ -177,10 +195,10 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     fix_vertices(reader, input, named);
+    const auto indices = boost::irange(std::size_t{0}, std::ranges::size(triangles));
+    select_faces(indices, input, named);
     if constexpr (Carried::has_labels)
-      input.labels =
-          numbers_of_labels(carried.labels.map,
-                            boost::irange(std::size_t{0}, std::ranges::size(triangles)), workspace);
+      input.labels = numbers_of_labels(carried.labels.map, indices, workspace);
     return input;
   };
   return run(adapter, policies, read, teller(named));

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_PROGRESS_H
 #define QUADRILLE_INTERNAL_CONTRACTION_PROGRESS_H
 
+#include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/report.h>
 
@@ -15,15 +16,22 @@ class Progress {
 public:
   explicit Progress(const Policies& policies) : policies_(policies) {}
 
-  void start(std::size_t faces, std::size_t vertices, double diagonal) {
-    status_.faces = status_.initial_faces = faces;
-    status_.vertices = status_.initial_vertices = vertices;
+  /// Of a surface of which the second part may not be changed, and does not count for the target.
+  void start(const Loss& all, const Loss& unselected, double diagonal) {
+    unselected_ = unselected;
+    status_.faces = status_.initial_faces = all.faces - unselected.faces;
+    status_.vertices = status_.initial_vertices = all.vertices - unselected.vertices;
     status_.diagonal = diagonal;
   }
   /// How many contractions there will be, as a rule.
   void expect(std::size_t contractions) { expected_contractions_ = contractions; }
 
+  /// Without what is not selected.
   const Status& status() const { return status_; }
+  /// Is there anything that may not be changed?
+  bool has_unselected() const { return unselected_.faces > 0; }
+  /// How many vertices are left in all.
+  std::size_t vertices() const { return status_.vertices + unselected_.vertices; }
   bool has_visitor() const { return static_cast<bool>(policies_.visitor); }
   /// Pairs are contracted from here on. False if the visitor cancels.
   bool begin_contracting() {
@@ -63,11 +71,11 @@ public:
   bool is_cancelled() const { return is_cancelled_; }
 
   void tell(Report& report) const {
-    report.faces_after = status_.faces;
-    report.vertices_after = status_.vertices;
+    report.faces_after = status_.faces + unselected_.faces;
+    report.vertices_after = vertices();
     report.contractions = status_.contractions;
     report.non_edge_contractions = total_.non_edge_contractions;
-    report.counted_faces = status_.initial_faces;
+    report.counted_faces = status_.initial_faces + unselected_.faces;
     report.doubled_faces = total_.doubled_faces;
     report.doubled_labels = total_.doubled_labels;
     report.vanished_parts = total_.vanished_parts;
@@ -95,6 +103,7 @@ private:
 
   const Policies& policies_;
   Status status_;
+  Loss unselected_{0, 0};
   Tally total_;
   std::size_t expected_contractions_ = 0;
   Stage stage_ = Stage::prepare;

@@ -23,6 +23,7 @@
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/target_rules.h>
+#include <quadrille/internal/contraction/unselected.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/cost/vertex_memories.h>
@@ -85,7 +86,9 @@ public:
     if (policies.topology == Topology::parts_may_vanish)
       parts_ = Parts<dimension>(complex_, geometry_, scale_);
     appearance_.read(input, numbering_, scale_, pairs_.are_edges());
-    progress_.start(complex_.count_faces(), complex_.count_vertices(), scale_.diagonal());
+    progress_.start({complex_.count_faces(), complex_.count_vertices()},
+                    count_unselected(complex_, numbering_.faces, input.is_selected),
+                    scale_.diagonal());
     if (progress_.proceed())
       classify(box);
     if (!progress_.proceed())
@@ -167,7 +170,7 @@ public:
   /// enough of them are gone, those that are left get new numbers, in the same order.
   void end_pass(bool refresh) {
     if (status().faces > 0 && pairs_.are_edges() &&
-        4 * status().vertices < 3 * complex_.vertex_capacity())
+        4 * progress_.vertices() < 3 * complex_.vertex_capacity())
       pack();
     else
       complex_.build_lists(policies_.threads);

@@ -62,8 +62,12 @@ private:
                        count_components(surface_.complex()) > 1;
     if (!scratch_)
       scratch_.emplace(surface_.complex().vertex_capacity());
+    const auto& geometry = surface_.evaluator().geometry();
+    const bool has_unselected = surface_.progress().has_unselected();
     std::size_t edges = 0, held = 0;
     for_each_edge(surface_.complex(), [&](Index v, Index w, const auto&) {
+      if (has_unselected && geometry.is_fixed(v) && geometry.is_fixed(w))
+        return; // most of them lie in what is not selected
       ++edges;
       held += is_held(v, w);
     });

@@ -28,6 +28,8 @@ struct SurfaceInput {
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
+  /// Of each input face: may it be changed? The corners of others are fixed. Empty if all may.
+  std::vector<bool> is_selected;
   std::vector<ChannelInput> channels;
   /// May it have faces on the same three vertices? Of those one is left, or with may_have_backs one
   /// of each way round.
