@@ -34,7 +34,7 @@ namespace quadrille {
 ///
 /// As the points of a soup (T is float or double, N is 3) it stands for whole vertices: those that
 /// are left come to the front with all their bytes, and with their new positions. There are
-/// Report::vertices_after of them; what is behind them is unspecified, and the memory stays the
+/// Report::vertices_after of them; what follows them is unspecified, and the memory stays the
 /// caller's. As the map of a channel (`Normals{…}`, `Texture{…}`) it is that attribute, in the same
 /// memory or elsewhere. It is a read-write property map over the index of a vertex, whose values
 /// are std::array<T, N>; it owns nothing, and is copied as a pointer is.

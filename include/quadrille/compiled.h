@@ -52,7 +52,7 @@ public:
   bool is_listening() const { return static_cast<bool>(begin_); } ///< is there one?
   /// Tells it, as ContractionRecorder has it; there has to be one.
   void begin(RecordedSurface surface) const { begin_(std::move(surface)); }
-  /// The same.
+  /// Tells it of a contraction; there has to be one.
   void record(const RecordedContraction& contraction) const { record_(contraction); }
   /// Tells it if it wants to know.
   void stop(StopReason reason) const {

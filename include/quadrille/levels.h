@@ -94,14 +94,14 @@ public:
   void begin(RecordedSurface surface); ///< called by `simplify`: see ContractionRecorder
   /// Called by `simplify` for each contraction.
   void record(const RecordedContraction& contraction) { records_.add(contraction); }
-  void end(); ///< called by `simplify` behind the last one
+  void end(); ///< called by `simplify` after the last one
 
 private:
   using Index = internal::Index;
   using Segment = internal::LevelSegment;
   using Track = internal::LevelTrack;
   using Place = internal::LevelPlace;
-  // Where a channel's values are: in a track, behind others.
+  // Where a channel's values are: in a track, after other values.
   struct ChannelPlace {
     std::size_t track, offset, components;
   };

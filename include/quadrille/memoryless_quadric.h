@@ -42,7 +42,7 @@ struct MemorylessQuadric {
   Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
   static constexpr bool face_is_alike_at_corners = true; ///< nothing is the same at all
 
-  /// A pair that has become dearer while it waited, but by no more than this factor, is contracted
+  /// A pair that has become more costly while it waited, but by no more than this factor, is contracted
   /// all the same: to send it back takes time, and the error is no lower for it.
   static constexpr double tolerated_rise = 1.1;
 
@@ -88,7 +88,7 @@ struct MemorylessQuadric {
   Current current_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return weighted_face(p, q, r, [](double area) { return emphasis(area); });
   }
-  /// The same with a factor of its own for each face: emphasis(area).
+  /// What a face says if it counts by emphasis(area) times its area.
   template <class Emphasis>
   static Current weighted_face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
                                Emphasis emphasis) {

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-/// Named parameters that CGAL has no name for. CGAL's own chain behind them:
+/// Named parameters that CGAL has no name for. CGAL's own chain after them:
 /// `quadrille::parameters::edge_is_crease_map(creases).vertex_point_map(points)`.
 namespace quadrille::parameters {
 
@@ -27,7 +27,7 @@ template <class Map>
 auto edge_is_crease_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, edge_is_crease_t>(map);
 }
-/// The same behind other parameters.
+/// The same parameter, after others in a chain.
 template <class Map, class Before>
 auto edge_is_crease_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, edge_is_crease_t, Before>(map, before);
@@ -46,7 +46,7 @@ template <class Map>
 auto face_is_selected_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, face_is_selected_t>(map);
 }
-/// The same behind other parameters.
+/// The same parameter, after others in a chain.
 template <class Map, class Before>
 auto face_is_selected_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, face_is_selected_t, Before>(map, before);
@@ -58,7 +58,7 @@ template <class Map>
 auto vertex_attribute_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_attribute_t>(map);
 }
-/// The same behind other parameters.
+/// The same parameter, after others in a chain.
 template <class Map, class Before>
 auto vertex_attribute_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_attribute_t, Before>(map, before);
@@ -73,7 +73,7 @@ template <class Map>
 auto vertex_quadric_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_quadric_t>(map);
 }
-/// The same behind other parameters.
+/// The same parameter, after others in a chain.
 template <class Map, class Before>
 auto vertex_quadric_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_quadric_t, Before>(map, before);
@@ -95,7 +95,7 @@ template <class Map>
 auto vertex_image_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_image_t>(map);
 }
-/// The same behind other parameters.
+/// The same parameter, after others in a chain.
 template <class Map, class Before>
 auto vertex_image_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_image_t, Before>(map, before);
@@ -109,7 +109,7 @@ template <class Iterator>
 auto duplicate_output_iterator(const Iterator& iterator) {
   return CGAL::Named_function_parameters<Iterator, duplicate_output_t>(iterator);
 }
-/// The same behind other parameters.
+/// The same parameter, after others in a chain.
 template <class Iterator, class Before>
 auto duplicate_output_iterator(const Iterator& iterator, const Before& before) {
   return CGAL::Named_function_parameters<Iterator, duplicate_output_t, Before>(iterator, before);

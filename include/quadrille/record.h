@@ -89,7 +89,7 @@ struct RecordedRefusal {
 /// - `recorder.begin(surface)`: before the first contraction, with a RecordedSurface of its own.
 /// - `recorder.record(contraction)`: each RecordedContraction in order. What it refers to is there
 ///   during the call only.
-/// - `recorder.end()`: behind the last one, before the mesh is changed.
+/// - `recorder.end()`: after the last one, before the mesh is changed.
 ///
 /// **Used where there**:
 ///
@@ -110,7 +110,7 @@ concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
 ///
 /// RelaxedOrder contracts in many places at a time. Its contractions are told in an order in which
 /// they could have been done one by one, which is the same for any number of threads: those of a
-/// pass by their costs, as far as the order within each block allows it. Behind those of a stage of
+/// pass by their costs, as far as the order within each block allows it. After those of a stage of
 /// a pass come its refusals, by block, and as they were in each.
 template <ContractionRecorder R>
 struct RecordInto {

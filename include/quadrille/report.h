@@ -94,7 +94,7 @@ constexpr std::string_view to_string(StopReason reason) {
   return names[static_cast<std::size_t>(reason)];
 }
 
-/// The same.
+/// How a Report names the cause of a refusal.
 constexpr std::string_view to_string(Rejection cause) {
   constexpr std::array<std::string_view, rejection_causes> names{
       "topology", "constraint",       "normal flip", "shape",   "degree", "distance",

@@ -145,7 +145,7 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
 ///
 /// Containers and matrices get the size of the result. Spans and VertexAttributes cannot: what is
 /// left is at their beginning, Report::vertices_after points and Report::faces_after triangles;
-/// what lies behind it is unspecified. There is no point_map. The result has the same bits as that
+/// what follows it is unspecified. There is no point_map. The result has the same bits as that
 /// of std::array<float, 3>; otherwise as above.
 ///
 /// Throws also std::invalid_argument for numbers that are not three for each point or triangle, and

@@ -13,7 +13,7 @@ namespace quadrille {
 /// An aggregate of doubles; components are read and written with `v[i]`.
 template <std::size_t N>
 struct Vector {
-  std::array<double, N> coordinates{}; ///< x, y, z; attributes behind them
+  std::array<double, N> coordinates{}; ///< x, y, z; then attributes
 
   constexpr double& operator[](std::size_t i) { return coordinates[i]; } ///< coordinate i, from 0
   /// Coordinate i, from 0.

@@ -155,7 +155,7 @@ public:
 
   Value raw(const Key& key) const { return values_.raw(key); }
   void put_raw(const Key& key, const Value& value) { values_.put_raw(key, value); }
-  /// The same, so that undo() can put back what there was.
+  /// Writes a value so that undo() can put back what there was.
   void overwrite(const Key& key, const Value& value) {
     overwritten_.emplace_back(key, raw(key));
     put_raw(key, value);

@@ -23,8 +23,8 @@
 
 namespace quadrille::internal {
 
-/// Reads the index triples of a channel of so many values. Throws std::invalid_argument if they are
-/// not one for each triangle, or name a value that is not there.
+/// Reads the index triples of a channel that has `values` values. Throws std::invalid_argument if
+/// they are not one for each triangle, or name a value that is not there.
 template <class Triples>
 void read_triples(const Triples& triples, std::size_t triangles, std::size_t values,
                   ChannelInput& input) {

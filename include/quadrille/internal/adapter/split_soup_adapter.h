@@ -26,7 +26,7 @@
 namespace quadrille::internal {
 
 /// Reads a soup whose vertices are split at seams, so that points at one place are one vertex, and
-/// splits them again behind the simplification: one point for each combination of values at a
+/// splits them again after the simplification: one point for each combination of values at a
 /// place. O(n log n) for n points.
 template <class Points, class Triangles, class PointMap, class Labels, class Maps>
 class SplitSoupAdapter {

@@ -62,7 +62,7 @@ inline Lanes select(LaneMask condition, Lanes a, Lanes b) {
 
 #endif
 
-/// The same for one number, so that a formula serves both.
+/// This function of one number, so that one formula serves numbers and lanes.
 inline double select(bool condition, double a, double b) {
   return condition ? a : b;
 }

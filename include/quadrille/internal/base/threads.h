@@ -60,7 +60,7 @@ private:
   const Library* library_ = nullptr;
 };
 
-/// Runs task(), in which parallel_for() may use so many threads. They stay awake between the loops
+/// Runs task(), in which parallel_for() may use that many threads. They stay awake between the loops
 /// of one task: to wake one takes longer than many loops do.
 template <class Task>
 void with_threads(Threads threads, const Task& task) {

@@ -67,7 +67,7 @@ concept BufferedSoup = (RowsOfPoints<Points> &&
                         (RowsOfTriangles<Triangles> || TriangleContainer<Triangles>)) ||
                        (RowsOfTriangles<Triangles> && PointContainer<Points>);
 
-/// The same, constant, unless it refers to what is changed, as spans do.
+/// Such a soup that is constant and does not refer to what is changed, as spans do.
 template <class Points, class Triangles>
 concept ConstantBuffers = BufferedSoup<Points, Triangles> &&
     !(is_changeable<const Points&> && is_changeable<const Triangles&>);

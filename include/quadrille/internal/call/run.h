@@ -77,7 +77,7 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
   return report;
 }
 
-/// The same, with the threads that the order asks for.
+/// Runs a call with the threads that the order asks for.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   Report report;

@@ -41,7 +41,7 @@ public:
     for (Index v = 0; v < lists.size(); ++v)
       note(v, lists[v].size, lists.size());
   }
-  /// A vertex has so many faces now, of a surface of so many vertices.
+  /// Notes how many faces a vertex has now, of a surface of `vertices` vertices.
   void note(Index v, std::size_t faces, std::size_t vertices) {
     if (faces > most_faces && are_wanted_ && !has(v))
       add(v, faces, vertices);

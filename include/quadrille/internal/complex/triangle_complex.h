@@ -92,7 +92,7 @@ public:
       if (const Index corner = pool_[list.begin + i]; !is_removed(corner >> 2))
         visit(corner >> 2, corner & 3);
   }
-  /// The same, and drops the corners of removed faces on its way, so that its cost is repaid by the
+  /// Visits these corners, and drops those of removed faces on its way, so that its cost is repaid by the
   /// faces that were removed.
   template <class Visit>
   void prune_corners(Index vertex, Visit visit) {

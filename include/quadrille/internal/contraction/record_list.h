@@ -20,7 +20,7 @@ inline float float_above(double x) {
              : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
-/// A list of lists, one behind the other.
+/// A list of lists, one after the other.
 template <class T>
 class Rows {
 public:

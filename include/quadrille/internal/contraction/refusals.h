@@ -72,7 +72,7 @@ void refuse(Surface& surface, const std::array<Index, 2>& ends, Rejection cause)
     recording->refuse(ends, cause, surface.status().next_error);
 }
 
-/// The same in a pass, by any thread: told when the stage has ended.
+/// Refuses a pair in a pass, by any thread; recorders are told when the stage has ended.
 template <class Surface, class Scratch>
 void refuse_in_pass(Surface& surface, const std::array<Index, 2>& ends, Rejection cause,
                     double error, Scratch& scratch) {

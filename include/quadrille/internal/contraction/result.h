@@ -15,7 +15,7 @@
 namespace quadrille::internal {
 
 /// The vertices and faces of a finished surface that are left, counted off in the engine's order,
-/// in which neighbours lie near each other; behind all faces come the backs of those that have one.
+/// in which neighbours lie near each other; after all faces come the backs of those that have one.
 /// Input indices are those under which an adapter has read them.
 template <class Cost>
 class Result {
@@ -56,7 +56,7 @@ public:
     return surface_.scale.position_of_mesh(surface_.positions[vertices_[v]]);
   }
 
-  /// Of a corner of a face, in a channel. Those of backs come behind all others.
+  /// Of a corner of a face, in a channel. Those of backs come after all others.
   Index wedge(std::size_t c, Index face, std::size_t corner) const {
     const Index f = faces_[face], v = complex().vertices(f)[corner_of_front(face, corner)];
     const bool is_other = is_back(face) && has_back_channel(c);

@@ -141,7 +141,7 @@ public:
   /// Contracts a pair, and returns the vertex that is left: an end that keeps its place, else the
   /// first. Observers are told before and after it. What has changed is tallied, to be counted.
   ///
-  /// In a pass, contractions have no end in common, end_pass() is called behind the last, and those
+  /// In a pass, contractions have no end in common, end_pass() is called after the last, and those
   /// whose stars have no vertex in common may be done at the same time. Where topology is free, no
   /// end of an earlier one may be cut off: see any_cut_off().
   template <class Mode>
@@ -237,7 +237,7 @@ private:
     terms_.sum_up(labels);
   }
 
-  // What is gone takes no more time or room in a cache. Local terms are summed up anew behind it.
+  // What is gone takes no more time or room in a cache. Local terms are summed up anew after it.
   void pack() {
     Array<Index> vertices = complex_.left_vertices();
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };

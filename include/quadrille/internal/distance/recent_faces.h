@@ -9,8 +9,8 @@
 
 namespace quadrille::internal {
 
-/// Faces of which something has held lately, so that it may hold again: they are asked first. Those
-/// that are asked in vain move to the back.
+/// Faces of which something has held lately, so that it may hold again: they are asked first. A
+/// face that is asked in vain moves to the back.
 class RecentFaces {
 public:
   /// Does is(face, i) hold for one of them that is at the vertex, in place i of its corners?

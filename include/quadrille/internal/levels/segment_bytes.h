@@ -18,7 +18,7 @@ namespace quadrille::internal {
 /// A segment of levels as bytes: counts, then columns.
 ///
 ///     u32 contractions, faces; f32 error before, bound before; u8 bounds are known
-///     [contractions] faces that go, as u8 behind a 1 or u32 behind a 4
+///     [contractions] faces that go, as u8 after a 1, or as u32 after a 4
 ///     f32 [contractions] errors; bounds, if they are known
 ///     each track: u32 items, parents, changes; u8 bytes of a number, 4 or 8
 ///       u32 [faces] the corners, three columns

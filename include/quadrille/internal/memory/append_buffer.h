@@ -20,7 +20,7 @@ public:
   bool empty() const { return size_ == 0; }
   void clear() { size_ = 0; }
 
-  /// The place behind the list, for at most `count` values more.
+  /// The place after the last element, for at most `count` values more.
   T* extend(std::size_t count) {
     if (values_.size() < size_ + count)
       grow((std::max)(values_.size() + values_.size() / 4, size_ + count));

@@ -75,11 +75,11 @@ struct UninitializedAllocator : ArrayAllocator<T> {
 template <class T>
 using Array = std::vector<T, ArrayAllocator<T>>;
 
-/// The same, where not all that is reserved will be used.
+/// An array of which not all that is reserved will be used.
 template <class T>
 using SparseArray = std::vector<T, ArrayAllocator<T, false>>;
 
-/// The same, where new values are written before they are read, each by the thread that works on
+/// An array whose new values are written before they are read, each by the thread that works on
 /// it.
 template <class T>
 using UninitializedArray = std::vector<T, UninitializedAllocator<T>>;

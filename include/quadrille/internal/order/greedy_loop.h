@@ -29,7 +29,7 @@ namespace quadrille::internal {
 /// Contracts the cheapest pair until the stop policy is satisfied or no pair can be contracted.
 ///
 /// What a contraction changes about other pairs is up to PairUpdates. A cost that looks at the
-/// surface as it is can make a pair dearer while it waits, and so can a hub; such a pair goes back.
+/// surface as it is can make a pair more costly while it waits, and so can a hub; such a pair goes back.
 /// A pair that is refused waits until a vertex of a face at one of
 /// its ends has moved (WaitingPairs); one that would go beyond the target, until there are no
 /// others (DeferredPairs).

@@ -36,7 +36,7 @@ public:
   } ///< any, perhaps one that has left
 
   /// Empties the list of a vertex and calls visit(pair) for each pair that was still refused; or
-  /// stops behind the first `most` of these. Returns whether the list is empty.
+  /// stops after the first `most` of these. Returns whether the list is empty.
   template <class Visit>
   bool release(Index vertex, std::size_t most, Visit visit) {
     Index& last = last_entry_[vertex];
@@ -75,7 +75,7 @@ public:
 private:
   struct Slot {
     QueuedPair pair;
-    std::array<Index, 2> next; // in the lists of the two ends, behind the last the first
+    std::array<Index, 2> next; // in the lists of the two ends; the first follows the last
     std::int16_t lists;        // how many lists it is in; refused while in both
     bool is_held;
   };
