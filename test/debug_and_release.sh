@@ -1,7 +1,7 @@
 #!/bin/sh
 # Checks that a Debug build of the first compiler and Release builds of all give the same results, to
 # the last digit.
-#   sh debug_and_release.sh MODEL.off FLAG... -- COMPILER...
+#   sh debug_and_release.sh MODEL.off FLAG... -DCOST=Quadric -- COMPILER...
 # Where the processor has a fused multiply-add, compilers take it in different places, so it is
 # switched off.
 set -eu

@@ -1,6 +1,6 @@
 // Prints all digits of what two_quadrics.h computes, and of simplifications for which it does;
 // lanes.sh compares them with and without vectors of the compiler's.
-#include "soups.h"
+#include "support/soups.h"
 
 #include <quadrille/internal/cost/two_quadrics.h>
 #include <quadrille/simplify.h>

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_TEST_CASES_CASES_H
 #define QUADRILLE_TEST_CASES_CASES_H
 
-#include "../meshes.h"
-#include "../soups.h"
+#include "../support/meshes.h"
+#include "../support/soups.h"
 
 #include <quadrille/order.h>
 #include <quadrille/quadric.h>

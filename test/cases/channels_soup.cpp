@@ -1,5 +1,5 @@
-#include "../charts.h"
-#include "../textured.h"
+#include "../support/charts.h"
+#include "../support/textured.h"
 #include "engine.h"
 
 #include <quadrille/channels.h>

@@ -1,7 +1,7 @@
 // Bytes are a file of levels: it is refused with an exception, or each of its levels is a surface,
 // by itself as among all, and the file is written again as it was read. Its checksums are made
 // right before, so that what is behind them is reached.
-#include "../folder.h"
+#include "../support/folder.h"
 
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>

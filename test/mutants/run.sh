@@ -3,7 +3,7 @@
 # tests named beside each notice. Prints one line for each; fails if one survives.
 #   sh test/mutants/run.sh [FIRST [LAST]]   lines of mutants.tsv, all of them by default
 #
-# A line of mutants.tsv: file, by its path from include/quadrille, code, what replaces its first occurrence, tests; between tabs, \n
+# A line of mutants.tsv: file, by its path from include/quadrille, code, what replaces its first occurrence, tests (quadric_form stands for cost/test_quadric_form.cpp); between tabs, \n
 # for the end of a line. The tests must pass without a bug, on the models of a configured build:
 # CGAL_DATA_DIR, or that of `cmake --preset test`.
 set -u
@@ -50,8 +50,9 @@ passes() {
     parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;
     error_limit | float_precision | targets | thin_features) options=-O1 ;; # take minutes without
   esac
-  $compile -include "$folder/prelude.h" $options -I"$folder/include" "$folder/test/test_$1.cpp" \
-    $sources "$folder/main.o" $libraries -o "$folder/test_$1" 2>"$folder/log" || {
+  $compile -include "$folder/prelude.h" $options -I"$folder/include" -I"$folder/test" \
+    -I"$folder/test/support" "$folder"/test/*/"test_$1.cpp" $sources "$folder/main.o" $libraries \
+    -o "$folder/test_$1" 2>"$folder/log" || {
     verdict="DOES NOT COMPILE"
     return 1
   }
