@@ -2,7 +2,7 @@
 // lanes.sh compares them with and without vectors of the compiler's.
 #include "support/soups.h"
 
-#include <quadrille/internal/cost/two_quadrics.h>
+#include <quadrille/internal/evaluation/two_quadrics.h>
 #include <quadrille/simplify.h>
 
 #include <array>

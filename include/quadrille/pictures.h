@@ -5,8 +5,8 @@
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/base/read_indices.h>
 #include <quadrille/internal/call/meshes.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/pairs/pair_selection.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/pairs.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>

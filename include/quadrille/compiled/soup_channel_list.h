@@ -7,8 +7,8 @@
 #include <quadrille/internal/adapter/split_points.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/call/carried.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/surface_input.h>
 
 #include <cstddef>
 #include <span>

@@ -3,10 +3,10 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/compiled.h>
+#include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
 
 #include <cstddef>
 #include <span>

@@ -5,10 +5,10 @@
 #include <quadrille/channels.h>
 #include <quadrille/internal/adapter/attributes.h>
 #include <quadrille/internal/adapter/linear_light.h>
+#include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/attribute_values.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/vector.h>
 
 #include <boost/property_map/property_map.hpp>

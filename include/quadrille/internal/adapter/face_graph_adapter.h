@@ -9,7 +9,7 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/surface/surface_input.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

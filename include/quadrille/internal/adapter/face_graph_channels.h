@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/adapter/channel_map.h>
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/surface_input.h>
 
 #include <CGAL/boost/graph/properties.h>
 

@@ -8,10 +8,10 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/parameters.h>
 #include <quadrille/vector.h>
 

@@ -7,8 +7,8 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/read_indices.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/surface_input.h>
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,8 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/vector.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -1,14 +1,14 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 #define QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 
+#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/optional_intersections.h>
-#include <quadrille/internal/contraction/seam_graph.h>
-#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>

@@ -6,7 +6,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/cost/candidate.h>
+#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 
@@ -55,7 +55,7 @@ public:
   const PairStar& star() const { return scratch_.star; }
   /// Of the faces that change, in the order of the star: how far they will be from the input at
   /// most, once that has been measured.
-  std::vector<float>& bounds() const { return scratch_.bounds; }
+  std::vector<float>& bounds() const { return scratch_.distance.bounds; }
 
   const Candidate& candidate() const { return candidate_; }
   /// To a place that costs the same.
@@ -124,15 +124,6 @@ struct ContractionEvent {
   Recession recession;
 };
 
-/// An observer as a tuple, or none.
-template <bool is_there, class Observer>
-auto tie_if([[maybe_unused]] Observer& observer) {
-  if constexpr (is_there)
-    return std::tie(observer);
-  else
-    return std::tie();
-}
-
 template <class Observer, class Event>
 concept HearsBefore = requires(Observer& observer, const Event& event) {
   observer.before(event);
@@ -158,16 +149,16 @@ QUADRILLE_ALWAYS_INLINE inline void tell_after(Observer& observer, const Event& 
 template <class Event, class... Observer>
 QUADRILLE_ALWAYS_INLINE inline void tell_all_before(const std::tuple<Observer&...>& observers,
                                                     const Event& event) {
-  std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-    (tell_before(observer, event), ...);
-  }, observers);
+  std::apply([&](auto&... observer)
+                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_before(observer, event), ...); },
+             observers);
 }
 template <class Event, class... Observer>
 QUADRILLE_ALWAYS_INLINE inline void tell_all_after(const std::tuple<Observer&...>& observers,
                                                    const Event& event) {
-  std::apply([&](auto&... observer) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-    (tell_after(observer, event), ...);
-  }, observers);
+  std::apply([&](auto&... observer)
+                 QUADRILLE_ALWAYS_INLINE_LAMBDA { (tell_after(observer, event), ...); },
+             observers);
 }
 
 } // namespace quadrille::internal

@@ -5,8 +5,8 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/distance/distance_bounds.h>
+#include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
@@ -79,8 +79,8 @@ private:
   bool look_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
     return bounds_.is_beyond_hub(
         complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
-        scratch.faces_too_far, [this](Index v) { return link_condition_.may_be_junction(v); },
-        stops_beyond(status));
+        scratch.distance.faces_too_far,
+        [this](Index v) { return link_condition_.may_be_junction(v); }, stops_beyond(status));
   }
 
   // In the engine's unit.
@@ -88,7 +88,7 @@ private:
     const Index a = contraction.first(), b = contraction.second();
     return bounds_.measure(contraction.star(), a, b, geometry_.positions(),
                            space(contraction.target()), kind_of_star(a, b),
-                           contraction.scratch().deviation, contraction.bounds(),
+                           contraction.scratch().distance.deviation, contraction.bounds(),
                            stops_beyond(status));
   }
 
@@ -118,7 +118,8 @@ private:
   }
   bool is_next_to_nothing(const FaceDeviation& deviation, const Contraction& contraction) const {
     return !is_nothing(deviation) &&
-           deviation.from_star <= next_to_nothing * contraction.scratch().deviation.extent();
+           deviation.from_star <=
+               next_to_nothing * contraction.scratch().distance.deviation.extent();
   }
   static constexpr double next_to_nothing = 0x1p-20;
 

@@ -1,10 +1,14 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
 #define QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
 
+#include <quadrille/internal/appearance/back_values.h>
+#include <quadrille/internal/appearance/labels_by_face.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/tally.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/numbering.h>
 
@@ -178,6 +182,25 @@ private:
   Array<Index> partner_; // of each face, the one on its other side; empty if there is none
   std::vector<bool> is_chosen_;
 };
+
+/// Before the first contraction: of faces on the same vertices one is left, or one with a back
+/// where the input may have them. Returns which channel has the values of backs, of each.
+template <std::size_t N>
+std::vector<std::size_t> settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
+                                              SurfaceInput<N>& input, Tally& tally) {
+  const Array<Index> labels = labels_by_face(input.labels, faces, complex);
+  DoubledFaces doubled(complex, labels, tally);
+  if (!input.may_have_backs) {
+    doubled.remove();
+    return {};
+  }
+  doubled.pair_up(faces);
+  if (complex.backs().is_empty())
+    return {};
+  BackValues values(complex, faces, input.labels, input.channels);
+  values.join_labels();
+  return values.add_channels();
+}
 
 } // namespace quadrille::internal
 

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_FINISHED_SURFACE_H
 #define QUADRILLE_INTERNAL_CONTRACTION_FINISHED_SURFACE_H
 
+#include <quadrille/internal/appearance/channel.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/cost/channel.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_PROGRESS_H
 
 #include <quadrille/internal/contraction/cleanup.h>
-#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/contraction/tally.h>
 #include <quadrille/report.h>
 
 #include <algorithm>

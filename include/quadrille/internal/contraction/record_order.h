@@ -28,7 +28,7 @@ template <class Scratch>
 std::vector<RecordPlace> places_in_order_of_cost(const std::vector<Scratch>& scratches) {
   std::vector<RecordPlace> places;
   for (std::uint32_t thread = 0; thread < scratches.size(); ++thread) {
-    const RecordBuffer& buffer = scratches[thread].recorded;
+    const RecordBuffer& buffer = scratches[thread].record.contractions;
     std::size_t i = 0;
     for (const RecordBuffer::Block& block : buffer.blocks)
       for (; i < block.end; ++i)

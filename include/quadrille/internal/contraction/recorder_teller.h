@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H
 
+#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/appearance/told_channels.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
@@ -10,8 +12,6 @@
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/contraction/told_channels.h>
-#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
@@ -67,12 +67,12 @@ public:
         surface.channels.push_back(read(told));
     policies_.recorder.begin(std::move(surface));
     for (Scratch& scratch : scratches_)
-      scratch.recorded.list = empty_list();
+      scratch.record.contractions.list = empty_list();
   }
 
   /// The wedges of the pair that meets, before they do.
   void before(const Contraction& contraction) override {
-    std::vector<RecordBuffer::Corner>& corners = contraction.scratch().recorded.corners;
+    std::vector<RecordBuffer::Corner>& corners = contraction.scratch().record.contractions.corners;
     corners.clear();
     const auto channels = all_channels();
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -95,7 +95,7 @@ public:
   void after(const Contraction& contraction, Index kept, Index gone, double error,
              bool is_in_pass) override {
     Scratch& scratch = contraction.scratch();
-    RecordBuffer& buffer = scratch.recorded;
+    RecordBuffer& buffer = scratch.record.contractions;
     const Vector<dimension> position = scale_.position_of_mesh(contraction.target());
     buffer.faces.clear();
     for (const StarFace& f : scratch.star.shared)
@@ -134,23 +134,23 @@ public:
   void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) override {
     if (policies_.recorder.hears_refusals())
-      scratch.refusals.add(refusal(ends, cause, error));
+      scratch.record.refusals.add(refusal(ends, cause, error));
   }
 
   void begin_block(std::size_t number, Scratch& scratch) override {
-    scratch.recorded.begin_block(number);
-    scratch.refusals.begin_block(number);
+    scratch.record.contractions.begin_block(number);
+    scratch.record.refusals.begin_block(number);
   }
   void end_stage() override {
     std::vector<RecordedWedge> wedges;
     for (const RecordPlace& place : places_in_order_of_cost(scratches_))
       policies_.recorder.record(
-          scratches_[place.thread].recorded.list.contraction(place.number, wedges));
+          scratches_[place.thread].record.contractions.list.contraction(place.number, wedges));
     tell_refusals(policies_.recorder, scratches_);
     for (Scratch& scratch : scratches_) {
-      scratch.recorded.list = empty_list();
-      scratch.recorded.costs.clear();
-      scratch.recorded.blocks.clear();
+      scratch.record.contractions.list = empty_list();
+      scratch.record.contractions.costs.clear();
+      scratch.record.contractions.blocks.clear();
     }
   }
 

@@ -1,13 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 
+#include <quadrille/internal/appearance/channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>

@@ -53,14 +53,14 @@ template <class Recorder, class Scratch>
 void tell_refusals(const Recorder& recorder, std::vector<Scratch>& scratches) {
   std::vector<Refusals::OfBlock> blocks;
   for (const Scratch& scratch : scratches)
-    scratch.refusals.append_to(blocks);
+    scratch.record.refusals.append_to(blocks);
   std::sort(blocks.begin(), blocks.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [number, refusals] : blocks)
     for (const RecordedRefusal& refusal : refusals)
       recorder.refuse(refusal);
   for (Scratch& scratch : scratches)
-    scratch.refusals.clear();
+    scratch.record.refusals.clear();
 }
 
 /// Counts a pair that is refused, or a part, which has no ends, and tells a recorder that wants to

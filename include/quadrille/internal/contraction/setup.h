@@ -4,13 +4,13 @@
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
@@ -76,17 +76,6 @@ Array<TriangleComplex::Triangle> take_triangles(const PairSource& pairs, Surface
 /// Is topology kept? Unless the user says, it is free if there are pairs that are not edges.
 inline bool keeps_topology(std::optional<Topology> topology, bool has_other_pairs) {
   return topology.value_or(has_other_pairs ? Topology::free : Topology::kept) != Topology::free;
-}
-
-/// The label of each face, in the order of the complex.
-inline Array<Index> labels_by_face(const Array<Index>& by_input, const InputIndices& faces,
-                                   const TriangleComplex& complex) {
-  if (by_input.empty())
-    return Array<Index>(complex.workspace());
-  Array<Index> labels(complex.face_capacity(), complex.workspace());
-  for (Index face = 0; face < labels.size(); ++face)
-    labels[face] = by_input[faces[face]];
-  return labels;
 }
 
 /// One for each thread.

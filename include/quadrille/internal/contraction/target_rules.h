@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 #define QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 
+#include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/seam_graph.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>

@@ -1,18 +1,19 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 #define QUADRILLE_INTERNAL_CONTRACTION_WORKING_SURFACE_H
 
+#include <quadrille/internal/appearance/appearance.h>
 #include <quadrille/internal/base/assert.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/base/tie_if.h>
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/appearance.h>
-#include <quadrille/internal/contraction/back_values.h>
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
 #include <quadrille/internal/contraction/distance_check.h>
+#include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
@@ -25,16 +26,16 @@
 #include <quadrille/internal/contraction/target_rules.h>
 #include <quadrille/internal/contraction/unselected.h>
 #include <quadrille/internal/cost/local_terms.h>
-#include <quadrille/internal/cost/pair_evaluator.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/distance/distance_bounds.h>
+#include <quadrille/internal/evaluation/pair_evaluator.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/report.h>
 
 #include <cstddef>
@@ -85,7 +86,7 @@ public:
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally);
     if (policies.topology == Topology::parts_may_vanish)
       parts_ = Parts<dimension>(complex_, geometry_, scale_);
-    appearance_.read(input, numbering_, scale_, pairs_.are_edges());
+    appearance_.read(input.labels, input.channels, numbering_, scale_, pairs_.are_edges());
     progress_.start({complex_.count_faces(), complex_.count_vertices()},
                     count_unselected(complex_, numbering_.faces, input.is_selected),
                     scale_.diagonal());

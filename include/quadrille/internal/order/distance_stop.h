@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/cost/candidate.h>
+#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 

@@ -6,7 +6,7 @@
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/cost/part_price.h>
+#include <quadrille/internal/evaluation/part_price.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/part_lists.h>

@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_PAIRS_FACE_POINTS_H
 
 #include <quadrille/internal/base/power_of_two.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/pairs.h>
 #include <quadrille/vector.h>
 

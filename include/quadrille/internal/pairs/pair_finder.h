@@ -6,7 +6,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/cost/pair_evaluator.h>
+#include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/internal/pairs/pair_lists.h>
 #include <quadrille/internal/pairs/pair_tools.h>

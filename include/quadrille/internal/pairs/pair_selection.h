@@ -3,9 +3,9 @@
 
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/pairs/pair_lists.h>
 #include <quadrille/internal/policy/pair_source.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/pairs.h>
 
 #include <algorithm>

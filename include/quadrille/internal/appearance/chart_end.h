@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_COST_CHART_END_H
-#define QUADRILLE_INTERNAL_COST_CHART_END_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHART_END_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHART_END_H
 
 #include <quadrille/internal/base/index.h>
 
@@ -12,4 +12,4 @@ struct ChartEnd {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_CHART_END_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHART_END_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_COST_CONTRACTED_PAIR_H
-#define QUADRILLE_INTERNAL_COST_CONTRACTED_PAIR_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CONTRACTED_PAIR_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CONTRACTED_PAIR_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/vector.h>
@@ -15,4 +15,4 @@ struct ContractedPair {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_CONTRACTED_PAIR_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CONTRACTED_PAIR_H

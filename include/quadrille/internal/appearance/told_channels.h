@@ -1,9 +1,9 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_TOLD_CHANNELS_H
-#define QUADRILLE_INTERNAL_CONTRACTION_TOLD_CHANNELS_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_TOLD_CHANNELS_H
+#define QUADRILLE_INTERNAL_APPEARANCE_TOLD_CHANNELS_H
 
+#include <quadrille/internal/appearance/channel.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/cost/channel.h>
 #include <quadrille/internal/surface/numbering.h>
 
 #include <array>
@@ -61,4 +61,4 @@ std::vector<std::array<Index, 3>> corners_by_input_face(const TriangleComplex& c
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_TOLD_CHANNELS_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_TOLD_CHANNELS_H

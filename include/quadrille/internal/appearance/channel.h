@@ -1,20 +1,20 @@
-#ifndef QUADRILLE_INTERNAL_COST_CHANNEL_H
-#define QUADRILLE_INTERNAL_COST_CHANNEL_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_H
 
+#include <quadrille/internal/appearance/affine_maps.h>
+#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/appearance/channel_reader.h>
+#include <quadrille/internal/appearance/channel_weights.h>
+#include <quadrille/internal/appearance/contracted_pair.h>
+#include <quadrille/internal/appearance/wedge_normals.h>
+#include <quadrille/internal/appearance/wedge_records.h>
+#include <quadrille/internal/appearance/wedge_table.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/wedge_table.h>
-#include <quadrille/internal/cost/affine_maps.h>
-#include <quadrille/internal/cost/channel_reader.h>
-#include <quadrille/internal/cost/contracted_pair.h>
-#include <quadrille/internal/cost/wedge_normals.h>
-#include <quadrille/internal/cost/wedge_records.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
-#include <quadrille/internal/surface/channel_input.h>
-#include <quadrille/internal/surface/channel_weights.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
@@ -297,4 +297,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_CHANNEL_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_H

@@ -1,11 +1,11 @@
-#ifndef QUADRILLE_INTERNAL_COST_CHANNEL_READER_H
-#define QUADRILLE_INTERNAL_COST_CHANNEL_READER_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_READER_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_READER_H
 
+#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/appearance/wedge_records.h>
+#include <quadrille/internal/appearance/wedge_table.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/wedge_table.h>
-#include <quadrille/internal/cost/wedge_records.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -86,4 +86,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_CHANNEL_READER_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_READER_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_COST_VERTEX_PAIR_H
-#define QUADRILLE_INTERNAL_COST_VERTEX_PAIR_H
+#ifndef QUADRILLE_INTERNAL_EVALUATION_VERTEX_PAIR_H
+#define QUADRILLE_INTERNAL_EVALUATION_VERTEX_PAIR_H
 
 #include <quadrille/internal/base/index.h>
 
@@ -11,4 +11,4 @@ struct VertexPair {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_VERTEX_PAIR_H
+#endif // QUADRILLE_INTERNAL_EVALUATION_VERTEX_PAIR_H

@@ -1,10 +1,10 @@
-#ifndef QUADRILLE_INTERNAL_COST_TWO_LANES_H
-#define QUADRILLE_INTERNAL_COST_TWO_LANES_H
+#ifndef QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H
+#define QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H
 
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
-#include <quadrille/internal/cost/two_quadrics.h>
-#include <quadrille/internal/cost/vertex_pair.h>
+#include <quadrille/internal/evaluation/two_quadrics.h>
+#include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/policies.h>
@@ -168,4 +168,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_TWO_LANES_H
+#endif // QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H

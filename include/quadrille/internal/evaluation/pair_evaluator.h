@@ -1,17 +1,17 @@
-#ifndef QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
-#define QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
+#ifndef QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H
+#define QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H
 
+#include <quadrille/internal/appearance/channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/power_of_two.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/cost/candidate.h>
-#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/cost/local_terms.h>
-#include <quadrille/internal/cost/two_lanes.h>
 #include <quadrille/internal/cost/vertex_memories.h>
-#include <quadrille/internal/cost/vertex_pair.h>
+#include <quadrille/internal/evaluation/candidate.h>
+#include <quadrille/internal/evaluation/two_lanes.h>
+#include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/policy/mesh_units.h>
@@ -227,4 +227,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_PAIR_EVALUATOR_H
+#endif // QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H

@@ -1,20 +1,20 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_APPEARANCE_H
-#define QUADRILLE_INTERNAL_CONTRACTION_APPEARANCE_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_APPEARANCE_H
+#define QUADRILLE_INTERNAL_APPEARANCE_APPEARANCE_H
 
+#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/appearance/channel_weights.h>
+#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/appearance/labels_by_face.h>
+#include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/tie_if.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/seam_graph.h>
-#include <quadrille/internal/contraction/setup.h>
-#include <quadrille/internal/cost/channels.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/channel_weights.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
-#include <quadrille/internal/surface/surface_input.h>
 
 #include <array>
 #include <tuple>
@@ -40,12 +40,15 @@ public:
   Channels& channels() { return channels_; }
   const SeamGraph& seams() const { return seams_; }
 
-  /// Vertices at corners of the graph stay where they are from then on.
-  void read(const SurfaceInput<Cost::dimension>& input, const Numbering& numbering,
-            const Scale<Cost::dimension>& scale, bool are_pairs_edges) {
-    Array<Index> labels = labels_by_face(input.labels, numbering.faces, complex_);
+  /// `input_labels`: of each input face; or empty. Vertices at corners of the graph stay where they
+  /// are from then on.
+  void read(const Array<Index>& input_labels,
+            [[maybe_unused]] const std::vector<ChannelInput>& channels, const Numbering& numbering,
+            [[maybe_unused]] const Scale<Cost::dimension>& scale,
+            [[maybe_unused]] bool are_pairs_edges) {
+    Array<Index> labels = labels_by_face(input_labels, numbering.faces, complex_);
     if constexpr (has_channels)
-      for (const ChannelInput& channel : input.channels)
+      for (const ChannelInput& channel : channels)
         channels_.add(Channel(
             channel, numbering, complex_,
             channel_weights(channel, numbering, complex_, geometry_.positions(), labels, scale),
@@ -112,4 +115,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_APPEARANCE_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_APPEARANCE_H

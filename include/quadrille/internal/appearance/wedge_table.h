@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_COMPLEX_WEDGE_TABLE_H
-#define QUADRILLE_INTERNAL_COMPLEX_WEDGE_TABLE_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_WEDGE_TABLE_H
+#define QUADRILLE_INTERNAL_APPEARANCE_WEDGE_TABLE_H
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/prefetch.h>
@@ -285,4 +285,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COMPLEX_WEDGE_TABLE_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_WEDGE_TABLE_H

@@ -1,7 +1,7 @@
-#ifndef QUADRILLE_INTERNAL_COST_PART_PRICE_H
-#define QUADRILLE_INTERNAL_COST_PART_PRICE_H
+#ifndef QUADRILLE_INTERNAL_EVALUATION_PART_PRICE_H
+#define QUADRILLE_INTERNAL_EVALUATION_PART_PRICE_H
 
-#include <quadrille/internal/cost/pair_evaluator.h>
+#include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/vector.h>
 
@@ -92,4 +92,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_PART_PRICE_H
+#endif // QUADRILLE_INTERNAL_EVALUATION_PART_PRICE_H

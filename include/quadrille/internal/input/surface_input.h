@@ -1,10 +1,10 @@
-#ifndef QUADRILLE_INTERNAL_SURFACE_SURFACE_INPUT_H
-#define QUADRILLE_INTERNAL_SURFACE_SURFACE_INPUT_H
+#ifndef QUADRILLE_INTERNAL_INPUT_SURFACE_INPUT_H
+#define QUADRILLE_INTERNAL_INPUT_SURFACE_INPUT_H
 
+#include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/box.h>
-#include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/vector.h>
 
 #include <array>
@@ -70,4 +70,4 @@ void require_finite(const Vector<N>& position, std::size_t vertex) {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_SURFACE_SURFACE_INPUT_H
+#endif // QUADRILLE_INTERNAL_INPUT_SURFACE_INPUT_H

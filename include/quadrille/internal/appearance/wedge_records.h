@@ -1,13 +1,13 @@
-#ifndef QUADRILLE_INTERNAL_COST_WEDGE_RECORDS_H
-#define QUADRILLE_INTERNAL_COST_WEDGE_RECORDS_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_WEDGE_RECORDS_H
+#define QUADRILLE_INTERNAL_APPEARANCE_WEDGE_RECORDS_H
 
+#include <quadrille/internal/appearance/affine_maps.h>
+#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/appearance/wedge_table.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/prefetch.h>
-#include <quadrille/internal/complex/wedge_table.h>
-#include <quadrille/internal/cost/affine_maps.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/vector.h>
 
@@ -226,4 +226,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_WEDGE_RECORDS_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_WEDGE_RECORDS_H

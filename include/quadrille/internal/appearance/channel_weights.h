@@ -1,9 +1,9 @@
-#ifndef QUADRILLE_INTERNAL_SURFACE_CHANNEL_WEIGHTS_H
-#define QUADRILLE_INTERNAL_SURFACE_CHANNEL_WEIGHTS_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_WEIGHTS_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_WEIGHTS_H
 
+#include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
 
@@ -133,4 +133,4 @@ ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& num
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_SURFACE_CHANNEL_WEIGHTS_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_WEIGHTS_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_SURFACE_CHANNEL_INPUT_H
-#define QUADRILLE_INTERNAL_SURFACE_CHANNEL_INPUT_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H
 
 #include <quadrille/channels.h>
 #include <quadrille/internal/base/index.h>
@@ -71,4 +71,4 @@ struct ChannelInput {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_SURFACE_CHANNEL_INPUT_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H

@@ -1,8 +1,8 @@
-#ifndef QUADRILLE_INTERNAL_COST_WEDGE_NORMALS_H
-#define QUADRILLE_INTERNAL_COST_WEDGE_NORMALS_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_WEDGE_NORMALS_H
+#define QUADRILLE_INTERNAL_APPEARANCE_WEDGE_NORMALS_H
 
+#include <quadrille/internal/appearance/wedge_table.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/wedge_table.h>
 #include <quadrille/vector.h>
 
 #include <cmath>
@@ -35,4 +35,4 @@ std::vector<Vector<3>> wedge_normals(const WedgeTable& table, std::size_t wedges
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_WEDGE_NORMALS_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_WEDGE_NORMALS_H

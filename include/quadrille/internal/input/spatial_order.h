@@ -1,13 +1,13 @@
-#ifndef QUADRILLE_INTERNAL_SURFACE_SPATIAL_ORDER_H
-#define QUADRILLE_INTERNAL_SURFACE_SPATIAL_ORDER_H
+#ifndef QUADRILLE_INTERNAL_INPUT_SPATIAL_ORDER_H
+#define QUADRILLE_INTERNAL_INPUT_SPATIAL_ORDER_H
 
 #include <quadrille/internal/base/digit_sort.h>
-#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/base/ranges.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
-#include <quadrille/internal/surface/surface_input.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -164,4 +164,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_SURFACE_SPATIAL_ORDER_H
+#endif // QUADRILLE_INTERNAL_INPUT_SPATIAL_ORDER_H

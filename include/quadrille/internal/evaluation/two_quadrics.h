@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
-#define QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
+#ifndef QUADRILLE_INTERNAL_EVALUATION_TWO_QUADRICS_H
+#define QUADRILLE_INTERNAL_EVALUATION_TWO_QUADRICS_H
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/lanes.h>
@@ -199,4 +199,4 @@ inline Lanes growth(const QuadricForm<3>& first, const std::array<const QuadricF
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_TWO_QUADRICS_H
+#endif // QUADRILLE_INTERNAL_EVALUATION_TWO_QUADRICS_H

@@ -1,13 +1,11 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_BACK_VALUES_H
-#define QUADRILLE_INTERNAL_CONTRACTION_BACK_VALUES_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_BACK_VALUES_H
+#define QUADRILLE_INTERNAL_APPEARANCE_BACK_VALUES_H
 
+#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/doubled_faces.h>
-#include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/surface/channel_input.h>
 #include <quadrille/internal/surface/numbering.h>
-#include <quadrille/internal/surface/surface_input.h>
 
 #include <array>
 #include <cstddef>
@@ -19,20 +17,19 @@
 namespace quadrille::internal {
 
 /// What backs have beside their fronts, told as labels and channels of the fronts.
-template <std::size_t N>
 class BackValues {
 public:
-  BackValues(const TriangleComplex& complex, const InputIndices& faces, SurfaceInput<N>& input)
-      : complex_(complex), faces_(faces), input_(input) {}
+  /// `labels`: of each input face; or empty.
+  BackValues(const TriangleComplex& complex, const InputIndices& faces, Array<Index>& labels,
+             std::vector<ChannelInput>& channels)
+      : complex_(complex), faces_(faces), labels_(labels), channels_(channels) {}
 
   /// A label for both sides: where it changes, or where backs begin, there is a border.
   void join_labels() {
-    if (input_.labels.empty() && !is_partial())
+    if (labels_.empty() && !is_partial())
       return;
     std::map<std::pair<Index, Index>, Index> numbers;
-    const auto label = [&](Index face) {
-      return input_.labels.empty() ? Index{0} : input_.labels[face];
-    };
+    const auto label = [&](Index face) { return labels_.empty() ? Index{0} : labels_[face]; };
     Array<Index> joined(faces_.input_count(), Index{0}, complex_.workspace());
     for_each_front([&](Index face) {
       const Index front = faces_[face];
@@ -41,7 +38,7 @@ public:
       joined[front] = numbers.try_emplace({label(front), back}, static_cast<Index>(numbers.size()))
                           .first->second;
     });
-    input_.labels = std::move(joined);
+    labels_ = std::move(joined);
   }
 
   /// Appends a channel of the values that backs have for each channel in which they differ from
@@ -49,12 +46,12 @@ public:
   /// there is none.
   std::vector<std::size_t> add_channels() {
     std::vector<std::size_t> numbers;
-    const std::size_t count = input_.channels.size();
+    const std::size_t count = channels_.size();
     for (std::size_t c = 0; c < count; ++c) {
-      std::optional<ChannelInput> backs = channel_of_backs(input_.channels[c]);
-      numbers.push_back(backs ? input_.channels.size() : c);
+      std::optional<ChannelInput> backs = channel_of_backs(channels_[c]);
+      numbers.push_back(backs ? channels_.size() : c);
       if (backs)
-        input_.channels.push_back(*std::move(backs));
+        channels_.push_back(*std::move(backs));
     }
     return numbers;
   }
@@ -106,28 +103,10 @@ private:
 
   const TriangleComplex& complex_;
   const InputIndices& faces_;
-  SurfaceInput<N>& input_;
+  Array<Index>& labels_;
+  std::vector<ChannelInput>& channels_;
 };
-
-/// Before the first contraction: of faces on the same vertices one is left, or one with a back
-/// where the input may have them. Returns which channel has the values of backs, of each.
-template <std::size_t N>
-std::vector<std::size_t> settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
-                                              SurfaceInput<N>& input, Tally& tally) {
-  const Array<Index> labels = labels_by_face(input.labels, faces, complex);
-  DoubledFaces doubled(complex, labels, tally);
-  if (!input.may_have_backs) {
-    doubled.remove();
-    return {};
-  }
-  doubled.pair_up(faces);
-  if (complex.backs().is_empty())
-    return {};
-  BackValues<N> values(complex, faces, input);
-  values.join_labels();
-  return values.add_channels();
-}
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_BACK_VALUES_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_BACK_VALUES_H

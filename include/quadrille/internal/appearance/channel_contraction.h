@@ -1,12 +1,12 @@
-#ifndef QUADRILLE_INTERNAL_COST_CHANNEL_CONTRACTION_H
-#define QUADRILLE_INTERNAL_COST_CHANNEL_CONTRACTION_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_CONTRACTION_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_CONTRACTION_H
 
+#include <quadrille/internal/appearance/affine_maps.h>
+#include <quadrille/internal/appearance/channel.h>
+#include <quadrille/internal/appearance/wedge_table.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/wedge_table.h>
-#include <quadrille/internal/cost/affine_maps.h>
-#include <quadrille/internal/cost/channel.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
 
@@ -239,4 +239,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_CHANNEL_CONTRACTION_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_CONTRACTION_H

@@ -1,11 +1,11 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
-#define QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_SEAM_GRAPH_H
+#define QUADRILLE_INTERNAL_APPEARANCE_SEAM_GRAPH_H
 
+#include <quadrille/internal/appearance/channel.h>
+#include <quadrille/internal/appearance/channel_contraction.h>
 #include <quadrille/internal/complex/edge_sides.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/cost/channel.h>
-#include <quadrille/internal/cost/channel_contraction.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 
@@ -197,4 +197,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_SEAM_GRAPH_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_SEAM_GRAPH_H

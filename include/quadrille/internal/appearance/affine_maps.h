@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_COST_AFFINE_MAPS_H
-#define QUADRILLE_INTERNAL_COST_AFFINE_MAPS_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_AFFINE_MAPS_H
+#define QUADRILLE_INTERNAL_APPEARANCE_AFFINE_MAPS_H
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
@@ -183,4 +183,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_AFFINE_MAPS_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_AFFINE_MAPS_H

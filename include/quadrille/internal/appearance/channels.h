@@ -1,11 +1,11 @@
-#ifndef QUADRILLE_INTERNAL_COST_CHANNELS_H
-#define QUADRILLE_INTERNAL_COST_CHANNELS_H
+#ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNELS_H
+#define QUADRILLE_INTERNAL_APPEARANCE_CHANNELS_H
 
+#include <quadrille/internal/appearance/channel.h>
+#include <quadrille/internal/appearance/channel_contraction.h>
+#include <quadrille/internal/appearance/chart_end.h>
 #include <quadrille/internal/complex/edge_sides.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/cost/channel.h>
-#include <quadrille/internal/cost/channel_contraction.h>
-#include <quadrille/internal/cost/chart_end.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/columns.h>
@@ -251,9 +251,9 @@ struct NoChannels {
 };
 
 template <class Policies>
-using ChannelsOf = std::conditional_t<Policies::has_channels,
-                                      Channels<typename Policies::Cost>, NoChannels>;
+using ChannelsOf =
+    std::conditional_t<Policies::has_channels, Channels<typename Policies::Cost>, NoChannels>;
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_COST_CHANNELS_H
+#endif // QUADRILLE_INTERNAL_APPEARANCE_CHANNELS_H

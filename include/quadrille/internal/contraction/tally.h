@@ -1,0 +1,37 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_TALLY_H
+#define QUADRILLE_INTERNAL_CONTRACTION_TALLY_H
+
+#include <quadrille/internal/contraction/part_event.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// What contractions have done since they were last counted.
+struct Tally {
+  std::size_t faces = 0, vertices = 0; // that are gone
+  std::size_t contractions = 0, non_edge_contractions = 0;
+  std::size_t doubled_faces = 0, doubled_labels = 0, vanished_parts = 0; // see Report
+  std::array<std::size_t, rejection_causes> rejections{};
+  double error = 0; // the greatest
+
+  void count_contraction(double its_error) {
+    ++contractions;
+    ++vertices;
+    error = (std::max)(error, its_error);
+  }
+  void count_part(const PartEvent& part, std::size_t its_faces) {
+    faces += its_faces;
+    vertices += part.vertices.size();
+    ++vanished_parts;
+    error = (std::max)(error, part.radius);
+  }
+  void reject(Rejection cause) { ++rejections[static_cast<std::size_t>(cause)]; }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_TALLY_H
