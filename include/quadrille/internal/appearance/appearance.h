@@ -7,7 +7,6 @@
 #include <quadrille/internal/appearance/labels_by_face.h>
 #include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/base/tie_if.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/memory/array.h>
@@ -17,7 +16,6 @@
 #include <quadrille/internal/surface/scale.h>
 
 #include <array>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -39,6 +37,7 @@ public:
   const Channels& channels() const { return channels_; }
   Channels& channels() { return channels_; }
   const SeamGraph& seams() const { return seams_; }
+  SeamGraph& seams() { return seams_; }
 
   /// `input_labels`: of each input face; or empty. Vertices at corners of the graph stay where they
   /// are from then on.
@@ -74,21 +73,6 @@ public:
       channels_.hold_borders(seams_.labels(), !seams_.is_empty());
     memories_.remember_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
                                complex_, edges);
-  }
-
-  auto observers() { return std::tuple_cat(tie_if<has_channels>(channels_), std::tie(seams_)); }
-  static auto vertex_columns(auto& self) {
-    using C = std::remove_cvref_t<decltype(self.channels_)>;
-    return std::tuple_cat(C::vertex_columns(self.channels_),
-                          SeamGraph::vertex_columns(self.seams_));
-  }
-  /// Leaves out faces for which is_left does not hold, and of the channels' wedges those of other
-  /// vertices than those of an ascending list. Columns are packed as those of other parts.
-  template <class IsLeft>
-  void pack(const Array<Index>& vertices, IsLeft is_left) {
-    seams_.pack_if(is_left);
-    if constexpr (has_channels)
-      channels_.pack_channels(vertices, is_left);
   }
 
   std::vector<Channel> take_channels() { return channels_.take(); }

@@ -169,9 +169,12 @@ public:
     }
   }
 
+  static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.forms_, self.traces_); }
+  /// Leaves out wedges of faces for which is_left does not hold, and of other vertices than those
+  /// of an ascending list.
   template <class IsLeft>
-  void pack_channels(const Array<Index>& vertices, IsLeft is_left) {
+  void pack(const Array<Index>& vertices, IsLeft is_left) {
     for (Channel& channel : channels_)
       channel.pack(vertices, is_left);
   }

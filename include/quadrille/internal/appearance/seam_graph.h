@@ -92,6 +92,7 @@ public:
     }
   }
 
+  static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
   /// Leaves out those of faces for which is_left(face) is false.
   template <class IsLeft>

@@ -17,12 +17,11 @@ namespace quadrille::internal {
 template <class Policies>
 MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t vertices,
                          std::size_t faces) {
-  using Cost = typename Policies::Cost;
+  using Surface = WorkingSurface<Policies>;
+  using Followers = decltype(Surface::followers(std::declval<Surface&>()));
   const bool has_queue = !has_passes(policies.order);
   const std::size_t columns =
-      bytes_a_vertex<Geometry<Cost::dimension>> + bytes_a_vertex<VertexMemories<Cost>> +
-      bytes_a_vertex<typename LocalTermsOf<Cost>::type> + bytes_a_vertex<LinkCondition> +
-      bytes_a_vertex<MovedVertices<Cost::dimension>> + (has_labels ? bytes_a_vertex<SeamGraph> : 0);
+      RowsOf<Followers>::bytes + (has_labels ? bytes_a_vertex<SeamGraph> : 0);
   // Beside these: its list of corners, its label, what it has become part of; with a queue, since
   // when its pairs hold, and those that were refused.
   const std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);

@@ -1,6 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_COMPLEX_LINK_CONDITION_H
 #define QUADRILLE_INTERNAL_COMPLEX_LINK_CONDITION_H
 
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/prefetch.h>
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -87,6 +90,10 @@ public:
   bool may_be_junction(Index v) const { return !kind_.empty() && kind_[v] > Kind::boundary; }
 
   static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
+    if (!kind_.empty())
+      internal::prefetch(&kind_[v]);
+  }
 
   /// A vertex of two kinds is of the one that allows less.
   template <class Event>

@@ -62,6 +62,7 @@ public:
   /// Is it certain that the part of a vertex stays?
   bool stays(Index v) const { return parts_.empty() || parts_[part_[v]].is_fixed; }
 
+  static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.part_); }
 
 private:

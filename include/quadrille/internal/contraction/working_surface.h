@@ -5,7 +5,6 @@
 #include <quadrille/internal/base/assert.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/threads.h>
-#include <quadrille/internal/base/tie_if.h>
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/checks.h>
@@ -95,8 +94,7 @@ public:
     if (!progress_.proceed())
       return;
     remember();
-    QUADRILLE_ASSERT(have_rows(complex_.vertex_capacity(), geometry_, memories_, terms_, moved_,
-                               link_condition_, appearance_, parts_));
+    QUADRILLE_ASSERT(have_rows(followers(*this), complex_.vertex_capacity()));
     if (recording())
       recording()->begin(back_channels_);
     if (progress_.has_visitor())
@@ -105,6 +103,17 @@ public:
   }
   WorkingSurface(const WorkingSurface&) = delete; // its parts refer to each other
   WorkingSurface& operator=(const WorkingSurface&) = delete;
+
+  /// The parts that follow contractions, in the order in which they are told: who compares old and
+  /// new places comes before the geometry; who looks at the surface, last. From what each of them
+  /// has it follows that it is told, packed, prefetched, and given memory: see ContractionEvent,
+  /// tell_vanished() and columns.h.
+  static auto followers(auto& self) {
+    return std::tie(self.recording_, self.bounds_, self.appearance_.channels(),
+                    self.appearance_.seams(), self.pairs_, self.numbering_, self.moved_,
+                    self.memories_, self.geometry_, self.link_condition_, self.terms_, self.parts_,
+                    self.checks_.intersections());
+  }
 
   const Policies& policies() const { return policies_; }
   TriangleComplex& complex() { return complex_; }
@@ -128,11 +137,7 @@ public:
   /// Ask for what a contraction will read of an end, but for its faces, and of a neighbour.
   QUADRILLE_ALWAYS_INLINE void prefetch_end(Index v) const {
     complex_.prefetch(v);
-    evaluator_.prefetch(v);
-    if (is_topology_kept_)
-      prefetch_columns(link_condition_, v);
-    prefetch_columns(moved_, v);
-    numbering_.prefetch(v);
+    prefetch_parts(followers(*this), v);
   }
   QUADRILLE_ALWAYS_INLINE void prefetch_neighbour(Index v) const {
     evaluator_.prefetch(v);
@@ -149,9 +154,9 @@ public:
   Index apply(const Contraction& contraction, const Mode& mode) {
     const auto [kept, gone] = kept_and_gone(contraction, geometry_);
     QUADRILLE_ASSERT(kept != gone && complex_.has_faces(kept) && complex_.has_faces(gone));
-    const ContractionEvent<Cost, Mode> event{contraction, mode, kept, gone,
-                                             recession_of(contraction, geometry_, scale_)};
-    const auto observers = this->observers();
+    using Event = ContractionEvent<Cost, Mode>;
+    const Event event{contraction, mode, kept, gone, recession_of(contraction, geometry_, scale_)};
+    const auto observers = observers_of<Event>(followers(*this));
     tell_all_before(observers, event);
     change_faces(event);
     tell_all_after(observers, event);
@@ -164,7 +169,8 @@ public:
 
   /// Removes a part whole, of which these vertices are left. Observers are told before.
   void remove_part(Index part, std::span<const Index> vertices) {
-    internal::remove_part(complex_, vertices, parts_[part].radius, observers(), scratch().tally);
+    internal::remove_part(complex_, vertices, parts_[part].radius, followers(*this),
+                          scratch().tally);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
@@ -207,14 +213,6 @@ public:
   }
 
 private:
-  // Who compares old and new places comes before the geometry; who looks at the surface, last.
-  auto observers() {
-    return std::tuple_cat(
-        std::tie(recording_, bounds_), appearance_.observers(),
-        std::tie(pairs_, numbering_, moved_, memories_, geometry_, link_condition_),
-        tie_if<has_local_terms<Cost>>(terms_), std::tie(checks_.intersections()));
-  }
-
   void classify(const Box<dimension>& box) {
     if (is_topology_kept_)
       link_condition_ = LinkCondition(
@@ -238,18 +236,18 @@ private:
     terms_.sum_up(labels);
   }
 
-  // What is gone takes no more time or room in a cache. Local terms are summed up anew after it.
+  // What is gone takes no more time or room in a cache. Local terms are summed up anew after it, and
+  // the numbering takes the list of vertices.
   void pack() {
     Array<Index> vertices = complex_.left_vertices();
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };
     numbering_.faces.pack_if(is_left);
-    bounds_.pack_if(is_left);
-    appearance_.pack(vertices, is_left);
+    pack_others(followers(*this), vertices, is_left);
     parallel_for(policies_.threads, 2, [&](std::size_t part, std::size_t) {
       if (part == 0)
         complex_.pack(vertices);
       else
-        pack_columns(vertices, geometry_, memories_, link_condition_, appearance_, moved_, parts_);
+        pack_columns(followers(*this), vertices);
     });
     complex_.fill_lists(policies_.threads);
     numbering_.vertices.pack(std::move(vertices));

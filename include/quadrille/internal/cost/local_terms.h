@@ -77,6 +77,7 @@ public:
         on_boundary_[v] = 1;
   }
 
+  static constexpr bool is_made_anew = true; // see sum_up()
   static auto vertex_columns(auto& self) { return std::tie(self.terms_); }
 
   /// Takes the faces that a contraction changes or removes out of the vertices around it that may
