@@ -945,6 +945,12 @@ run 1 tetrahedron.off out.off --report report.json
 expect report.json '"stop": "all pairs rejected"|"stop": "target unreachable"'
 run 0 plain.off out.off --error 0.05 --report report.json
 expect report.json '"distance_bound": 0\.0[0-4]'
+expect report.json '"hausdorff_bound": null'
+run 0 plain.off out.off --error 0.05 --both-ways --report report.json
+expect report.json '"hausdorff_bound": 0\.0[0-4]'
+expect report.json '"both_ways": true'
+expect stdout ' from IN, nor of IN from OUT$'
+run 2 plain.off out.off --both-ways
 run 2 plain.off out.off --report missing/report.json
 expect stderr '^missing/report.json: '
 run 0 --verbose plain.off out.off

@@ -85,8 +85,14 @@ inline void add_target(CLI::App& app, Options& options) {
           "--error", [&](const std::string& word) { target.error = amount_of(word); },
           "no point of OUT is further than that from IN, in the units of IN or, with %, in parts "
           "of the diagonal of its bounding box; what is lost of IN, as thin spikes are, may lie "
-          "further from OUT, as --measure tells"),
+          "further from OUT, as --measure tells, but with --both-ways"),
       distance(), "D|P%");
+  app.add_flag(
+         "--both-ways", target.both_ways,
+         "--error counts both ways: nor is any point of IN further than that from OUT, so that "
+         "thin spikes stay")
+      ->group(target_group)
+      ->needs("--error");
   CLI::Option* const levels = in_group(
       app.add_option_function<std::string>(
           "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
@@ -253,7 +259,7 @@ inline void add_records(CLI::App& app, Options& options) {
   for (const char* const name :
        {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary", "--crease",
         "--pairs", "--topology", "--drop-parts", "--no-self-intersection", "--seams", "--order",
-        "--threads", "--measure", "--keep-partial", "--orient"})
+        "--threads", "--measure", "--keep-partial", "--orient", "--both-ways"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())

@@ -59,7 +59,10 @@ std::string line(const Options& options, const Outcome& outcome) {
   if (!options.levels.empty())
     text += " in " + outcome.file;
   text += ", " + duration_text(report.seconds.total());
-  if (std::isfinite(report.distance_bound))
+  if (std::isfinite(report.hausdorff_bound))
+    text += ", no point of OUT is further than " +
+            bound_text(report.hausdorff_bound, outcome.diagonal) + " from IN, nor of IN from OUT";
+  else if (std::isfinite(report.distance_bound))
     text += ", no point of OUT is further than " +
             bound_text(report.distance_bound, outcome.diagonal) + " from IN";
   else
@@ -90,6 +93,8 @@ Json json_of(const Target& target) {
     json["vertices"] = *target.vertices;
   if (target.error)
     json[target.error->is_percentage ? "relative_error" : "error"] = target.error->value;
+  if (target.both_ways)
+    json["both_ways"] = true;
   return json;
 }
 
@@ -133,6 +138,7 @@ Json json_of(const Outcome& outcome) {
                {"non_manifold_vertices", report.non_manifold_vertices},
                {"error", report.error},
                {"distance_bound", nullptr},
+               {"hausdorff_bound", nullptr},
                {"self_intersections", nullptr},
                {"diagonal", outcome.diagonal},
                {"rejections", rejections},
@@ -143,6 +149,8 @@ Json json_of(const Outcome& outcome) {
                  {"write", report.seconds.write}}}};
   if (std::isfinite(report.distance_bound)) // JSON has no infinity
     json["distance_bound"] = report.distance_bound;
+  if (std::isfinite(report.hausdorff_bound))
+    json["hausdorff_bound"] = report.hausdorff_bound;
   if (report.self_intersections)
     json["self_intersections"] =
         before_and_after(report.self_intersections->before, report.self_intersections->after);

@@ -20,6 +20,7 @@ struct Target {
   std::optional<std::size_t> faces = {}, vertices = {};
   std::optional<double> ratio = {}; ///< of the faces, in [0, 1]
   std::optional<Amount> error = {}; ///< a distance from the input
+  bool both_ways = false;           ///< and of the input from the result
 
   bool is_given() const { return faces || vertices || ratio || error; }
 
@@ -29,6 +30,7 @@ struct Target {
     options.ratio = ratio;
     if (error)
       (error->is_percentage ? options.relative_error : options.error) = error->value;
+    options.both_ways = both_ways;
   }
 
   /// Would a surface of so many faces and vertices, of so many at the beginning, be coarse enough?

@@ -91,6 +91,7 @@ void add_options(py::module_& m) {
       .def_readwrite("vertices", &SoupOptions::vertices)
       .def_readwrite("error", &SoupOptions::error)
       .def_readwrite("relative_error", &SoupOptions::relative_error)
+      .def_readwrite("both_ways", &SoupOptions::both_ways)
       .def_readwrite("cost", &SoupOptions::cost)
       .def_readwrite("boundary_weight", &SoupOptions::boundary_weight)
       .def_readwrite("crease_weight", &SoupOptions::crease_weight)

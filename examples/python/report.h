@@ -25,9 +25,9 @@ namespace py = pybind11;
 /// here.
 inline auto numbers_of(const quadrille::Status& status) {
   const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_distance, diagonal, progress, stage] = status;
+               next_distance, next_distance_back, diagonal, progress, stage] = status;
   return std::tuple(initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-                    next_distance, diagonal, progress, static_cast<int>(stage));
+                    next_distance, next_distance_back, diagonal, progress, static_cast<int>(stage));
 }
 
 using SelfIntersections = std::optional<quadrille::Report::SelfIntersections>;
@@ -45,13 +45,14 @@ inline auto numbers_of(const quadrille::Report& report) {
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
-               doubled_faces, doubled_labels, stop, error, distance_bound, volume_before,
-               volume_after, self_intersections, rejections, seconds] = report;
+               doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
+               volume_before, volume_after, self_intersections, rejections, seconds] = report;
   return std::tuple(faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                     contractions, non_edge_contractions, components_before, components_after,
                     vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                     doubled_faces, doubled_labels, static_cast<int>(stop), error, distance_bound,
-                    volume_before, volume_after, pair_of(self_intersections), rejections,
+                    hausdorff_bound, volume_before, volume_after, pair_of(self_intersections),
+                    rejections,
                     std::array{seconds.read, seconds.prepare, seconds.contract, seconds.write});
 }
 
@@ -68,18 +69,26 @@ Enum value_of(int number, int count) {
 
 inline quadrille::Status status_of(const StatusNumbers& numbers) {
   const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_distance, diagonal, progress, stage] = numbers;
-  return {
-      initial_faces, initial_vertices, faces,    vertices, contractions,
-      next_error,    next_distance,    diagonal, progress, value_of<quadrille::Stage>(stage, 3)};
+               next_distance, next_distance_back, diagonal, progress, stage] = numbers;
+  return {initial_faces,
+          initial_vertices,
+          faces,
+          vertices,
+          contractions,
+          next_error,
+          next_distance,
+          next_distance_back,
+          diagonal,
+          progress,
+          value_of<quadrille::Stage>(stage, 3)};
 }
 
 inline quadrille::Report report_of(const ReportNumbers& numbers) {
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
-               doubled_faces, doubled_labels, stop, error, distance_bound, volume_before,
-               volume_after, self_intersections, rejections, seconds] = numbers;
+               doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
+               volume_before, volume_after, self_intersections, rejections, seconds] = numbers;
   return {faces_before,
           counted_faces,
           faces_after,
@@ -98,6 +107,7 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
           value_of<quadrille::StopReason>(stop, 6),
           error,
           distance_bound,
+          hausdorff_bound,
           volume_before,
           volume_after,
           self_intersections_of(self_intersections),
@@ -149,6 +159,9 @@ inline void add_report(py::module_& m) {
       .def_readonly("distance_bound", &Report::distance_bound,
                     "no point of the result is further from the input; infinite but with error= "
                     "and relative_error=")
+      .def_readonly("hausdorff_bound", &Report::hausdorff_bound,
+                    "nor any point of the input further from the result; infinite but with "
+                    "both_ways=True")
       .def_property_readonly(
           "self_intersections", [](const Report& r) { return pair_of(r.self_intersections); },
           "how many pairs of faces of the input intersect, and of the result; None but with "

@@ -198,8 +198,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, ShortestEdge, TimeBudget, AnyOf,
-/// AllOf.
+/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, HausdorffLimit, ShortestEdge,
+/// TimeBudget, AnyOf, AllOf.
 ///
 /// **Requirements**, for a constant `stop`:
 ///
@@ -212,6 +212,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///   the stop policy stop at is refused, and the search goes on.
 /// - `stop.is_asking_for_distance()`, beside it: does this one look? One type then serves with a
 ///   limit and without, which pays for no distances. Else all of the type do.
+/// - `S::asks_both_ways` and `stop.is_asking_both_ways()`, beside both: the same of
+///   Status::next_distance_back.
 /// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
 ///   The engine then looks for a pair that meets the target exactly.
 /// - `stop.validate()`: throws if the policy makes no sense.

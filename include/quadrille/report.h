@@ -34,6 +34,11 @@ struct Status {
   /// the greatest coordinate, where it may be nothing but rounding; and once a policy stops at some
   /// distance, no greater one is looked for. See Report::distance_bound.
   double next_distance = std::numeric_limits<double>::infinity();
+  /// No point of the input will be further from the surface than that: the other way round. Known
+  /// to a stop policy with `static constexpr bool asks_both_ways = true` beside asks_for_distance,
+  /// as HausdorffLimit; else infinity. It is 0, too, as long as next_distance is looked for, which
+  /// comes first.
+  double next_distance_back = std::numeric_limits<double>::infinity();
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
   /// What a visitor sees: about which part of the contractions has been done, as far as the stop
   /// policy tells beforehand; 0 while the surface is prepared, 1 at the last call only.
@@ -150,6 +155,13 @@ struct Report {
   /// has vanished whose diameter is greater than the limit.
   double distance_bound = std::numeric_limits<double>::infinity();
 
+  /// No point of the result is further from the input than that, and no point of the input further
+  /// from the result: a bound of the Hausdorff distance of both, in the mesh's units, never less
+  /// than distance_bound and as conservative. Known where a stop policy asks for both, as
+  /// HausdorffLimit does, else infinite; and infinite where points of the input have got lost, with
+  /// parts that vanish or faces that do, in a run that is not stopped by that.
+  double hausdorff_bound = std::numeric_limits<double>::infinity();
+
   /// The volume that the surface encloses, in the mesh's units, cubed: the sum of its winding
   /// numbers over space, so negative where it is oriented inwards. Known with OuterHull and
   /// InnerHull, and with VolumeKeeping where topology is kept and each vertex lies inside of an
@@ -191,6 +203,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
       << " contractions, stopped: " << to_string(report.stop) << ", error " << report.error;
   if (report.distance_bound < std::numeric_limits<double>::infinity())
     out << ", within " << report.distance_bound << " of the input";
+  if (report.hausdorff_bound < std::numeric_limits<double>::infinity())
+    out << ", " << report.hausdorff_bound << " both ways";
   if (report.volume_before && report.volume_after)
     out << ", volume " << *report.volume_before << " -> " << *report.volume_after;
   if (report.self_intersections)

@@ -134,6 +134,63 @@ private:
   bool is_relative_ = false;
 };
 
+/// The same both ways: no point of the result will be further from the input than the limit, and no
+/// point of the input further from the result. Nothing within the limit of the result is lost,
+/// neither spikes nor borders; and their Hausdorff distance is within it, as
+/// Report::hausdorff_bound says.
+///
+/// Beside what ErrorLimit does each face knows how far the input points may be that have come to
+/// lie in it, which takes 4 bytes more for each. That adds up, too, and what is exact costs
+/// nothing: flat parts, straight borders and creases. A contraction that leaves points of the input
+/// without any face, which only a free topology allows, is refused, and so is a part that would
+/// vanish. Of the input, faces that have a vertex twice are no part.
+///
+/// One of ErrorLimit's roundings passes any limit here as well. A stop policy that asks this one
+/// has to say asks_both_ways beside asks_for_distance.
+class HausdorffLimit {
+public:
+  /// `distance` is in the mesh's units.
+  explicit HausdorffLimit(double distance) : distance_(distance) {}
+
+  /// The limit as a fraction of the diagonal of the bounding box.
+  static HausdorffLimit relative(double fraction) {
+    HausdorffLimit limit(fraction);
+    limit.is_relative_ = true;
+    return limit;
+  }
+
+  /// Looks at Status::next_distance: see StopPolicy.
+  static constexpr bool asks_for_distance = true;
+  /// And at Status::next_distance_back.
+  static constexpr bool asks_both_ways = true;
+
+  /// Is it enough?
+  bool operator()(const Status& status) const {
+    const double limit = distance(status.diagonal);
+    return status.next_distance > limit || status.next_distance_back > limit;
+  }
+
+  /// In the mesh's units, for a bounding box of that diagonal.
+  double distance(double diagonal) const { return is_relative_ ? distance_ * diagonal : distance_; }
+  /// Another limit, so many times as large.
+  HausdorffLimit times(double factor) const {
+    HausdorffLimit limit = *this;
+    limit.distance_ *= factor;
+    return limit;
+  }
+
+  /// Throws std::invalid_argument for a limit that is negative or not a number.
+  void validate() const {
+    if (!(distance_ >= 0))
+      throw std::invalid_argument("quadrille::HausdorffLimit: the limit " +
+                                  internal::text_of(distance_) + " is not a distance");
+  }
+
+private:
+  double distance_;
+  bool is_relative_ = false;
+};
+
 /// Stops as soon as any of several stop policies says so: `AnyOf{FaceCount{1000},
 /// ErrorLimit{0.1}}`.
 template <class... Stops>
@@ -146,6 +203,13 @@ public:
     return std::apply(
         [](const auto&... stop) { return (internal::is_asking_for_distance(stop) || ...); },
         stops_);
+  }
+  /// And at Status::next_distance_back.
+  static constexpr bool asks_both_ways = (internal::asks_both_ways<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_both_ways() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_both_ways(stop) || ...); }, stops_);
   }
 
   explicit AnyOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type
@@ -179,6 +243,13 @@ public:
     return std::apply(
         [](const auto&... stop) { return (internal::is_asking_for_distance(stop) || ...); },
         stops_);
+  }
+  /// And at Status::next_distance_back.
+  static constexpr bool asks_both_ways = (internal::asks_both_ways<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_both_ways() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_both_ways(stop) || ...); }, stops_);
   }
 
   explicit AllOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type

@@ -103,6 +103,11 @@ class Results(Folder):
         near = quadrille.simplify(points, faces, relative_error=0.01)
         self.assertLessEqual(near.report.distance_bound, 0.01 * np.linalg.norm(np.ptp(points, axis=0)))
         self.assertGreater(near.report.contractions, 100)
+        self.assertEqual(near.report.hausdorff_bound, float("inf"))
+        both = quadrille.simplify(points, faces, relative_error=0.01, both_ways=True).report
+        self.assertGreaterEqual(both.hausdorff_bound, both.distance_bound)
+        self.assertLessEqual(both.hausdorff_bound, 0.01 * np.linalg.norm(np.ptp(points, axis=0)))
+        self.assertEqual(pickle.loads(pickle.dumps(both)).hausdorff_bound, both.hausdorff_bound)
         few = quadrille.simplify(points, faces, faces=0)
         self.assertFalse(few.report.is_target_reached)
 

@@ -52,6 +52,7 @@ class Options:
     vertices: Optional[int]
     error: Optional[float]
     relative_error: Optional[float]
+    both_ways: bool
     cost: Cost
     boundary_weight: float
     crease_weight: float
@@ -132,6 +133,8 @@ class Report:
     def error(self) -> float: ...
     @property
     def distance_bound(self) -> float: ...
+    @property
+    def hausdorff_bound(self) -> float: ...
     @property
     def self_intersections(self) -> Optional[List[int]]: ...
     @property

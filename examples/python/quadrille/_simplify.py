@@ -22,6 +22,7 @@ def simplify(
     vertices: Optional[int] = None,
     error: Optional[float] = None,
     relative_error: Optional[float] = None,
+    both_ways: bool = False,
     cost: str = "quadric",
     placement: Optional[str] = None,
     order: str = "greedy",
@@ -72,6 +73,8 @@ def simplify(
     ratio            that part of the faces, in [0, 1]
     error            no point of the result further from the input than that, in the unit of the points
     relative_error   the same as a part of the diagonal of the bounding box, 0.001 say
+    both_ways        error and relative_error count both ways: no point of the input is further from
+                     the result either, so that thin spikes stay
 
     How:
 
@@ -130,6 +133,7 @@ def simplify(
     options = _core.Options()
     _set_targets(options, faces=faces, vertices=vertices, ratio=ratio, error=error,
                  relative_error=relative_error)
+    options.both_ways = bool(both_ways)
     options.cost = _choice("cost", cost, _core.Cost)
     options.order = _choice("order", order, _core.Order)
     if placement is not None:

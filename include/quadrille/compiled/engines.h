@@ -33,7 +33,9 @@ using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
   make_recording<UsualPolicies<COST, HAS_CHANNELS>>(                                               \
       const RecordingNeeds<UsualPolicies<COST, HAS_CHANNELS>>&);                                   \
   KEYWORDS const DistanceCalls<UsualPolicies<COST, HAS_CHANNELS>>*                                 \
-  distance_calls<UsualPolicies<COST, HAS_CHANNELS>>()
+  distance_calls<UsualPolicies<COST, HAS_CHANNELS>, false>();                                      \
+  KEYWORDS const DistanceCalls<UsualPolicies<COST, HAS_CHANNELS>>*                                 \
+  distance_calls<UsualPolicies<COST, HAS_CHANNELS>, true>()
 
 #define QUADRILLE_ENGINES(KEYWORDS, COST)                                                          \
   QUADRILLE_ENGINE(KEYWORDS, COST, false);                                                         \

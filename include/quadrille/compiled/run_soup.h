@@ -32,7 +32,9 @@ namespace quadrille::internal {
 class SoupStop {
 public:
   static constexpr bool asks_for_distance = true;
-  bool is_asking_for_distance() const { return error_ || relative_error_; }
+  bool is_asking_for_distance() const { return error_ || relative_error_ || is_asking_both_ways(); }
+  static constexpr bool asks_both_ways = true;
+  bool is_asking_both_ways() const { return hausdorff_ || relative_hausdorff_; }
 
   explicit SoupStop(const SoupOptions& options) {
     if (options.faces)
@@ -41,11 +43,11 @@ public:
       ratio_ = FaceRatio{*options.ratio};
     if (options.vertices)
       vertices_ = VertexCount{*options.vertices};
-    if (options.error)
-      error_ = ErrorLimit(*options.error);
-    if (options.relative_error)
-      relative_error_ = ErrorLimit::relative(*options.relative_error);
-    if (!faces_ && !ratio_ && !vertices_ && !error_ && !relative_error_)
+    if (options.both_ways)
+      take_limits(options, hausdorff_, relative_hausdorff_);
+    else
+      take_limits(options, error_, relative_error_);
+    if (!faces_ && !ratio_ && !vertices_ && !is_asking_for_distance())
       ratio_ = FaceRatio{};
   }
 
@@ -63,17 +65,27 @@ public:
   }
 
 private:
+  template <class Limit>
+  static void take_limits(const SoupOptions& options, std::optional<Limit>& absolute,
+                          std::optional<Limit>& relative) {
+    if (options.error)
+      absolute = Limit(*options.error);
+    if (options.relative_error)
+      relative = Limit::relative(*options.relative_error);
+  }
+
   template <class Is>
   bool any(Is is) const {
     const auto holds = [&](const auto& stop) { return stop && is(*stop); };
     return holds(faces_) || holds(ratio_) || holds(vertices_) || holds(error_) ||
-           holds(relative_error_);
+           holds(relative_error_) || holds(hausdorff_) || holds(relative_hausdorff_);
   }
 
   std::optional<FaceCount> faces_;
   std::optional<FaceRatio> ratio_;
   std::optional<VertexCount> vertices_;
   std::optional<ErrorLimit> error_, relative_error_;
+  std::optional<HausdorffLimit> hausdorff_, relative_hausdorff_;
 };
 
 struct SoupVisitor {

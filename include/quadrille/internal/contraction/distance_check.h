@@ -12,6 +12,7 @@
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace quadrille::internal {
@@ -45,13 +46,21 @@ public:
     return policies_.optional.distances->is_too_far(*this, contraction, status);
   }
 
+  /// What is known of the surface as it is. Does each point of the input have a place on it?
+  void tell(Report& report, bool has_all_points) const {
+    report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
+    if (policies_.stop.is_asking_both_ways() && has_all_points)
+      report.hausdorff_bound =
+          (std::max)(report.distance_bound, scale_.length_of_mesh(bounds_.greatest_back(complex_)));
+  }
+
   /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
   bool is_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
     return policies_.optional.distances->is_beyond_hub(*this, candidate, scratch, status);
   }
 
 private:
-  template <class P>
+  template <class P, bool may_ask_both_ways>
   friend const DistanceCalls<P>* distance_calls();
 
   bool measure_too_far(Contraction& contraction, Status& status) const {
@@ -74,6 +83,22 @@ private:
     }
     contraction.replace(wanted);
     return stops(measure(contraction, status));
+  }
+
+  // The same, and behind it, if both count, of the distance from the input to the surface.
+  bool measure_too_far_both_ways(Contraction& contraction, Status& status) const {
+    if (measure_too_far(contraction, status))
+      return true;
+    if (!policies_.stop.is_asking_both_ways())
+      return false;
+    auto& scratch = contraction.scratch().distance;
+    const auto stops = [&](double distance) {
+      status.next_distance_back = distance_of_mesh(distance);
+      return policies_.stop(status);
+    };
+    return stops(bounds_.measure_back(contraction.star(),
+                                      kind_of_star(contraction.first(), contraction.second()),
+                                      scratch.deviation, scratch.back, stops));
   }
 
   bool look_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
@@ -144,12 +169,17 @@ struct DistanceCalls {
   bool (*is_beyond_hub)(const Check&, const Candidate&, Scratch&, const Status&);
 };
 
-template <class Policies>
+template <class Policies, bool may_ask_both_ways>
 const DistanceCalls<Policies>* distance_calls() {
   using Calls = DistanceCalls<Policies>;
   static constexpr Calls calls{
       [](const typename Calls::Check& check, typename Calls::Contraction& contraction,
-         Status& status) { return check.measure_too_far(contraction, status); },
+         Status& status) {
+        if constexpr (may_ask_both_ways)
+          return check.measure_too_far_both_ways(contraction, status);
+        else
+          return check.measure_too_far(contraction, status);
+      },
       [](const typename Calls::Check& check, const typename Calls::Candidate& candidate,
          Scratch& scratch,
          const Status& status) { return check.look_beyond_hub(candidate, scratch, status); }};

@@ -51,6 +51,7 @@ public:
     total_.doubled_labels += tally.doubled_labels;
     total_.vanished_parts += tally.vanished_parts;
     total_.error = (std::max)(total_.error, tally.error);
+    total_.loses_points |= tally.loses_points;
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
       total_.rejections[cause] += tally.rejections[cause];
     tally = {};
@@ -59,6 +60,10 @@ public:
   /// Tells the error of the contraction that comes next, and the distance to which it would lead.
   void announce(double error) { status_.next_error = error; }
   void announce_distance(double distance) { status_.next_distance = distance; }
+  /// The same of the distance from the input to the surface.
+  void announce_distance_back(double distance) { status_.next_distance_back = distance; }
+  /// Is each point of the input still known to have some place on the surface?
+  bool has_all_points() const { return !total_.loses_points; }
   /// Does the stop policy stop?
   bool is_enough() const { return policies_.stop(status_); }
 

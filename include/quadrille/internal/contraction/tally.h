@@ -16,7 +16,8 @@ struct Tally {
   std::size_t contractions = 0, non_edge_contractions = 0;
   std::size_t doubled_faces = 0, doubled_labels = 0, vanished_parts = 0; // see Report
   std::array<std::size_t, rejection_causes> rejections{};
-  double error = 0; // the greatest
+  double error = 0;          // the greatest
+  bool loses_points = false; // of the input, which BackDeviation finds no face for
 
   void count_contraction(double its_error) {
     ++contractions;
@@ -27,6 +28,7 @@ struct Tally {
     faces += its_faces;
     vertices += part.vertices.size();
     ++vanished_parts;
+    loses_points = true;
     error = (std::max)(error, part.radius);
   }
   void reject(Rejection cause) { ++rejections[static_cast<std::size_t>(cause)]; }

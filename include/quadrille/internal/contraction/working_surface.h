@@ -194,7 +194,7 @@ public:
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
     if (policies_.stop.is_asking_for_distance())
-      report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
+      distance_check_.tell(report, progress_.has_all_points());
     count_topology(complex_, scratch().labels).tell(report);
     const std::size_t parts = report.components_after + report.vanished_parts;
     report.components_before = is_topology_kept_ ? parts : initial_components_;
@@ -222,8 +222,12 @@ private:
     else
       initial_components_ = count_components(complex_);
     if (policies_.stop.is_asking_for_distance()) {
-      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box));
+      const bool both_ways = policies_.stop.is_asking_both_ways();
+      bounds_ =
+          DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box), both_ways);
       progress_.announce_distance(0);
+      if (both_ways)
+        progress_.announce_distance_back(0);
     }
   }
 

@@ -35,13 +35,19 @@ struct FaceDeviation {
 /// the edge of the border that it lies along, so a slide along a straight border costs nothing.
 ///
 /// With orientation, as sums of signed areas in any plane: new faces = old faces + strips. So where
-/// no new face is turned over, a point of one lies in an old face or in a strip that is not.
+/// no new face is turned over, a point of one lies in an old face or in a strip that is not; and
+/// where no old face is, a point of one lies in a new face or in a strip that is.
 class BorderStrips {
 public:
+  /// What a strip belongs to: new faces that reach beyond the old border, or old ones that reach
+  /// beyond the new one.
+  enum class Side { of_new, of_old };
+
   struct Strip {
     FlatTriangle triangle; // to the left
-    Vector<3> from, to;    // the edge of the border
+    Vector<3> from, to;    // the edge of the border that is there on the other side
     double bound;          // of the faces at the border
+    Index neighbour;       // of the pair, at which the new edge ends
   };
 
   void clear() {
@@ -113,13 +119,13 @@ public:
 
   /// The strips of a contraction of the two ends to x, but for those that are narrower than this:
   /// they are roundings of none.
-  template <class Flatten>
+  template <Side side = Side::of_new, class Flatten>
   const std::vector<Strip>& strips(const std::array<Vector<3>, 2>& ends, const FlatPoint& x,
                                    double narrowest, Flatten flatten) {
     strips_.clear();
     narrowest_ = narrowest;
     std::erase_if(spokes_, [](const Spoke& s) { return s.turn == 0; });
-    for_each_path(ends, x.point, [&](const Path& path) { add_strip(path, x, flatten); });
+    for_each_path(ends, x.point, [&](const Path& path) { add_strip<side>(path, x, flatten); });
     return strips_;
   }
 
@@ -149,6 +155,7 @@ private:
     std::size_t size;
     bool is_left; // of the new spoke
     double bound; // of all faces at the border
+    Index neighbour;
   };
 
   // An edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
@@ -190,7 +197,7 @@ private:
     for (const Spoke& s : spokes_) {
       if (!is_seen(s))
         continue;
-      Path path{{s.position}, 1, s.turn > 0, bound};
+      Path path{{s.position}, 1, s.turn > 0, bound, s.neighbour};
       if (&s != nearest.spoke) {
         path.points[path.size++] = ends[s.end];
         if (nearest.spoke && nearest.spoke->end != s.end)
@@ -222,7 +229,7 @@ private:
   }
 
   // Between the path along the border and the new spoke.
-  template <class Flatten>
+  template <Side side, class Flatten>
   void add_strip(const Path& path, const FlatPoint& x, Flatten flatten) {
     const FlatPoint begin = flatten(path.points[0]);
     FlatPoint old = begin, match = begin;
@@ -234,20 +241,23 @@ private:
                                                       : FlatPoint{between(begin.point, x.point, t),
                                                                   begin.u + t * (x.u - begin.u),
                                                                   begin.v + t * (x.v - begin.v)};
-      add_triangle({old, match, next_match}, path, old.point, next.point);
-      add_triangle({old, next_match, next}, path, old.point, next.point);
+      const auto& [from, to] = side == Side::of_new ? std::array{old.point, next.point}
+                                                    : std::array{begin.point, x.point};
+      add_triangle<side>({old, match, next_match}, path, from, to);
+      add_triangle<side>({old, next_match, next}, path, from, to);
       old = next;
       match = next_match;
     }
   }
 
+  template <Side side>
   void add_triangle(FlatTriangle t, const Path& path, const Vector<3>& from, const Vector<3>& to) {
-    if (!path.is_left)
+    if (path.is_left == (side == Side::of_old))
       std::swap(t[1], t[2]);
     const double area = flat_area(t);
     const double length = squared_flat_length(t[0], t[2]) + squared_flat_length(t[0], t[1]);
     if (area > 0 && area * area > narrowest_ * narrowest_ * length)
-      strips_.push_back({t, from, to, path.bound});
+      strips_.push_back({t, from, to, path.bound, path.neighbour});
   }
 
   static double squared_flat_length(const FlatPoint& p, const FlatPoint& q) {

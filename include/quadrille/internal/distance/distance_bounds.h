@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/distance/back_deviation.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
 #include <quadrille/internal/memory/array.h>
@@ -23,10 +24,12 @@ namespace quadrille::internal {
 enum class StarKind { oriented, closed, any };
 
 /// Of each face, how far its points are from the input at most: what each contraction has added.
+/// And, where distances count both ways, how far the input points are that have come to lie in it.
 class DistanceBounds {
 public:
   /// `size` is the greatest coordinate of the surface.
-  explicit DistanceBounds(std::size_t faces, double size = 0) : of_face_(faces, 0), size_(size) {}
+  explicit DistanceBounds(std::size_t faces, double size = 0, bool both_ways = false)
+      : of_face_(faces, 0), back_of_face_(both_ways ? faces : 0, 0), size_(size) {}
 
   /// A distance that may be nothing but the sum of many roundings, on a surface of this size.
   double rounding() const { return 0x1p-40 * size_; }
@@ -39,6 +42,8 @@ public:
                         const Vector<3>& x, StarKind kind, StarDeviation& deviation,
                         std::vector<float>& bounds, IsTooFar is_too_far) const {
     deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
+    if (back_of_face_.size() > 0)
+      deviation.keep_pieces();
     const auto bound = [&](double distance) {
       return static_cast<double>(rounded_up(distance + deviation.rounding()));
     };
@@ -58,6 +63,17 @@ public:
     FaceDeviation greatest = deviation.greatest();
     greatest.from_input = take_bounds(star, deviation, bounds);
     return greatest;
+  }
+
+  /// How far the input points of the star will be from the surface, at most, if the contraction is
+  /// done that has just been measured. Once is_too_far(distance) says so of some, how far these
+  /// are.
+  template <class IsTooFar>
+  double measure_back(const PairStar& star, StarKind kind, StarDeviation& deviation,
+                      BackDeviation& back, IsTooFar is_too_far) const {
+    return back.measure(
+        star, deviation, kind == StarKind::oriented, kind != StarKind::any,
+        [this](Index face) { return back_of_face_[face]; }, is_too_far);
   }
 
   /// Will one of very many faces at an end be too far? Looks at them before the star is gathered,
@@ -96,32 +112,48 @@ public:
   }
 
   /// The faces of a star that a contraction has changed have the bounds that were measured for it.
-  void set(const PairStar& star, const std::vector<float>& bounds) {
-    auto bound = bounds.begin();
-    star.for_each_changed([&](const StarFace& f) { of_face_[f.face] = *bound++; });
-  }
+  void set(const PairStar& star, const std::vector<float>& bounds) { set(of_face_, star, bounds); }
   template <class Event>
   void after(const Event& event) {
+    const PairStar& star = event.contraction.star();
     if (of_face_.size() > 0) // else nobody asks
-      set(event.contraction.star(), event.contraction.bounds());
+      set(star, event.contraction.bounds());
+    if (back_of_face_.size() > 0) {
+      auto& scratch = event.contraction.scratch();
+      set(back_of_face_, star, scratch.distance.back.bounds());
+      scratch.tally.loses_points |= scratch.distance.back.is_any_lost();
+    }
   }
 
   /// Leaves out those of faces for which is_left(face) is false.
   template <class IsLeft>
   void pack_if(IsLeft is_left) {
     internal::pack_if(of_face_, is_left);
+    if (back_of_face_.size() > 0)
+      internal::pack_if(back_of_face_, is_left);
   }
 
   /// Of the faces that are left.
-  double greatest(const TriangleComplex& complex) const {
-    float greatest = 0;
-    for (Index face = 0; face < complex.face_capacity(); ++face)
-      if (!complex.is_removed(face))
-        greatest = (std::max)(greatest, of_face_[face]);
-    return static_cast<double>(greatest);
+  double greatest(const TriangleComplex& complex) const { return greatest(of_face_, complex); }
+  /// The same of their input points.
+  double greatest_back(const TriangleComplex& complex) const {
+    return greatest(back_of_face_, complex);
   }
 
 private:
+  static void set(Array<float>& of_face, const PairStar& star, const std::vector<float>& bounds) {
+    auto bound = bounds.begin();
+    star.for_each_changed([&](const StarFace& f) { of_face[f.face] = *bound++; });
+  }
+
+  static double greatest(const Array<float>& of_face, const TriangleComplex& complex) {
+    float greatest = 0;
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_removed(face))
+        greatest = (std::max)(greatest, of_face[face]);
+    return static_cast<double>(greatest);
+  }
+
   // Of the faces of a star, in its order. Returns the greatest of those that change.
   double take_bounds(const PairStar& star, const StarDeviation& deviation,
                      std::vector<float>& bounds) const {
@@ -149,6 +181,7 @@ private:
   }
 
   Array<float> of_face_;
+  Array<float> back_of_face_; // none where distances count one way
   double size_;
 };
 

@@ -6,6 +6,7 @@
 #include <quadrille/internal/distance/face_of_star.h>
 #include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/internal/distance/part_of_star.h>
+#include <quadrille/internal/distance/piece_table.h>
 #include <quadrille/internal/distance/sheets_of_star.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/vector.h>
@@ -68,7 +69,11 @@ public:
     for (const StarFace& f : star.shared)
       add(f, 0, true);
     part_.begin(ends_, b, x, extent_);
+    pieces_.clear();
   }
+  /// Keeps the pieces of those sheets that are compared whole.
+  void keep_pieces() { pieces_.begin(faces_.size()); }
+  const PieceTable& pieces() const { return pieces_; }
 
   /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
   bool is_unchanged(std::size_t end) const { return ends_[end] == x_; }
@@ -83,6 +88,16 @@ public:
       greatest.raise_to(d);
     return greatest;
   }
+
+  /// The faces that change, in the order of the star, and behind them those that go. Whoever lays
+  /// them flat for a comparison of its own begins its part here.
+  std::vector<FaceOfStar>& faces() { return faces_; }
+  std::size_t changed() const { return changed_; }
+  void begin(PartOfStar& part) const { part.begin(ends_, b_, x_, extent_); }
+  const Vector<3>& target() const { return x_; }
+  bool is_second_end(Index v) const { return v == b_; }
+  /// Those that were compared last.
+  const SheetsOfStar& sheets() const { return sheets_; }
 
   /// The greatest extent of the star, up to a factor of two.
   double extent() const { return extent_; }
@@ -156,8 +171,11 @@ private:
     if (changed > static_cast<std::ptrdiff_t>(most_faces))
       return first_beyond(sheet, is_too_far);
     part_.take(sheet);
-    if (part_.lay_flat() && !part_.leaves_steep_ones())
+    if (part_.lay_flat() && !part_.leaves_steep_ones()) {
+      if (pieces_.is_kept())
+        part_.keep_pieces(pieces_, faces_.data());
       return measure_part(is_too_far);
+    }
     rest_.assign(sheet.begin(), sheet.end());
     while (Face* const seed = largest_of_rest()) {
       part_.take_like(*seed, rest_);
@@ -218,6 +236,7 @@ private:
   std::vector<Face> faces_; // those that change come first, then those that go
   std::vector<FaceDeviation> deviations_;
   SheetsOfStar sheets_;
+  PieceTable pieces_;       // of sheets
   PartOfStar part_;         // of a sheet, that is compared now
   std::vector<Face*> rest_; // of it, for later
   std::size_t changed_ = 0;

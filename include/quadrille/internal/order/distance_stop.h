@@ -7,6 +7,8 @@
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 
+#include <limits>
+
 namespace quadrille::internal {
 
 /// Does the stop policy stop at a distance, and at nothing else? Never, where it does not ask for
@@ -17,7 +19,10 @@ public:
   using Cost = typename Policies::Cost;
 
   explicit DistanceStop(WorkingSurface<Policies>& surface)
-      : surface_(surface), is_asking_(surface.policies().stop.is_asking_for_distance()) {}
+      : surface_(surface), is_asking_(surface.policies().stop.is_asking_for_distance()),
+        none_(surface.policies().stop.is_asking_both_ways()
+                  ? 0
+                  : std::numeric_limits<double>::infinity()) {}
 
   bool is_asking() const { return is_asking_; }
   /// The contraction may get another target.
@@ -27,6 +32,7 @@ public:
     Status status = surface_.status();
     const bool result = surface_.distance_check().is_too_far(contraction, status);
     surface_.progress().announce_distance(status.next_distance);
+    surface_.progress().announce_distance_back(status.next_distance_back);
     surface_.progress().announce(contraction.error());
     return result;
   }
@@ -39,23 +45,27 @@ public:
     else
       return false;
   }
-  /// A distance in the mesh's unit.
+  /// Of a part that would vanish: a distance in the mesh's unit. No point of it has a place then.
   bool is_too_far(double distance) {
     if (!is_asking_ || is_enough_without())
       return false;
     surface_.progress().announce_distance(distance);
+    surface_.progress().announce_distance_back(std::numeric_limits<double>::infinity());
     return surface_.progress().is_enough();
   }
   /// At a distance of 0, if it asks for any.
   bool is_enough_without() {
-    if (is_asking_)
+    if (is_asking_) {
       surface_.progress().announce_distance(0);
+      surface_.progress().announce_distance_back(none_);
+    }
     return surface_.progress().is_enough();
   }
 
 private:
   WorkingSurface<Policies>& surface_;
   const bool is_asking_;
+  const double none_; // the distance back where it does not count or has not been looked for
 };
 
 } // namespace quadrille::internal

@@ -276,6 +276,8 @@ private:
     if (!stop.is_asking_for_distance())
       return stop(status);
     status.next_distance = 0;
+    if (stop.is_asking_both_ways())
+      status.next_distance_back = 0;
     return stop(status) || surface_.distance_check().is_too_far(contraction, status);
   }
 

@@ -192,6 +192,20 @@ bool is_asking_for_distance(const Stop& stop) {
   return asks_for_distance<Stop>;
 }
 
+/// May it look at Status::next_distance_back as well?
+template <class Stop>
+inline constexpr bool asks_both_ways = requires {
+  requires Stop::asks_both_ways;
+};
+
+/// And does this one?
+template <class Stop>
+bool is_asking_both_ways(const Stop& stop) {
+  if constexpr (requires { stop.is_asking_both_ways(); })
+    return stop.is_asking_both_ways();
+  return asks_both_ways<Stop>;
+}
+
 /// Is every edge a pair at any time, for this pair policy?
 template <class Pairs>
 inline constexpr bool includes_edges = requires {

@@ -17,6 +17,8 @@ public:
   static StopRule of(Stop stop) {
     StopRule rule;
     rule.is_asking_ = asks_for_distance<Stop> && internal::is_asking_for_distance(stop);
+    rule.is_asking_both_ways_ =
+        rule.is_asking_ && asks_both_ways<Stop> && internal::is_asking_both_ways(stop);
     rule.is_enough_ = [](const void* policy, const Status& status) -> bool {
       return (*static_cast<const Stop*>(policy))(status);
     };
@@ -33,6 +35,8 @@ public:
   bool is_passed(const Status& status) const { return is_passed_(policy_.get(), status); }
   /// Does it look at Status::next_distance?
   bool is_asking_for_distance() const { return is_asking_; }
+  /// And at Status::next_distance_back?
+  bool is_asking_both_ways() const { return is_asking_both_ways_; }
 
 private:
   using Asked = bool (*)(const void*, const Status&);
@@ -41,7 +45,7 @@ private:
 
   std::shared_ptr<const void> policy_;
   Asked is_enough_ = nullptr, is_passed_ = nullptr;
-  bool is_asking_ = false;
+  bool is_asking_ = false, is_asking_both_ways_ = false;
 };
 
 } // namespace quadrille::internal

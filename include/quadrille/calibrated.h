@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// Simplifies as far as a measured distance allows.
+//
+// Licence: this file is MIT, but it includes quadrille/distance.h, which includes code of CGAL
+// under GPL-3.0-or-later (or commercial). A program that includes it is bound by its terms.
+
+#ifndef QUADRILLE_CALIBRATED_H
+#define QUADRILLE_CALIBRATED_H
+
+#include <quadrille/distance.h>
+#include <quadrille/report.h>
+#include <quadrille/simplified.h>
+#include <quadrille/stop.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace quadrille {
+
+/// What `calibrated` makes of a mesh.
+template <class Mesh>
+struct Calibrated {
+  Mesh mesh;         ///< the simplified copy
+  Report report;     ///< of its run; Report::hausdorff_bound is the one that is proved
+  double factor = 1; ///< of the limit, with which it ran
+};
+
+/// How calibrated() looks for it.
+struct Calibration {
+  double largest_factor = 64; ///< of the limit that is tried, at least 1
+  int refinements = 2;        ///< between the last two powers of two, each of which halves the rest
+  double error = 0.05;        ///< of what is measured, as a part of the limit, in (0, 1)
+
+  /// Throws std::invalid_argument for what makes no sense.
+  void validate() const {
+    if (!(largest_factor >= 1 && std::isfinite(largest_factor) && refinements >= 0 && error > 0 &&
+          error < 1))
+      throw std::invalid_argument("quadrille::Calibration: the largest factor is less than 1, the "
+                                  "refinements are negative, or the error is not in (0, 1)");
+  }
+};
+
+namespace internal {
+
+/// If both meshes are proved to be within a distance of each other, a bound of it; else infinity.
+/// Samples refuse what is clearly beyond.
+template <class Mesh>
+double proved_distance(const Mesh& a, const Mesh& b, double distance, double error) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (faces(b).begin() == faces(b).end() ||
+      surface_distance(a, b, {.samples = 20'000}).hausdorff > distance)
+    return infinity;
+  const double bound = bounded_hausdorff(a, b, error) + error;
+  return bound <= distance ? bound : infinity;
+}
+
+} // namespace internal
+
+inline namespace QUADRILLE_THREADING {
+
+/// A simplified copy of a mesh that is within a limit both ways, with about as few faces as there
+/// can be: proved by measuring, not by adding up.
+///
+/// The bound of a HausdorffLimit adds up what contractions move, and is several times what is
+/// measured. So this runs with 2, 4, 8, … times the limit as long as the result, measured by
+/// bounded_hausdorff(), is within the limit itself, then between the last two; and gives back the
+/// coarsest that was. That with the limit itself needs no measuring. The arguments are those of
+/// `simplified`; maps that `simplify` writes to, and visitors, see each run.
+///
+/// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
+/// which take longer. Throws what `simplified` and bounded_hausdorff() throw.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
+          class... Arguments>
+requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
+                                                               HausdorffLimit limit,
+                                                               const Calibration& calibration,
+                                                               const Arguments&... arguments) {
+  limit.validate();
+  calibration.validate();
+  const auto run = [&](double factor) {
+    auto [coarse, report] = simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
+    return Calibrated<Mesh>{std::move(coarse), report, factor};
+  };
+  Calibrated<Mesh> best = run(1);
+  const double distance = limit.distance(internal::diagonal(internal::distance_box(mesh)));
+  if (!(distance > 0) || best.report.stop != StopReason::target_met)
+    return best;
+  const auto try_with = [&](double factor) {
+    Calibrated<Mesh> next = run(factor);
+    if (next.report.faces_after >= best.report.faces_after)
+      return false;
+    const double bound =
+        internal::proved_distance(mesh, next.mesh, distance, calibration.error * distance);
+    if (!(bound <= distance))
+      return false;
+    next.report.distance_bound = next.report.hausdorff_bound = bound;
+    best = std::move(next);
+    return true;
+  };
+  double factor = 2;
+  while (factor <= calibration.largest_factor && try_with(factor))
+    factor *= 2;
+  if (factor > calibration.largest_factor)
+    return best;
+  double step = factor / 4; // from the least that is known to be too large
+  for (int i = 0; i < calibration.refinements; ++i, step /= 2)
+    if (!try_with(factor - step))
+      factor -= step;
+  return best;
+}
+
+/// The same with the usual calibration.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh>
+requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
+                                                               HausdorffLimit limit) {
+  return calibrated<Cost, Placement>(mesh, limit, Calibration{});
+}
+
+} // namespace QUADRILLE_THREADING
+
+} // namespace quadrille
+
+#endif // QUADRILLE_CALIBRATED_H
