@@ -2,6 +2,7 @@
 #include "soups.h"
 #include "textured.h"
 
+#include <boost/property_map/function_property_map.hpp>
 #include <quadrille/compiled.h>
 #include <quadrille/level.h>
 #include <quadrille/levels.h>
