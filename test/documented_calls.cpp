@@ -18,7 +18,9 @@
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
+#include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
+#include <quadrille/verify.h>
 #include <span>
 #include <vector>
 

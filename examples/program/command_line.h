@@ -163,6 +163,10 @@ inline void add_topology(CLI::App& app, Options& options) {
   app.add_flag("--no-self-intersection", options.forbids_intersections,
                "no faces of OUT intersect that do not in IN; takes several times as long")
       ->group("Policies");
+  app.add_flag("--solid", options.keeps_solid,
+               "OUT is a closed solid, as IN has to be: no faces intersect, and topology is kept; "
+               "takes several times as long")
+      ->group("Policies");
   using quadrille::Seams;
   const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},
                                                          {"held", Seams::held},
@@ -230,6 +234,10 @@ inline void add_figures(CLI::App& app, Options& options) {
   app.add_flag("--measure", options.measures,
                "measure the distance of IN and OUT, and how far the texture has moved")
       ->group("Figures");
+  app.add_flag("--verify", options.verifies,
+               "measure, by other code than that which simplifies, whether OUT keeps what --error, "
+               "--no-self-intersection and --solid promise")
+      ->group("Figures");
   app.add_option("--report", options.report,
                  "write what was done and measured to this file, as JSON")
       ->type_name("FILE")
@@ -252,8 +260,8 @@ inline void add_records(CLI::App& app, Options& options) {
   reads->type_name("FILE")->group("Files");
   for (const char* const name :
        {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary", "--crease",
-        "--pairs", "--topology", "--drop-parts", "--no-self-intersection", "--seams", "--order",
-        "--threads", "--measure", "--keep-partial", "--orient"})
+        "--pairs", "--topology", "--drop-parts", "--no-self-intersection", "--solid", "--seams",
+        "--order", "--threads", "--measure", "--verify", "--keep-partial", "--orient"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())
@@ -282,6 +290,15 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.forbids_intersections && options.is_relaxed,
             "--no-self-intersection does not go with --order relaxed: the blocks of a pass do not "
             "see each other");
+  refuse_if(options.keeps_solid && options.is_relaxed,
+            "--solid does not go with --order relaxed: the blocks of a pass do not see each other");
+  refuse_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
+            "--solid keeps the topology: it does not go with --topology free, --pairs or "
+            "--drop-parts");
+  refuse_if(options.verifies && !options.target.error && !options.forbids_intersections &&
+                !options.keeps_solid,
+            "--verify needs something that is promised: --error, --no-self-intersection or "
+            "--solid");
   refuse_if(options.threads > 0 && !options.is_relaxed, "--threads needs --order relaxed");
   refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
             "--keep-partial does not go with --levels or --record: they have several results");

@@ -151,8 +151,8 @@ struct Report {
   double distance_bound = std::numeric_limits<double>::infinity();
 
   /// The volume that the surface encloses, in the mesh's units, cubed: the sum of its winding
-  /// numbers over space, so negative where it is oriented inwards. Known with OuterHull and
-  /// InnerHull, and with VolumeKeeping where topology is kept and each vertex lies inside of an
+  /// numbers over space, so negative where it is oriented inwards. Known with OuterHull,
+  /// InnerHull and keep_solid(), and with VolumeKeeping where topology is kept and each vertex lies inside of an
   /// oriented surface without borders. Of the result it is that of coordinates before they are
   /// rounded to the mesh's number type.
   std::optional<double> volume_before;
@@ -163,7 +163,8 @@ struct Report {
     std::size_t before = 0; ///< of the input, without degenerate and doubled faces
     std::size_t after = 0;  ///< of the result, all of which did in the input
   };
-  std::optional<SelfIntersections> self_intersections; ///< known with NoSelfIntersection
+  /// Known with NoSelfIntersection and keep_solid().
+  std::optional<SelfIntersections> self_intersections;
 
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
   std::array<std::size_t, rejection_causes> rejections{};

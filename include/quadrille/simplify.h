@@ -48,7 +48,8 @@ inline namespace QUADRILLE_THREADING {
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
 /// - GreedyOrder or RelaxedOrder, or AnyOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
-/// - NoSelfIntersection, of <quadrille/self_intersection.h>: no faces come to intersect
+/// - NoSelfIntersection, of <quadrille/self_intersection.h>: no faces come to intersect; or
+///   keep_solid(), of <quadrille/solid.h>: a closed solid stays one
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h

@@ -361,6 +361,7 @@ class Errors(unittest.TestCase):
         self.refused("boundary_weight -1", boundary_weight=-1)
         self.refused("not in \\(0, 180\\]", normal_flip=0)
         self.refused("needs GreedyOrder", no_self_intersection=True, order="relaxed")
+        self.refused("keep_solid keeps the topology", solid=True, topology="free")
         self.refused("more than one thread is for the relaxed order", threads=2)
         self.refused("0 threads are not from 1 to 1024", threads=0, order="relaxed")
         self.refused("crease_degrees are for the cost quadric", cost="edge_length", crease_degrees=20)

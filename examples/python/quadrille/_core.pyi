@@ -66,6 +66,7 @@ class Options:
     topology: Optional[Topology]
     normal_flip: float
     no_self_intersection: bool
+    keep_solid: bool
     fixed: List[bool]
     selected: List[bool]
     label_border_weight: float

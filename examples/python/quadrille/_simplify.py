@@ -33,6 +33,7 @@ def simplify(
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
     no_self_intersection: bool = False,
+    solid: bool = False,
     fixed: Optional[np.ndarray] = None,
     selected: Optional[np.ndarray] = None,
     labels: Optional[np.ndarray] = None,
@@ -90,6 +91,7 @@ def simplify(
     normal_flip      no face turns by that many degrees or more at once, in (0, 180]
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
                      several times as long
+    solid            a closed solid stays one, and the surface has to be one: see keep_solid() in solid.h
     fixed            points that stay where they are: booleans of the shape (n,), or indices
     selected         triangles that are simplified: booleans of the shape (m,), or indices. Targets are
                      of these; all points of others stay where they are
@@ -143,6 +145,7 @@ def simplify(
     options.eager, options.refresh = bool(eager), bool(refresh)
     options.split_vertices = bool(split_vertices)
     options.no_self_intersection = bool(no_self_intersection)
+    options.keep_solid = bool(solid)
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if selected is not None:

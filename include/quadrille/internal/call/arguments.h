@@ -233,7 +233,7 @@ constexpr void check_counts() {
   static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
                 "simplify takes one recorder: pass record_into only once.");
   static_assert(count_of<Kind::intersection, Cost, Arguments...> <= 1,
-                "simplify takes one NoSelfIntersection: pass it only once.");
+                "simplify takes one NoSelfIntersection or keep_solid(): pass only one.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
@@ -286,7 +286,7 @@ auto pick_policies(const Arguments&... arguments) {
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       threads_here(threads_of(order)),
       pick_recorder<Cost>(arguments...),
-      topology,
+      topology_beside(intersection, topology),
       pick_filters<Cost>(arguments...),
       optional_parts<Policies, std::remove_const_t<decltype(stop)>,
                      std::remove_const_t<decltype(order)>, is_recorded>(intersection)};

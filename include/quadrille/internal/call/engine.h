@@ -62,6 +62,8 @@ contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& po
   const EnclosedVolume volume(surface, box);
   report.volume_before = volume(surface);
   surface.checks().intersections().begin(report);
+  if (policies.optional.require_solid)
+    policies.optional.require_solid(surface, report);
   report.stop = contract(surface, report, watch);
   report.volume_after = volume(surface);
   surface.checks().intersections().end(report);

@@ -26,6 +26,9 @@ OptionalParts<Policies> optional_parts([[maybe_unused]] const Intersection& inte
   if constexpr (!std::same_as<Intersection, AnyIntersection>)
     if (intersection.is_asked)
       parts.make_intersection_check = &Intersection::template make_check<Policies::Cost::dimension>;
+  if constexpr (IsSolid<Intersection>)
+    if (intersection.is_solid_asked)
+      parts.require_solid = &Intersection::template require_solid<WorkingSurface<Policies>>;
   return parts;
 }
 

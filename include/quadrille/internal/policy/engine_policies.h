@@ -42,6 +42,8 @@ struct OptionalParts {
   /// What keeps faces apart.
   std::unique_ptr<IntersectionCheck> (*make_intersection_check)(
       const TriangleComplex&, const Geometry<Policies::Cost::dimension>&) = nullptr;
+  /// Throws if a surface is no solid.
+  void (*require_solid)(WorkingSurface<Policies>&, const Report&) = nullptr;
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named. The
