@@ -14,6 +14,7 @@
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/normal_deviation.h>
 #include <quadrille/pictures.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>

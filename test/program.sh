@@ -851,6 +851,10 @@ run 2 plain.off out.off --solid
 expect stderr 'keep_solid: the surface is not closed: [0-9]+ edges have not as many faces'
 run 2 plain.off out.off --solid --topology free
 expect stderr '^--solid keeps the topology'
+run 0 ball.off out.off --faces 200 --normals 40 --report out.json
+expect stdout ', normals within [0-9.]+ degrees$'
+grep -q '"normal_bound_degrees": [0-9]' out.json || fail "no figures of normals"
+run 2 ball.off out.off --normals 0
 run 2 plain.off out.off --verify
 expect stderr '^--verify needs something that is promised'
 run 2 plain.off out.off --no-self-intersection --order relaxed

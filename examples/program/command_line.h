@@ -163,6 +163,15 @@ inline void add_topology(CLI::App& app, Options& options) {
   app.add_flag("--no-self-intersection", options.forbids_intersections,
                "no faces of OUT intersect that do not in IN; takes several times as long")
       ->group("Policies");
+  const auto is_angle = [](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && !value->is_percentage && value->value > 0 && value->value <= 180;
+  };
+  app.add_option("--normals", options.normal_degrees,
+                 "no normal of OUT is further from those of IN that it stands for")
+      ->check(word_that(is_angle, "an angle above 0 and up to 180 degrees"))
+      ->type_name("DEGREES")
+      ->group("Policies");
   app.add_flag("--solid", options.keeps_solid,
                "OUT is a closed solid, as IN has to be: no faces intersect, and topology is kept; "
                "takes several times as long")
@@ -258,10 +267,26 @@ inline void add_records(CLI::App& app, Options& options) {
   CLI::Option* const reads = app.add_option(
       "--from", options.from, "read the target's level from this record instead of IN");
   reads->type_name("FILE")->group("Files");
-  for (const char* const name :
-       {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary", "--crease",
-        "--pairs", "--topology", "--drop-parts", "--no-self-intersection", "--solid", "--seams",
-        "--order", "--threads", "--measure", "--verify", "--keep-partial", "--orient"})
+  for (const char* const name : {"--record",
+                                 "--levels",
+                                 "--cost",
+                                 "--placement",
+                                 "--weld",
+                                 "--boundary",
+                                 "--crease",
+                                 "--pairs",
+                                 "--topology",
+                                 "--drop-parts",
+                                 "--no-self-intersection",
+                                 "--solid",
+                                 "--normals",
+                                 "--seams",
+                                 "--order",
+                                 "--threads",
+                                 "--measure",
+                                 "--verify",
+                                 "--keep-partial",
+                                 "--orient"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())

@@ -43,6 +43,7 @@ struct Options {
   bool drops_parts = false;
   bool forbids_intersections = false; // of faces that do not intersect in IN
   bool keeps_solid = false;           // and requires that IN is one
+  double normal_degrees = 180;        // that normals may turn in all
   bool is_relaxed = false;            // the order
   unsigned threads = 0;               // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;

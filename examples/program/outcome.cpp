@@ -72,6 +72,8 @@ std::string line(const Options& options, const Outcome& outcome) {
             with_commas(report.self_intersections->after) + " pairs of faces intersect";
   if (report.volume_before && report.volume_after && *report.volume_before != 0)
     text += ", " + percent_text(*report.volume_after / *report.volume_before) + " of the volume";
+  if (report.normal_bound_degrees)
+    text += ", normals within " + two_digits(rounded_up(*report.normal_bound_degrees)) + " degrees";
   if (report.vanished_parts > 0)
     text += ", " + with_commas(report.vanished_parts) + " parts vanished";
   const quadrille::Status input{.initial_faces = report.counted_faces,
@@ -149,6 +151,7 @@ Json json_of(const Outcome& outcome) {
                {"distance_bound", nullptr},
                {"self_intersections", nullptr},
                {"volume", nullptr},
+               {"normal_bound_degrees", nullptr},
                {"diagonal", outcome.diagonal},
                {"rejections", rejections},
                {"seconds",
@@ -163,6 +166,8 @@ Json json_of(const Outcome& outcome) {
         before_and_after(report.self_intersections->before, report.self_intersections->after);
   if (report.volume_before && report.volume_after)
     json["volume"] = {{"before", *report.volume_before}, {"after", *report.volume_after}};
+  if (report.normal_bound_degrees)
+    json["normal_bound_degrees"] = *report.normal_bound_degrees;
   if (outcome.measured)
     json["measured"] = json_of(*outcome.measured);
   if (outcome.verdict)

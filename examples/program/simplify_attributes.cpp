@@ -63,7 +63,8 @@ private:
     const quadrille::Report report = quadrille::simplify(
         mesh_.points, mesh_.triangles, cost, internal::placement_of<Cost>(options_),
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
-        *options_.topology, internal::intersection_of(options_), quadrille::record_into(recorder),
+        *options_.topology, internal::intersection_of(options_),
+        quadrille::NormalDeviation{options_.normal_deviation}, quadrille::record_into(recorder),
         quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))
             .vertex_is_constrained_map(internal::FixedPoints{&options_.fixed})
             .visitor(std::cref(visitor)));

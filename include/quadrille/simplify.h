@@ -50,6 +50,7 @@ inline namespace QUADRILLE_THREADING {
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - NoSelfIntersection, of <quadrille/self_intersection.h>: no faces come to intersect; or
 ///   keep_solid(), of <quadrille/solid.h>: a closed solid stays one
+/// - NormalDeviation, of <quadrille/normal_deviation.h>: normals stay within an angle of the input's
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h

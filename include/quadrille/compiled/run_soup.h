@@ -5,6 +5,7 @@
 #include <quadrille/compiled/soup_channel_list.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/internal/policy/built_in_placement.h>
+#include <quadrille/normal_deviation.h>
 #include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
@@ -163,7 +164,8 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
       return simplify(run.points, run.triangles, cost, placement,
                       ThresholdPairs(options.pairs_closer_than), SoupStop(options),
                       order_of(options), NormalFlip(options.normal_flip), intersection_of(options),
-                      record_into(recorder), more..., topology..., rest...);
+                      NormalDeviation{options.normal_deviation}, record_into(recorder), more...,
+                      topology..., rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();
   };

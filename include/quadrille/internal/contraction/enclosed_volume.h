@@ -37,8 +37,8 @@ private:
   double sum_ = 0, rest_ = 0;
 };
 
-/// The volume that a surface encloses, where it is known to enclose one and the placement asks, or keep_solid(): the
-/// sum of the tetrahedra of its faces and the middle of a box. In linear time.
+/// The volume that a surface encloses, where it is known to enclose one and the placement asks, or
+/// keep_solid(): the sum of the tetrahedra of its faces and the middle of a box. In linear time.
 template <class Policies>
 class EnclosedVolume {
 public:

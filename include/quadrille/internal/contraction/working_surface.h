@@ -112,7 +112,7 @@ public:
     return std::tie(self.recording_, self.bounds_, self.appearance_.channels(),
                     self.appearance_.seams(), self.pairs_, self.numbering_, self.moved_,
                     self.memories_, self.geometry_, self.link_condition_, self.terms_, self.parts_,
-                    self.checks_.intersections());
+                    self.checks_.optional());
   }
 
   const Policies& policies() const { return policies_; }

@@ -40,7 +40,7 @@ void require_solid(Surface& surface, const Report& report) {
         "first from " +
         place(first[0]) + " to " + place(first[1]));
   if (const std::size_t pairs = report.self_intersections->before; pairs > 0) {
-    const auto [a, b] = surface.checks().intersections().get()->first_pair();
+    const auto [a, b] = surface.checks().optional().intersections()->first_pair();
     throw std::invalid_argument(
         "quadrille::keep_solid: the surface intersects itself: " + std::to_string(pairs) +
         " pairs of faces do, the first one near " + place(surface.complex().vertices(a)[0]) +
