@@ -14,11 +14,14 @@
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/normal_deviation.h>
 #include <quadrille/pictures.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
+#include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
+#include <quadrille/verify.h>
 #include <span>
 #include <vector>
 

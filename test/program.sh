@@ -839,6 +839,24 @@ run 0 plain.off out.off --no-self-intersection --faces 200 --report out.json
 expect_faces out.off 200
 expect stdout ', 0 -> 0 pairs of faces intersect$'
 grep -A 2 '"self_intersections"' out.json | grep -q '"after": 0' || fail "no figures of intersections"
+run 0 plain.off out.off --no-self-intersection --error 1% --verify --report out.json
+expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promised, [0-9.e-]+ measured'
+expect stdout '; intersecting pairs of faces: 0 promised, 0 measured$'
+grep -c '"held": true' out.json | grep -q '^2$' || fail "no figures of what was verified"
+run 0 --weld halves.off ball.off --keep 100%
+run 0 --solid --verify --faces 100 ball.off out.off
+expect stdout ', 0 -> 0 pairs of faces intersect, [0-9.]+ % of the volume$'
+expect stdout 'verified: .*; Euler number: 2 promised, 2 measured; .*; bounds a volume: 1 promised, 1 measured$'
+run 2 plain.off out.off --solid
+expect stderr 'keep_solid: the surface is not closed: [0-9]+ edges have not as many faces'
+run 2 plain.off out.off --solid --topology free
+expect stderr '^--solid keeps the topology'
+run 0 ball.off out.off --faces 200 --normals 40 --report out.json
+expect stdout ', normals within [0-9.]+ degrees$'
+grep -q '"normal_bound_degrees": [0-9]' out.json || fail "no figures of normals"
+run 2 ball.off out.off --normals 0
+run 2 plain.off out.off --verify
+expect stderr '^--verify needs something that is promised'
 run 2 plain.off out.off --no-self-intersection --order relaxed
 expect stderr '^--no-self-intersection does not go with --order relaxed'
 

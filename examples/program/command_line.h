@@ -169,6 +169,19 @@ inline void add_topology(CLI::App& app, Options& options) {
   app.add_flag("--no-self-intersection", options.forbids_intersections,
                "no faces of OUT intersect that do not in IN; takes several times as long")
       ->group("Policies");
+  const auto is_angle = [](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && !value->is_percentage && value->value > 0 && value->value <= 180;
+  };
+  app.add_option("--normals", options.normal_degrees,
+                 "no normal of OUT is further from those of IN that it stands for")
+      ->check(word_that(is_angle, "an angle above 0 and up to 180 degrees"))
+      ->type_name("DEGREES")
+      ->group("Policies");
+  app.add_flag("--solid", options.keeps_solid,
+               "OUT is a closed solid, as IN has to be: no faces intersect, and topology is kept; "
+               "takes several times as long")
+      ->group("Policies");
   using quadrille::Seams;
   const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},
                                                          {"held", Seams::held},
@@ -236,6 +249,10 @@ inline void add_figures(CLI::App& app, Options& options) {
   app.add_flag("--measure", options.measures,
                "measure the distance of IN and OUT, and how far the texture has moved")
       ->group("Figures");
+  app.add_flag("--verify", options.verifies,
+               "measure, by other code than that which simplifies, whether OUT keeps what --error, "
+               "--no-self-intersection and --solid promise")
+      ->group("Figures");
   app.add_option("--report", options.report,
                  "write what was done and measured to this file, as JSON")
       ->type_name("FILE")
@@ -256,10 +273,27 @@ inline void add_records(CLI::App& app, Options& options) {
   CLI::Option* const reads = app.add_option(
       "--from", options.from, "read the target's level from this record instead of IN");
   reads->type_name("FILE")->group("Files");
-  for (const char* const name :
-       {"--record", "--levels", "--cost", "--placement", "--weld", "--boundary", "--crease",
-        "--pairs", "--topology", "--drop-parts", "--no-self-intersection", "--seams", "--order",
-        "--threads", "--measure", "--keep-partial", "--orient", "--both-ways"})
+  for (const char* const name : {"--record",
+                                 "--levels",
+                                 "--cost",
+                                 "--placement",
+                                 "--weld",
+                                 "--boundary",
+                                 "--crease",
+                                 "--pairs",
+                                 "--topology",
+                                 "--drop-parts",
+                                 "--no-self-intersection",
+                                 "--solid",
+                                 "--normals",
+                                 "--seams",
+                                 "--order",
+                                 "--threads",
+                                 "--measure",
+                                 "--verify",
+                                 "--keep-partial",
+                                 "--orient",
+                                 "--both-ways"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())
@@ -288,6 +322,15 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.forbids_intersections && options.is_relaxed,
             "--no-self-intersection does not go with --order relaxed: the blocks of a pass do not "
             "see each other");
+  refuse_if(options.keeps_solid && options.is_relaxed,
+            "--solid does not go with --order relaxed: the blocks of a pass do not see each other");
+  refuse_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
+            "--solid keeps the topology: it does not go with --topology free, --pairs or "
+            "--drop-parts");
+  refuse_if(options.verifies && !options.target.error && !options.forbids_intersections &&
+                !options.keeps_solid,
+            "--verify needs something that is promised: --error, --no-self-intersection or "
+            "--solid");
   refuse_if(options.threads > 0 && !options.is_relaxed, "--threads needs --order relaxed");
   refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
             "--keep-partial does not go with --levels or --record: they have several results");

@@ -1,7 +1,8 @@
 // The program quadrille: reads a mesh, simplifies it and writes it. See doc/manual/tool.md.
 //
 // Exit status: 0 done; 1 the target was not reached, OUT holds how far it went; 2 bad usage or
-// file, or nothing to simplify, OUT is as it was; 130 interrupted, OUT is as it was.
+// file, or nothing to simplify, OUT is as it was; 3 what was promised is not kept, as --verify has
+// found, OUT is written; 130 interrupted, OUT is as it was.
 
 #include "../mesh_io/replace_file.h"
 #include "command_line.h"
@@ -10,6 +11,7 @@
 #include "progress_line.h"
 #include "runs.h"
 #include "suggestion.h"
+#include "verification.h"
 
 #include <CLI/CLI.hpp>
 
@@ -65,6 +67,10 @@ bool run(Options options, ProgressLine& progress) {
     progress.show(status);
     return !Interruption::is_asked();
   };
+  if (options.verifies &&
+      (is_page(output_extension(options)) || is_gltf(output_extension(options))))
+    throw std::runtime_error(options.output + ": --verify is for files of one mesh, not for glTF "
+                                              "and pages");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
   if (is_page(output_extension(options)))
@@ -94,7 +100,7 @@ bool run(Options options, ProgressLine& progress) {
 } // namespace
 
 int main(int argc, char** argv) {
-  enum ExitStatus { done, target_not_reached, failure };
+  enum ExitStatus { done, target_not_reached, failure, promise_broken };
   CLI::App app("Simplifies a triangle surface by contracting vertex pairs.", "quadrille");
   Options options;
   add_options(app, options);
@@ -117,6 +123,9 @@ int main(int argc, char** argv) {
   } catch (const Interrupted&) {
     complain("interrupted: " + options.output + " is as it was");
     return Interruption::exit_status();
+  } catch (const BrokenPromise& broken) {
+    complain(broken.what());
+    return promise_broken;
   } catch (const std::bad_alloc&) {
     complain(options.input + ": out of memory");
   } catch (const std::exception& error) {

@@ -42,11 +42,13 @@ struct Options {
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
   bool drops_parts = false;
   bool forbids_intersections = false; // of faces that do not intersect in IN
+  bool keeps_solid = false;           // and requires that IN is one
+  double normal_degrees = 180;        // that normals may turn in all
   bool is_relaxed = false;            // the order
   unsigned threads = 0;               // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;
   bool orients = false; // are faces wound alike first?
-  bool measures = false;
+  bool measures = false, verifies = false;
   bool keeps_partial = false;
   bool is_forced = false;
   bool is_quiet = false, is_verbose = false;

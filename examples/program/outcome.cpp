@@ -1,6 +1,7 @@
 #include "outcome.h"
 
 #include "../mesh_io/replace_file.h"
+#include "verification.h"
 
 #include <quadrille/topology.h>
 #include <quadrille/version.h>
@@ -72,6 +73,10 @@ std::string line(const Options& options, const Outcome& outcome) {
   if (report.self_intersections)
     text += ", " + with_commas(report.self_intersections->before) + arrow() +
             with_commas(report.self_intersections->after) + " pairs of faces intersect";
+  if (report.volume_before && report.volume_after && *report.volume_before != 0)
+    text += ", " + percent_text(*report.volume_after / *report.volume_before) + " of the volume";
+  if (report.normal_bound_degrees)
+    text += ", normals within " + two_digits(rounded_up(*report.normal_bound_degrees)) + " degrees";
   if (report.vanished_parts > 0)
     text += ", " + with_commas(report.vanished_parts) + " parts vanished";
   const quadrille::Status input{.initial_faces = report.counted_faces,
@@ -112,6 +117,17 @@ Json json_of(const Measurement& measured) {
   return json;
 }
 
+Json json_of(const quadrille::Verdict& verdict) {
+  Json json = Json::array();
+  for (const quadrille::Finding& finding : verdict.findings)
+    json.push_back({{"claim", finding.claim},
+                    {"promised", finding.promised},
+                    {"measured", finding.measured},
+                    {"error", finding.error},
+                    {"held", finding.is_held}});
+  return json;
+}
+
 Json before_and_after(std::size_t before, std::size_t after) {
   return {{"before", before}, {"after", after}};
 }
@@ -140,6 +156,8 @@ Json json_of(const Outcome& outcome) {
                {"distance_bound", nullptr},
                {"hausdorff_bound", nullptr},
                {"self_intersections", nullptr},
+               {"volume", nullptr},
+               {"normal_bound_degrees", nullptr},
                {"diagonal", outcome.diagonal},
                {"rejections", rejections},
                {"seconds",
@@ -154,8 +172,14 @@ Json json_of(const Outcome& outcome) {
   if (report.self_intersections)
     json["self_intersections"] =
         before_and_after(report.self_intersections->before, report.self_intersections->after);
+  if (report.volume_before && report.volume_after)
+    json["volume"] = {{"before", *report.volume_before}, {"after", *report.volume_after}};
+  if (report.normal_bound_degrees)
+    json["normal_bound_degrees"] = *report.normal_bound_degrees;
   if (outcome.measured)
     json["measured"] = json_of(*outcome.measured);
+  if (outcome.verdict)
+    json["verified"] = json_of(*outcome.verdict);
   return json;
 }
 
@@ -222,6 +246,7 @@ std::vector<std::string> hints(const Options& options, const Outcome& outcome) {
 
 bool tell(const Options& options, const std::vector<Outcome>& outcomes) {
   bool is_reached = true;
+  std::string broken;
   std::setlocale(LC_CTYPE, "");
   if (!options.report.empty())
     write_report(options, outcomes);
@@ -230,6 +255,10 @@ bool tell(const Options& options, const std::vector<Outcome>& outcomes) {
       output_of_figures(options) << line(options, outcome) << std::endl;
     if (options.is_verbose)
       output_of_figures(options) << outcome.file << ": " << outcome.report << std::endl;
+    if (outcome.verdict && !options.is_quiet)
+      output_of_figures(options) << outcome.file << ": verified: " << *outcome.verdict << std::endl;
+    if (outcome.verdict && !*outcome.verdict)
+      broken = outcome.file + ": what was promised is not kept";
     if (outcome.is_target_met())
       continue;
     is_reached = false;
@@ -239,6 +268,8 @@ bool tell(const Options& options, const std::vector<Outcome>& outcomes) {
       for (const std::string& hint : hints(options, outcome))
         std::cerr << outcome.file << ": " << hint << '\n';
   }
+  if (!broken.empty())
+    throw BrokenPromise(broken);
   return is_reached;
 }
 

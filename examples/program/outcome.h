@@ -9,6 +9,7 @@
 #include "options.h"
 
 #include <quadrille/report.h>
+#include <quadrille/verdict.h>
 
 #include <cmath>
 #include <cstddef>
@@ -26,6 +27,7 @@ struct Outcome {
   quadrille::Report report;
   double diagonal = 0; ///< of the input
   std::optional<Measurement> measured = {};
+  std::optional<quadrille::Verdict> verdict = {};
 
   bool is_target_met() const { return target.is_met(report.stop); }
 };
@@ -34,7 +36,7 @@ struct Outcome {
 std::vector<std::string> hints(const Options& options, const Outcome& outcome);
 
 /// Prints what there is to say, and writes the report that is asked for. False if a target was not
-/// reached.
+/// reached. Throws BrokenPromise, at the end, if a result does not keep what was promised.
 bool tell(const Options& options, const std::vector<Outcome>& outcomes);
 
 } // namespace quadrille_examples

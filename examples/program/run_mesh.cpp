@@ -7,6 +7,7 @@
 #include "position_recorder.h"
 #include "runs.h"
 #include "simplify_mesh.h"
+#include "verification.h"
 
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
@@ -149,15 +150,18 @@ private:
   template <class Simplify>
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options,
                    Simplify simplify) {
-    const std::optional<IndexedMesh> input = options.measures ? std::optional(mesh) : std::nullopt;
+    const std::optional<IndexedMesh> input =
+        options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
     const quadrille::Report report =
         with_errors_of_file(options, [&] { return simplify(mesh, options); });
     require_not_interrupted(options);
     outcomes_.push_back({file, options.target, report, diagonal_});
-    if (input) {
+    if (input)
       progress_.show_stage("measuring");
+    if (options.measures)
       outcomes_.back().measured = measure(*input, mesh);
-    }
+    if (options.verifies)
+      outcomes_.back().verdict = verify(options, report, *input, mesh);
     contents_.push_back(encoded(file, mesh, format_));
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {

@@ -8,7 +8,6 @@
 #include <quadrille/parameters.h>
 #include <quadrille/quadric.h>
 #include <quadrille/record.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
@@ -64,8 +63,8 @@ private:
     const quadrille::Report report = quadrille::simplify(
         mesh_.points, mesh_.triangles, cost, internal::placement_of<Cost>(options_),
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
-        *options_.topology, quadrille::NoSelfIntersection{options_.no_self_intersection},
-        quadrille::record_into(recorder),
+        *options_.topology, internal::intersection_of(options_),
+        quadrille::NormalDeviation{options_.normal_deviation}, quadrille::record_into(recorder),
         quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))
             .vertex_is_constrained_map(internal::FixedPoints{&options_.fixed})
             .visitor(std::cref(visitor)));

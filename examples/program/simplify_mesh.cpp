@@ -51,6 +51,8 @@ quadrille::SoupOptions soup_options(const Options& options) {
   }
   result.topology = topology(options);
   result.no_self_intersection = options.forbids_intersections;
+  result.keep_solid = options.keeps_solid;
+  result.normal_deviation = options.normal_degrees;
   result.proceed = options.proceed;
   return result;
 }

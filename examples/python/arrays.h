@@ -42,8 +42,8 @@ Numbers<Number> array_of(std::vector<Value> values, std::vector<py::ssize_t> sha
   static_assert(sizeof(Value) % sizeof(Number) == 0);
   auto owner = std::make_unique<std::vector<Value>>(std::move(values));
   const auto* const data = reinterpret_cast<const Number*>(owner->data());
-  const py::capsule holder(owner.get(),
-                           [](void* p) { delete static_cast<typename decltype(owner)::pointer>(p); });
+  const py::capsule holder(
+      owner.get(), [](void* p) { delete static_cast<typename decltype(owner)::pointer>(p); });
   owner.release();
   return Numbers<Number>(std::move(shape), data, holder);
 }

@@ -106,6 +106,8 @@ void add_options(py::module_& m) {
       .def_readwrite("topology", &SoupOptions::topology)
       .def_readwrite("normal_flip", &SoupOptions::normal_flip)
       .def_readwrite("no_self_intersection", &SoupOptions::no_self_intersection)
+      .def_readwrite("normal_deviation", &SoupOptions::normal_deviation)
+      .def_readwrite("keep_solid", &SoupOptions::keep_solid)
       .def_readwrite("fixed", &SoupOptions::fixed)
       .def_readwrite("selected", &SoupOptions::selected)
       .def_readwrite("label_border_weight", &SoupOptions::label_border_weight)

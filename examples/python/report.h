@@ -46,13 +46,14 @@ inline auto numbers_of(const quadrille::Report& report) {
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               volume_before, volume_after, self_intersections, rejections, seconds] = report;
+               volume_before, volume_after, self_intersections, normal_bound_degrees, rejections,
+               seconds] = report;
   return std::tuple(faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                     contractions, non_edge_contractions, components_before, components_after,
                     vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                     doubled_faces, doubled_labels, static_cast<int>(stop), error, distance_bound,
                     hausdorff_bound, volume_before, volume_after, pair_of(self_intersections),
-                    rejections,
+                    normal_bound_degrees, rejections,
                     std::array{seconds.read, seconds.prepare, seconds.contract, seconds.write});
 }
 
@@ -88,7 +89,8 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               volume_before, volume_after, self_intersections, rejections, seconds] = numbers;
+               volume_before, volume_after, self_intersections, normal_bound_degrees, rejections,
+               seconds] = numbers;
   return {faces_before,
           counted_faces,
           faces_after,
@@ -111,6 +113,7 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
           volume_before,
           volume_after,
           self_intersections_of(self_intersections),
+          normal_bound_degrees,
           rejections,
           {seconds[0], seconds[1], seconds[2], seconds[3]}};
 }
@@ -166,6 +169,10 @@ inline void add_report(py::module_& m) {
           "self_intersections", [](const Report& r) { return pair_of(r.self_intersections); },
           "how many pairs of faces of the input intersect, and of the result; None but with "
           "no_self_intersection=True")
+      .def_readonly(
+          "normal_bound_degrees", &quadrille::Report::normal_bound_degrees,
+          "no normal of the result is further from those of the input that it stands for; None but "
+          "with normal_deviation")
       .def("__repr__", [](const Report& r) { return "<quadrille.Report: " + text_of(r) + '>'; })
       .def("__str__", text_of);
   report.def(py::pickle([](const Report& r) { return numbers_of(r); }, &report_of));

@@ -94,7 +94,9 @@ struct SoupOptions {
   double pairs_closer_than = 0;                       ///< see ThresholdPairs; 0: edges only
   std::optional<Topology> topology = std::nullopt;    ///< kept, or free with pairs by default
   double normal_flip = 90;                            ///< degrees, see NormalFlip
+  double normal_deviation = 180;                      ///< degrees, see NormalDeviation
   bool no_self_intersection = false;                  ///< see NoSelfIntersection
+  bool keep_solid = false;                            ///< see keep_solid()
   /// Points that stay where they are: empty, or a value for each point.
   std::vector<bool> fixed = {};
   /// Triangles that may be changed, and count for the targets: empty, or a value for each. See

@@ -230,8 +230,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 /// **Refines** `std::copy_constructible`.
 ///
 /// **Has models** NormalFlip, TriangleShape, HighestDegree, SmallestAngle, LongestEdge,
-/// HeightField. NoSelfIntersection is none: it has to follow contractions, which a filter does not
-/// see.
+/// HeightField. NoSelfIntersection and NormalDeviation are none: they have to follow contractions,
+/// which a filter does not see.
 ///
 /// **Requirements**, for a constant `filter`:
 ///

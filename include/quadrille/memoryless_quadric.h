@@ -42,8 +42,8 @@ struct MemorylessQuadric {
   Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
   static constexpr bool face_is_alike_at_corners = true; ///< nothing is the same at all
 
-  /// A pair that has become more costly while it waited, but by no more than this factor, is contracted
-  /// all the same: to send it back takes time, and the error is no lower for it.
+  /// A pair that has become more costly while it waited, but by no more than this factor, is
+  /// contracted all the same: to send it back takes time, and the error is no lower for it.
   static constexpr double tolerated_rise = 1.1;
 
   /// Where unevenness() has fallen by more than this factor, the pairs of the vertex are costed

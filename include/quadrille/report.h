@@ -82,8 +82,9 @@ enum class Rejection {
   filter,  ///< a filter of the user's refused, or LongestEdge
   /// faces would intersect that do not: see NoSelfIntersection
   self_intersection,
+  normal_deviation, ///< a normal would be too far from those of the input: see NormalDeviation
 };
-inline constexpr std::size_t rejection_causes = 14; ///< how many there are
+inline constexpr std::size_t rejection_causes = 15; ///< how many there are
 
 /// In words.
 constexpr std::string_view to_string(Stage stage) {
@@ -101,10 +102,21 @@ constexpr std::string_view to_string(StopReason reason) {
 
 /// How a Report names the cause of a refusal.
 constexpr std::string_view to_string(Rejection cause) {
-  constexpr std::array<std::string_view, rejection_causes> names{
-      "topology", "constraint",       "normal flip", "shape",   "degree", "distance",
-      "position", "destruction",      "seam",        "texture", "hull",   "volume",
-      "filter",   "self-intersection"};
+  constexpr std::array<std::string_view, rejection_causes> names{"topology",
+                                                                 "constraint",
+                                                                 "normal flip",
+                                                                 "shape",
+                                                                 "degree",
+                                                                 "distance",
+                                                                 "position",
+                                                                 "destruction",
+                                                                 "seam",
+                                                                 "texture",
+                                                                 "hull",
+                                                                 "volume",
+                                                                 "filter",
+                                                                 "self-intersection",
+                                                                 "normal deviation"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -163,10 +175,10 @@ struct Report {
   double hausdorff_bound = std::numeric_limits<double>::infinity();
 
   /// The volume that the surface encloses, in the mesh's units, cubed: the sum of its winding
-  /// numbers over space, so negative where it is oriented inwards. Known with OuterHull and
-  /// InnerHull, and with VolumeKeeping where topology is kept and each vertex lies inside of an
-  /// oriented surface without borders. Of the result it is that of coordinates before they are
-  /// rounded to the mesh's number type.
+  /// numbers over space, so negative where it is oriented inwards. Known with OuterHull,
+  /// InnerHull and keep_solid(), and with VolumeKeeping where topology is kept and each vertex lies
+  /// inside of an oriented surface without borders. Of the result it is that of coordinates before
+  /// they are rounded to the mesh's number type.
   std::optional<double> volume_before;
   std::optional<double> volume_after; ///< the same of the result
 
@@ -175,7 +187,12 @@ struct Report {
     std::size_t before = 0; ///< of the input, without degenerate and doubled faces
     std::size_t after = 0;  ///< of the result, all of which did in the input
   };
-  std::optional<SelfIntersections> self_intersections; ///< known with NoSelfIntersection
+  /// Known with NoSelfIntersection and keep_solid().
+  std::optional<SelfIntersections> self_intersections;
+
+  /// No normal of the result is further than that from those of the faces of the input that it
+  /// stands for, in degrees: an upper bound, known with NormalDeviation.
+  std::optional<double> normal_bound_degrees;
 
   /// How many contractions were refused, by cause. A pair counts each time that it is refused.
   std::array<std::size_t, rejection_causes> rejections{};
@@ -210,6 +227,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.self_intersections)
     out << ", self-intersections " << report.self_intersections->before << " -> "
         << report.self_intersections->after;
+  if (report.normal_bound_degrees)
+    out << ", normals within " << *report.normal_bound_degrees << " degrees";
   if (report.non_edge_contractions > 0)
     out << ", " << report.non_edge_contractions << " contractions of no edge";
   if (report.components_before != report.components_after)

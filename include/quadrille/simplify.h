@@ -48,7 +48,10 @@ inline namespace QUADRILLE_THREADING {
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
 /// - GreedyOrder or RelaxedOrder, or AnyOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
-/// - NoSelfIntersection, of <quadrille/self_intersection.h>: no faces come to intersect
+/// - NoSelfIntersection, of <quadrille/self_intersection.h>: no faces come to intersect; or
+///   keep_solid(), of <quadrille/solid.h>: a closed solid stays one
+/// - NormalDeviation, of <quadrille/normal_deviation.h>: normals stay within an angle of the
+/// input's
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h
@@ -78,9 +81,9 @@ inline namespace QUADRILLE_THREADING {
 /// property maps stay right. As in CGAL, meshes that only mark what is removed (Surface_mesh,
 /// OpenMesh) are left for the caller to tidy up: `mesh.collect_garbage()`.
 ///
-/// Time O(n log n) for n faces and close to linear, also where vertices have very many faces; such a
-/// vertex stays where it is as long as it has more than 128. Memory: about 100 to 150 bytes a face beside the mesh, 190 with
-/// ThinFeatureQuadric, more with attributes (see AttributeQuadric).
+/// Time O(n log n) for n faces and close to linear, also where vertices have very many faces; such
+/// a vertex stays where it is as long as it has more than 128. Memory: about 100 to 150 bytes a
+/// face beside the mesh, 190 with ThinFeatureQuadric, more with attributes (see AttributeQuadric).
 ///
 /// Throws std::invalid_argument for a face that is not a triangle, a vertex that is not finite,
 /// attributes that are too few or that no weight makes comparable with positions, or a policy that

@@ -3,8 +3,10 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/parameters.h>
+#include <quadrille/normal_deviation.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
+#include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>
@@ -48,7 +50,7 @@ SoupOptions options_to(std::size_t faces, SoupOptions::Cost cost = SoupOptions::
   return options;
 }
 
-const Soup soup = test::random_with_borders(3);
+const Soup soup = test::random_with_borders(3), closed = test::sphere(3);
 
 } // namespace
 
@@ -83,6 +85,12 @@ TEST_CASE("Each option of the compiled library is the policy of its name") {
   options = options_to(60);
   options.no_self_intersection = true;
   check(soup, options, Quadric{}, NoSelfIntersection{}, FaceCount{60});
+  options = options_to(60);
+  options.normal_deviation = 40;
+  check(soup, options, Quadric{}, NormalDeviation{40}, FaceCount{60});
+  options = options_to(60);
+  options.keep_solid = true;
+  check(closed, options, Quadric{}, keep_solid(), FaceCount{60});
   options.order = SoupOptions::Order::relaxed;
   Arrays arrays(soup);
   CHECK_THROWS_AS(simplify_soup(arrays.points, arrays.triangles, options), std::invalid_argument);

@@ -66,7 +66,9 @@ class Options:
     pairs_closer_than: float
     topology: Optional[Topology]
     normal_flip: float
+    normal_deviation: float
     no_self_intersection: bool
+    keep_solid: bool
     fixed: List[bool]
     selected: List[bool]
     label_border_weight: float
@@ -137,6 +139,8 @@ class Report:
     def hausdorff_bound(self) -> float: ...
     @property
     def self_intersections(self) -> Optional[List[int]]: ...
+    @property
+    def normal_bound_degrees(self) -> Optional[float]: ...
     @property
     def stop(self) -> str: ...
     @property

@@ -33,7 +33,9 @@ def simplify(
     topology: Optional[str] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
+    normal_deviation: float = 180.0,
     no_self_intersection: bool = False,
+    keep_solid: bool = False,
     fixed: Optional[np.ndarray] = None,
     selected: Optional[np.ndarray] = None,
     labels: Optional[np.ndarray] = None,
@@ -91,8 +93,10 @@ def simplify(
     pairs_closer_than  points closer than that may be joined without an edge, in the unit of the points;
                      topology is 'free' then by default
     normal_flip      no face turns by that many degrees or more at once, in (0, 180]
+    normal_deviation  no normal is further from those of the input that it stands for, in (0, 180]
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
                      several times as long
+    keep_solid       a closed solid stays one, and the surface has to be one: see solid.h; for 'greedy'
     fixed            points that stay where they are: booleans of the shape (n,), or indices
     selected         triangles that are simplified: booleans of the shape (m,), or indices. Targets are
                      of these; all points of others stay where they are
@@ -142,11 +146,13 @@ def simplify(
         options.topology = _choice("topology", topology, _core.Topology)
     _set_numbers(options, boundary_weight=boundary_weight, crease_degrees=crease_degrees,
                  crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
-                 normal_flip=normal_flip, label_border_weight=label_border_weight, share=share)
+                 normal_flip=normal_flip, normal_deviation=normal_deviation,
+                 label_border_weight=label_border_weight, share=share)
     options.threads = _count("threads", threads)
     options.eager, options.refresh = bool(eager), bool(refresh)
     options.split_vertices = bool(split_vertices)
     options.no_self_intersection = bool(no_self_intersection)
+    options.keep_solid = bool(keep_solid)
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if selected is not None:

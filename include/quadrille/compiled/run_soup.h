@@ -5,11 +5,12 @@
 #include <quadrille/compiled/soup_channel_list.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/internal/policy/built_in_placement.h>
+#include <quadrille/normal_deviation.h>
 #include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
-#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
+#include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>
@@ -152,6 +153,13 @@ inline AnyOrder order_of(const SoupOptions& options) {
   return RelaxedOrder{options.share, options.refresh, options.threads};
 }
 
+inline KeepSolid intersection_of(const SoupOptions& options) {
+  KeepSolid result;
+  result.is_asked = options.no_self_intersection || options.keep_solid;
+  result.is_solid_asked = options.keep_solid;
+  return result;
+}
+
 /// By policies that the options say; `more` are labels and channels, if there are any.
 template <class Cost, class... More>
 Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
@@ -167,9 +175,9 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,
                       ThresholdPairs(options.pairs_closer_than), SoupStop(options),
-                      order_of(options), NormalFlip(options.normal_flip),
-                      NoSelfIntersection{options.no_self_intersection}, record_into(recorder),
-                      more..., topology..., rest...);
+                      order_of(options), NormalFlip(options.normal_flip), intersection_of(options),
+                      NormalDeviation{options.normal_deviation}, record_into(recorder), more...,
+                      topology..., rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();
   };

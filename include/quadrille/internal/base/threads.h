@@ -60,8 +60,8 @@ private:
   const Library* library_ = nullptr;
 };
 
-/// Runs task(), in which parallel_for() may use that many threads. They stay awake between the loops
-/// of one task: to wake one takes longer than many loops do.
+/// Runs task(), in which parallel_for() may use that many threads. They stay awake between the
+/// loops of one task: to wake one takes longer than many loops do.
 template <class Task>
 void with_threads(Threads threads, const Task& task) {
   if (threads == 1)

@@ -5,9 +5,11 @@
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/parallel.h>
+#include <quadrille/internal/call/argument_kinds.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/intersection_choice.h>
 #include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/call/normal_choice.h>
 #include <quadrille/internal/call/optional_parts.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/engine_policies.h>
@@ -36,82 +38,6 @@
 /// Recognising the arguments of `simplify` by the concept that each models.
 
 namespace quadrille::internal {
-
-enum class Kind {
-  cost,
-  placement,
-  pairs,
-  stop,
-  order,
-  filter,
-  topology,
-  labels,
-  channel,
-  split_vertices,
-  recorder,
-  intersection,
-  named_parameters,
-  unknown
-};
-
-template <class T>
-inline constexpr bool is_recorder = false;
-template <class R>
-inline constexpr bool is_recorder<RecordInto<R>> = true;
-
-/// Is a type meant to be a cost? Nothing else has these members.
-template <class T>
-concept LooksLikeCost = requires {
-  typename T::Memory;
-}
-|| requires {
-  T::dimension;
-};
-
-/// Is a type meant to be a placement? What it gives for a pair is something, if not a position.
-template <class T, class Cost>
-concept LooksLikePlacement = requires(const T placement,
-                                      const typename SeenByPlacement<T, Cost>::Costs cost,
-                                      const typename SeenByPlacement<T, Cost>::Pair pair) {
-  requires !std::is_void_v<decltype(placement(cost, pair))>;
-};
-
-/// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
-/// kind before it: to ask what a call results in instantiates the body of a user's function. An
-/// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
-template <class T, class Cost>
-constexpr Kind kind_of() {
-  if constexpr (IsNamedParameters<T>::value)
-    return Kind::named_parameters;
-  else if constexpr (std::same_as<T, Topology>)
-    return Kind::topology;
-  else if constexpr (is_labels<T>)
-    return Kind::labels;
-  else if constexpr (is_channel<T>)
-    return Kind::channel;
-  else if constexpr (std::same_as<T, SplitVertices>)
-    return Kind::split_vertices;
-  else if constexpr (is_recorder<T>)
-    return Kind::recorder;
-  else if constexpr (IsIntersection<T>)
-    return Kind::intersection;
-  else if constexpr (is_order<T>)
-    return Kind::order;
-  else if constexpr (LooksLikeCost<T>)
-    return CostPolicy<T> ? Kind::cost : Kind::unknown;
-  else if constexpr (FilterPolicy<T, Cost>)
-    return Kind::filter;
-  else if constexpr (StopPolicy<T>)
-    return Kind::stop;
-  else if constexpr (std::same_as<T, OptimalPlacement>)
-    return Kind::placement;
-  else if constexpr (LooksLikePlacement<T, Cost>)
-    return PlacementPolicy<T, Cost> ? Kind::placement : Kind::unknown;
-  else if constexpr (PairPolicy<T>)
-    return Kind::pairs;
-  else
-    return Kind::unknown;
-}
 
 /// In place of a cost or a placement that is no template argument.
 struct NotGiven {};
@@ -210,6 +136,15 @@ RecorderHandle pick_recorder([[maybe_unused]] const Arguments&... arguments) {
     return {};
 }
 
+/// The topology of a call, if it is among the arguments.
+template <class Cost, class... Arguments>
+std::optional<Topology> pick_topology([[maybe_unused]] const Arguments&... arguments) {
+  if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
+    return pick<Kind::topology, Cost, Topology>(arguments...);
+  else
+    return std::nullopt;
+}
+
 /// Refuses to compile a call with two arguments where one is meant.
 template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
 constexpr void check_counts() {
@@ -233,7 +168,9 @@ constexpr void check_counts() {
   static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
                 "simplify takes one recorder: pass record_into only once.");
   static_assert(count_of<Kind::intersection, Cost, Arguments...> <= 1,
-                "simplify takes one NoSelfIntersection: pass it only once.");
+                "simplify takes one NoSelfIntersection or keep_solid(): pass only one.");
+  static_assert(count_of<Kind::normal_limit, Cost, Arguments...> <= 1,
+                "simplify takes one NormalDeviation: pass it only once.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
@@ -260,9 +197,6 @@ auto pick_policies(const Arguments&... arguments) {
   const auto placement =
       pick<Kind::placement, Cost, Given<PlacementArgument, OptimalPlacement>>(arguments...);
   check_placement<decltype(placement), Cost>();
-  std::optional<Topology> topology;
-  if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
-    topology = pick<Kind::topology, Cost, Topology>(arguments...);
   const auto cost = pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...);
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
@@ -270,6 +204,7 @@ auto pick_policies(const Arguments&... arguments) {
   validate_all(cost, placement, pairs, stop);
   validate(order);
   const auto intersection = pick<Kind::intersection, Cost, AnyIntersection>(arguments...);
+  const auto normal_limit = pick<Kind::normal_limit, Cost, AnyNormals>(arguments...);
   check_order(intersection, order);
   const auto carried = pick_carried<Cost>(arguments...);
   using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
@@ -286,10 +221,11 @@ auto pick_policies(const Arguments&... arguments) {
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       threads_here(threads_of(order)),
       pick_recorder<Cost>(arguments...),
-      topology,
+      topology_beside(intersection, pick_topology<Cost>(arguments...)),
       pick_filters<Cost>(arguments...),
       optional_parts<Policies, std::remove_const_t<decltype(stop)>,
-                     std::remove_const_t<decltype(order)>, is_recorded>(intersection)};
+                     std::remove_const_t<decltype(order)>, is_recorded>(intersection,
+                                                                        normal_limit)};
   policies.threads.validate();
   return policies;
 }

@@ -3,8 +3,10 @@
 
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/order.h>
+#include <quadrille/topology.h>
 
 #include <concepts>
+#include <optional>
 #include <stdexcept>
 
 namespace quadrille::internal {
@@ -18,6 +20,26 @@ concept IsIntersection = requires(const T intersection) {
   { intersection.is_asked } -> std::convertible_to<bool>;
   &T::template make_check<3>;
 };
+
+/// Is it what keep_solid() makes? That has a header of its own, too.
+template <class T>
+concept IsSolid = IsIntersection<T> && requires(const T intersection) {
+  { intersection.is_solid_asked } -> std::convertible_to<bool>;
+};
+
+/// The topology that a call keeps beside keep_solid(). Throws if it asks for another one.
+template <class Intersection>
+std::optional<Topology> topology_beside([[maybe_unused]] const Intersection& intersection,
+                                        std::optional<Topology> topology) {
+  if constexpr (IsSolid<Intersection>)
+    if (intersection.is_solid_asked) {
+      if (topology.value_or(Topology::kept) != Topology::kept)
+        throw std::invalid_argument("quadrille::keep_solid keeps the topology: pass no "
+                                    "Topology::free or Topology::parts_may_vanish beside it");
+      return Topology::kept;
+    }
+  return topology;
+}
 
 /// Refuses an order in which faces cannot be kept apart, where that is asked for.
 template <class Intersection, class Order>

@@ -11,10 +11,12 @@
 
 namespace quadrille::internal {
 
-/// How many edges have not as many faces that run along them in one direction as in the other. If
-/// none has, the surface is closed and oriented, and every point beside it has a winding number. In
-/// linear time, but for the sorting of the edges at each vertex.
-inline std::size_t count_unbalanced_edges(const TriangleComplex& complex) {
+/// Calls visit(v, w) for each edge that has not as many faces that run along it in one direction as
+/// in the other, and tells how many there are. If none has, the surface is closed and oriented, and
+/// every point beside it has a winding number. In linear time, but for the sorting of the edges at
+/// each vertex.
+template <class Visit>
+std::size_t for_each_unbalanced_edge(const TriangleComplex& complex, Visit visit) {
   std::size_t count = 0;
   std::vector<std::pair<Index, int>> edges; // the other end, and in which direction a face runs
   for (Index v = 0; v < complex.vertex_capacity(); ++v) {
@@ -32,10 +34,18 @@ inline std::size_t count_unbalanced_edges(const TriangleComplex& complex) {
       int sum = 0;
       for (; i < edges.size() && edges[i].first == other; ++i)
         sum += edges[i].second;
-      count += sum != 0;
+      if (sum == 0)
+        continue;
+      visit(v, other);
+      ++count;
     }
   }
   return count;
+}
+
+/// The same without looking at them.
+inline std::size_t count_unbalanced_edges(const TriangleComplex& complex) {
+  return for_each_unbalanced_edge(complex, [](Index, Index) {});
 }
 
 } // namespace quadrille::internal

@@ -27,8 +27,7 @@ public:
   /// Instead of all that is there, what a vertex has.
   void gather(const TriangleComplex& complex, Index v) {
     clear();
-    complex.for_each_corner(
-        v, [&](Index face, Index i) { add(star_face_at(complex, face, i)); });
+    complex.for_each_corner(v, [&](Index face, Index i) { add(star_face_at(complex, face, i)); });
   }
 
   /// Calls visit(other, sides) for each edge, in the order of the other ends.

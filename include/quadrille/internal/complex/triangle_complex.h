@@ -92,8 +92,8 @@ public:
       if (const Index corner = pool_[list.begin + i]; !is_removed(corner >> 2))
         visit(corner >> 2, corner & 3);
   }
-  /// Visits these corners, and drops those of removed faces on its way, so that its cost is repaid by the
-  /// faces that were removed.
+  /// Visits these corners, and drops those of removed faces on its way, so that its cost is repaid
+  /// by the faces that were removed.
   template <class Visit>
   void prune_corners(Index vertex, Visit visit) {
     List& list = lists_[vertex];

@@ -8,7 +8,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/optional_intersections.h>
+#include <quadrille/internal/contraction/optional_checks.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
@@ -40,14 +40,15 @@ public:
          const ChannelsOf<Policies>& channels, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
         geometry_(geometry), link_condition_(link_condition), seams_(seams), channels_(channels),
-        is_topology_kept_(is_topology_kept), intersections_(policies, complex, geometry) {}
+        is_topology_kept_(is_topology_kept),
+        optional_(policies, complex, geometry, is_topology_kept) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
-  const OptionalIntersections& intersections() const { return intersections_; }
+  const OptionalChecks& optional() const { return optional_; }
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
-  /// that costs the same suits them, it goes there. Where faces are kept apart, it goes to a place
-  /// that can be written as it is.
+  /// that costs the same suits them, it goes there. Where faces are kept apart, or normals
+  /// bounded, it goes to a place that can be written as it is.
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
@@ -59,7 +60,7 @@ public:
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
-    if (intersections_.get()) [[unlikely]]
+    if (optional_.is_any()) [[unlikely]]
       contraction.move_to(scale_.as_written(contraction.target()));
     const std::optional<Rejection> cause = refusal(contraction, contraction.target());
     if (cause && !stays(star, a) && !stays(star, b) && finds_other_place(contraction, *cause))
@@ -90,8 +91,8 @@ private:
     if constexpr (looks_at_star<Placement>)
       if (!cause && !policies_.placement.admits(contraction.pair(), star_view(contraction), target))
         return Placement::cause;
-    if (!cause && intersections_.are_made_by(contraction, space(target)))
-      return Rejection::self_intersection;
+    if (!cause && optional_.is_any()) [[unlikely]]
+      return optional_.refusal(contraction, space(target));
     return cause;
   }
 
@@ -103,7 +104,7 @@ private:
   QUADRILLE_NOINLINE bool finds_other_place(Contraction& contraction,
                                             [[maybe_unused]] Rejection cause) const { // seldom
     const auto takes = [&](const Position& place) {
-      const Position x = intersections_.get() ? scale_.as_written(place) : place;
+      const Position x = optional_.is_any() ? scale_.as_written(place) : place;
       if (refusal(contraction, x))
         return false;
       contraction.move_to(x);
@@ -135,7 +136,7 @@ private:
   const SeamGraph& seams_;
   const ChannelsOf<Policies>& channels_;
   bool is_topology_kept_;
-  OptionalIntersections intersections_;
+  OptionalChecks optional_;
 };
 
 } // namespace quadrille::internal

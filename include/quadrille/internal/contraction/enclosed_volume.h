@@ -37,8 +37,8 @@ private:
   double sum_ = 0, rest_ = 0;
 };
 
-/// The volume that a surface encloses, where it is known to enclose one and the placement asks: the
-/// sum of the tetrahedra of its faces and the middle of a box. In linear time.
+/// The volume that a surface encloses, where it is known to enclose one and the placement asks, or
+/// keep_solid(): the sum of the tetrahedra of its faces and the middle of a box. In linear time.
 template <class Policies>
 class EnclosedVolume {
 public:
@@ -51,9 +51,11 @@ public:
   EnclosedVolume(Surface& surface, const Box& box)
       : scale_(surface.evaluator().scale()),
         middle_(space(scale_.position_from_mesh(0.5 * box.low + 0.5 * box.high))) {
+    if (surface.policies().optional.require_solid)
+      is_known_ = true; // once it has been checked
     if (!asks_for_volume<Placement> || surface.progress().is_cancelled())
       return;
-    is_known_ = surface.checks().link_condition().is_oriented();
+    is_known_ |= surface.checks().link_condition().is_oriented();
     if constexpr (needs_closed_surface<Placement>)
       require_closed(surface);
   }

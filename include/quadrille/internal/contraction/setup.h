@@ -43,7 +43,7 @@ Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policie
   const Cost& cost = policies.cost;
   Scale<N> scale(box, is_scale_free<Cost>);
   if ((needs_closed_surface<typename Policies::Placement> ||
-       policies.optional.make_intersection_check) &&
+       policies.optional.make_intersection_check || policies.optional.make_normal_check) &&
       are_floats(input.positions))
     scale.write_floats();
   if constexpr (requires {

@@ -112,7 +112,7 @@ public:
     return std::tie(self.recording_, self.bounds_, self.appearance_.channels(),
                     self.appearance_.seams(), self.pairs_, self.numbering_, self.moved_,
                     self.memories_, self.geometry_, self.link_condition_, self.terms_, self.parts_,
-                    self.checks_.intersections());
+                    self.checks_.optional());
   }
 
   const Policies& policies() const { return policies_; }
@@ -240,8 +240,8 @@ private:
     terms_.sum_up(labels);
   }
 
-  // What is gone takes no more time or room in a cache. Local terms are summed up anew after it, and
-  // the numbering takes the list of vertices.
+  // What is gone takes no more time or room in a cache. Local terms are summed up anew after it,
+  // and the numbering takes the list of vertices.
   void pack() {
     Array<Index> vertices = complex_.left_vertices();
     const auto is_left = [this](Index face) { return !complex_.is_removed(face); };

@@ -74,8 +74,19 @@ public:
     replant();
     std::size_t count = 0;
     for (std::size_t begin = 0; begin < faces_.size(); begin += BoxTree::width)
-      count += count_behind(begin);
+      for_each_pair_behind(begin, [&](Index, Index) { ++count; });
     return count;
+  }
+
+  std::array<Index, 2> first_pair() override {
+    replant();
+    std::array<Index, 2> first{none, none};
+    for (std::size_t begin = 0; begin < faces_.size() && first[0] == none; begin += BoxTree::width)
+      for_each_pair_behind(begin, [&](Index a, Index b) {
+        if (first[0] == none)
+          first = {a, b};
+      });
+    return first;
   }
 
 private:
@@ -211,13 +222,13 @@ private:
     return false;
   }
 
-  // The pairs of a face in one of eight slots and another one behind it.
-  std::size_t count_behind(std::size_t begin) const {
+  // Of a face in one of eight slots and another one behind it, those that intersect.
+  template <class Visit>
+  void for_each_pair_behind(std::size_t begin, Visit visit) const {
     const std::size_t end = (std::min)(begin + BoxTree::width, faces_.size());
     std::vector<FaceSides> sides;
     for (std::size_t slot = begin; slot < end; ++slot)
       sides.emplace_back(corners_of(faces_[slot]));
-    std::size_t count = 0;
     boxes_.for_each_meeting(
         boxes_.around(begin / BoxTree::width), [&](std::size_t slot, const FloatBox& box) {
           if (slot <= begin)
@@ -227,9 +238,8 @@ private:
             if (const FaceSides& face = sides[other - begin];
                 boxes_[other].meets(box) && !face.separate(corners) &&
                 TrianglePair(face.corners(), corners).intersect())
-              ++count;
+              visit(faces_[other], faces_[slot]);
         });
-    return count;
   }
 
   const TriangleComplex& complex_;

@@ -5,6 +5,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/vector.h>
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -27,6 +28,8 @@ public:
   virtual void forget(std::span<const Index> faces) = 0;
   /// How many pairs of faces intersect, now.
   virtual std::size_t count() = 0;
+  /// One of these, of which there is at least one: the first in an order of its own.
+  virtual std::array<Index, 2> first_pair() = 0;
 };
 
 } // namespace quadrille::internal

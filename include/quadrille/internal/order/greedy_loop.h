@@ -29,20 +29,19 @@ namespace quadrille::internal {
 /// Contracts the cheapest pair until the stop policy is satisfied or no pair can be contracted.
 ///
 /// What a contraction changes about other pairs is up to PairUpdates. A cost that looks at the
-/// surface as it is can make a pair more costly while it waits, and so can a hub; such a pair goes back.
-/// A pair that is refused waits until a vertex of a face at one of
-/// its ends has moved (WaitingPairs); one that would go beyond the target, until there are no
-/// others (DeferredPairs).
+/// surface as it is can make a pair more costly while it waits, and so can a hub; such a pair goes
+/// back. A pair that is refused waits until a vertex of a face at one of its ends has moved
+/// (WaitingPairs); one that would go beyond the target, until there are no others (DeferredPairs).
 template <class Policies>
 class GreedyLoop {
 public:
   explicit GreedyLoop(WorkingSurface<Policies>& surface)
       : surface_(surface), scratch_(surface.scratch()),
-        queue_(
-            surface.complex().vertex_capacity(),
-            PairQueue::expected_pairs(surface.pairs().count(surface.status().faces, surface.status().vertices),
-                           surface.complex().vertex_capacity()),
-            surface.complex().workspace()),
+        queue_(surface.complex().vertex_capacity(),
+               PairQueue::expected_pairs(
+                   surface.pairs().count(surface.status().faces, surface.status().vertices),
+                   surface.complex().vertex_capacity()),
+               surface.complex().workspace()),
         waiting_(surface.complex()), distance_stop_(surface), parts_(surface), hold_(surface),
         updates_(surface, queue_, waiting_) {
     fill_queue();
@@ -196,8 +195,8 @@ private:
     });
   }
 
-  // Into the queue, if it has become more costly; by more than a little at a hub, where each contraction
-  // makes all pairs so.
+  // Into the queue, if it has become more costly; by more than a little at a hub, where each
+  // contraction makes all pairs so.
   bool goes_back(const Candidate& candidate, const QueuedPair& pair) {
     surface_.progress().announce(candidate.error);
     constexpr bool may_rise = has_local_terms<Cost> || looks_at_star<typename Policies::Placement>;

@@ -77,8 +77,8 @@ private:
       push_all(v);
   }
 
-  // The pairs that a hub had stay as they are: where they have become more costly, they go back when
-  // their turn comes. It gets further ones with neighbours of the vertex that has come to it.
+  // The pairs that a hub had stay as they are: where they have become more costly, they go back
+  // when their turn comes. It gets further ones with neighbours of the vertex that has come to it.
   QUADRILLE_NOINLINE void follow_at_hub(const Contraction& contraction) {
     const PairStar& star = contraction.star();
     const bool is_first = star.hub == contraction.first();

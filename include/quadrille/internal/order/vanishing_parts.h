@@ -27,8 +27,8 @@ namespace quadrille::internal {
 /// Topology::parts_may_vanish. Nothing where they may not.
 ///
 /// A part remembers as much after its contractions as before, so what it costs stays the same; but
-/// for costs that look at the surface as it is, by which it becomes more costly while its faces become
-/// larger. Such a part goes back.
+/// for costs that look at the surface as it is, by which it becomes more costly while its faces
+/// become larger. Such a part goes back.
 template <class Policies>
 class VanishingParts {
 public:

@@ -28,6 +28,7 @@ struct DistanceCalls;
 template <std::size_t N>
 class Geometry;
 class IntersectionCheck;
+class NormalCheck;
 class TriangleComplex;
 
 /// What only some calls need, as functions: a call that cannot need it does not compile it.
@@ -42,6 +43,14 @@ struct OptionalParts {
   /// What keeps faces apart.
   std::unique_ptr<IntersectionCheck> (*make_intersection_check)(
       const TriangleComplex&, const Geometry<Policies::Cost::dimension>&) = nullptr;
+  /// What bounds normals, by an angle in degrees.
+  std::unique_ptr<NormalCheck> (*make_normal_check)(const TriangleComplex&,
+                                                    const Geometry<Policies::Cost::dimension>&,
+                                                    bool is_topology_kept,
+                                                    double degrees) = nullptr;
+  double normal_degrees = 180;
+  /// Throws if a surface is no solid.
+  void (*require_solid)(WorkingSurface<Policies>&, const Report&) = nullptr;
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named. The

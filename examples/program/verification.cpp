@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// It includes <quadrille/verify.h>, which includes GPL parts of CGAL.
+#include "verification.h"
+
+#include "../mesh_io/indexed_mesh.h"
+#include "options.h"
+
+#include <quadrille/verify.h>
+
+#include <cmath>
+
+namespace quadrille_examples {
+
+quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
+                          const IndexedMesh& input, const IndexedMesh& result) {
+  quadrille::Claims claims;
+  if (std::isfinite(report.distance_bound) && !input.triangles.empty() && !result.triangles.empty())
+    claims.distance = report.distance_bound;
+  claims.no_self_intersection = options.forbids_intersections || options.keeps_solid;
+  claims.solid = options.keeps_solid;
+  return quadrille::verify(input.points, input.triangles, result.points, result.triangles, claims);
+}
+
+} // namespace quadrille_examples

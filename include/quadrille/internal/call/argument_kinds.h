@@ -1,0 +1,103 @@
+#ifndef QUADRILLE_INTERNAL_CALL_ARGUMENT_KINDS_H
+#define QUADRILLE_INTERNAL_CALL_ARGUMENT_KINDS_H
+
+#include <quadrille/channels.h>
+#include <quadrille/concepts.h>
+#include <quadrille/internal/call/carried.h>
+#include <quadrille/internal/call/intersection_choice.h>
+#include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/call/normal_choice.h>
+#include <quadrille/internal/policy/orders.h>
+#include <quadrille/placement.h>
+#include <quadrille/record.h>
+#include <quadrille/topology.h>
+
+#include <concepts>
+#include <type_traits>
+
+/// What an argument of `simplify` is, by the concept that it models.
+
+namespace quadrille::internal {
+
+enum class Kind {
+  cost,
+  placement,
+  pairs,
+  stop,
+  order,
+  filter,
+  topology,
+  labels,
+  channel,
+  split_vertices,
+  recorder,
+  intersection,
+  normal_limit,
+  named_parameters,
+  unknown
+};
+
+template <class T>
+inline constexpr bool is_recorder = false;
+template <class R>
+inline constexpr bool is_recorder<RecordInto<R>> = true;
+
+/// Is a type meant to be a cost? Nothing else has these members.
+template <class T>
+concept LooksLikeCost = requires {
+  typename T::Memory;
+}
+|| requires {
+  T::dimension;
+};
+
+/// Is a type meant to be a placement? What it gives for a pair is something, if not a position.
+template <class T, class Cost>
+concept LooksLikePlacement = requires(const T placement,
+                                      const typename SeenByPlacement<T, Cost>::Costs cost,
+                                      const typename SeenByPlacement<T, Cost>::Pair pair) {
+  requires !std::is_void_v<decltype(placement(cost, pair))>;
+};
+
+/// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
+/// kind before it: to ask what a call results in instantiates the body of a user's function. An
+/// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
+template <class T, class Cost>
+constexpr Kind kind_of() {
+  if constexpr (IsNamedParameters<T>::value)
+    return Kind::named_parameters;
+  else if constexpr (std::same_as<T, Topology>)
+    return Kind::topology;
+  else if constexpr (is_labels<T>)
+    return Kind::labels;
+  else if constexpr (is_channel<T>)
+    return Kind::channel;
+  else if constexpr (std::same_as<T, SplitVertices>)
+    return Kind::split_vertices;
+  else if constexpr (is_recorder<T>)
+    return Kind::recorder;
+  else if constexpr (IsIntersection<T>)
+    return Kind::intersection;
+  else if constexpr (IsNormalLimit<T>)
+    return Kind::normal_limit;
+  else if constexpr (is_order<T>)
+    return Kind::order;
+  else if constexpr (LooksLikeCost<T>)
+    return CostPolicy<T> ? Kind::cost : Kind::unknown;
+  else if constexpr (FilterPolicy<T, Cost>)
+    return Kind::filter;
+  else if constexpr (StopPolicy<T>)
+    return Kind::stop;
+  else if constexpr (std::same_as<T, OptimalPlacement>)
+    return Kind::placement;
+  else if constexpr (LooksLikePlacement<T, Cost>)
+    return PlacementPolicy<T, Cost> ? Kind::placement : Kind::unknown;
+  else if constexpr (PairPolicy<T>)
+    return Kind::pairs;
+  else
+    return Kind::unknown;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CALL_ARGUMENT_KINDS_H

@@ -1,0 +1,112 @@
+#ifndef QUADRILLE_INTERNAL_NORMALS_FACE_CONES_H
+#define QUADRILLE_INTERNAL_NORMALS_FACE_CONES_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/star.h>
+#include <quadrille/internal/complex/star_face.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/memory/packing.h>
+#include <quadrille/internal/normals/cones_of_star.h>
+#include <quadrille/internal/normals/normal_check.h>
+#include <quadrille/internal/normals/normal_cone.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Of each face, the cone of the normals of all faces of the input that contractions have mapped
+/// into it or onto its edges, where both ends of each pair went to the new vertex.
+template <std::size_t N>
+class FaceCones final : public NormalCheck {
+public:
+  FaceCones(const TriangleComplex& complex, const Geometry<N>& geometry, bool is_topology_kept,
+            double degrees)
+      : complex_(complex), geometry_(geometry), is_topology_kept_(is_topology_kept),
+        limit_(degrees * (std::numbers::pi / 180)) {}
+
+  void begin() override {
+    cones_.resize(complex_.face_capacity());
+    for (Index face = 0; face < cones_.size(); ++face)
+      if (!complex_.is_removed(face))
+        cones_[face] = NormalCone(normal_of(face));
+  }
+
+  bool is_too_far(const PairStar& star, Index second, const Vector<3>& target) const override {
+    if (star.hub != none && meets_further_hub(star, second))
+      return true; // of whose faces not all are known
+    const ConesOfStar cones = cones_of(star, second);
+    const auto is_face_too_far = [&](const ConesOfStar::Face& f) {
+      const FaceNormal normal(target, place(f.face.second), place(f.face.third));
+      if (f.cone.is_empty() || normal.is_null())
+        return false;
+      return !normal.is_known() || f.cone.greatest_angle(normal.direction) + normal.error > limit_;
+    };
+    return !cones.is_complete() ||
+           std::any_of(cones.faces().begin(), cones.faces().end(), is_face_too_far);
+  }
+
+  void follow(const PairStar& star, Index second) override {
+    const ConesOfStar cones = cones_of(star, second);
+    for (const ConesOfStar::Face& f : cones.faces())
+      cones_[f.face.face] = f.cone;
+  }
+
+  void pack() override {
+    internal::pack_if(cones_, [this](Index face) { return !complex_.is_removed(face); });
+  }
+
+  double greatest_degrees() const override {
+    double greatest = 0;
+    for (Index face = 0; face < cones_.size(); ++face) {
+      if (complex_.is_removed(face) || cones_[face].is_empty())
+        continue;
+      if (const FaceNormal normal = normal_of(face); normal.is_known())
+        greatest =
+            (std::max)(greatest, cones_[face].greatest_angle(normal.direction) + normal.error);
+    }
+    return greatest * (180 / std::numbers::pi);
+  }
+
+private:
+  Vector<3> place(Index v) const { return space(geometry_.position(v)); }
+  FaceNormal normal_of(Index face) const {
+    const auto& v = complex_.vertices(face);
+    return {place(v[0]), place(v[1]), place(v[2])};
+  }
+
+  ConesOfStar cones_of(const PairStar& star, Index second) const {
+    return {star, second, is_topology_kept_, [this](Index face) { return cones_[face]; }};
+  }
+
+  // Of an edge between hubs the star has one face only.
+  bool meets_further_hub(const PairStar& star, Index second) const {
+    return star.may_meet_hub ||
+           std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
+             return complex_.hubs().has(f.other_than(second));
+           });
+  }
+
+  const TriangleComplex& complex_;
+  const Geometry<N>& geometry_;
+  bool is_topology_kept_;
+  double limit_; // in radians
+  std::vector<NormalCone> cones_;
+};
+
+/// What bounds the normals.
+template <std::size_t N>
+std::unique_ptr<NormalCheck> make_normal_check(const TriangleComplex& complex,
+                                               const Geometry<N>& geometry, bool is_topology_kept,
+                                               double degrees) {
+  return std::make_unique<FaceCones<N>>(complex, geometry, is_topology_kept, degrees);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_NORMALS_FACE_CONES_H

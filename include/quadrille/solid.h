@@ -1,0 +1,45 @@
+#ifndef QUADRILLE_SOLID_H
+#define QUADRILLE_SOLID_H
+
+// This header includes what <quadrille/self_intersection.h> does.
+
+#include <quadrille/internal/intersection/solid_requirement.h>
+#include <quadrille/report.h>
+#include <quadrille/self_intersection.h>
+
+namespace quadrille {
+
+/// What keep_solid() makes: an argument of `simplify`.
+struct KeepSolid : NoSelfIntersection {
+  /// If not, it is a NoSelfIntersection and no more: for programs that choose at run time.
+  bool is_solid_asked = true;
+
+  /// For the engine: refuses what is no solid before anything is changed.
+  template <class Surface>
+  static void require_solid(Surface& surface, const Report& report) {
+    internal::require_solid(surface, report);
+  }
+};
+
+/// An argument of `simplify`: a solid stays one, as for printing and simulation.
+///
+/// It is Topology::kept and NoSelfIntersection{}, and it requires an input that is closed, each
+/// edge with as many faces on one side as on the other, and of which no two faces intersect. Then
+/// the result is closed and has no faces that intersect; it has the parts of the input, each of its
+/// genus, inside of others or beside them as there; and it bounds a volume if the input does, which
+/// is all of the above and that parts which lie in others are oriented the other way than these.
+/// Report::volume_before and volume_after tell the volume, Report::self_intersections that no faces
+/// intersect.
+///
+/// `simplify` throws std::invalid_argument for an input that is no such surface, with the number of
+/// edges that are open, or pairs of faces that intersect, and where the first is; and if it is
+/// asked for another Topology. Otherwise it is for GreedyOrder only, and takes the time and the
+/// memory of NoSelfIntersection. Solids of two parts that touch each other are closed where they
+/// have these vertices or edges in common, and intersect where each has its own.
+inline KeepSolid keep_solid() {
+  return {};
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_SOLID_H

@@ -1,0 +1,61 @@
+#ifndef QUADRILLE_VERDICT_H
+#define QUADRILLE_VERDICT_H
+
+#include <algorithm>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// What is claimed of a result. What is left out is not looked at.
+struct Claims {
+  /// No point of the result is further from the input than that, in the unit of both: see
+  /// ErrorLimit and Report::distance_bound.
+  std::optional<double> distance = {};
+  /// The same, and no point of the input is further from the result.
+  std::optional<double> distance_both_ways = {};
+  /// No more pairs of faces intersect than in the input: see NoSelfIntersection. Where none did,
+  /// that is all of its promise.
+  bool no_self_intersection = false;
+  /// The result is closed, bounds a volume, and has the parts of the input, as many handles as they
+  /// have, and as many that lie in others.
+  bool solid = false;
+};
+
+/// A claim, and what has been measured.
+struct Finding {
+  std::string claim;    ///< in words
+  double promised = 0;  ///< a distance in the unit of the surfaces, or a number of what is named
+  double measured = 0;  ///< the same
+  double error = 0;     ///< by how much what is measured may be wrong, at most
+  bool is_held = false; ///< is what is measured as it was promised, or may it be, up to the error?
+};
+
+/// What verify() has found, one after the other. It prints itself in one line.
+struct Verdict {
+  std::vector<Finding> findings;
+
+  /// Are all claims held?
+  bool is_held() const {
+    return std::all_of(findings.begin(), findings.end(),
+                       [](const Finding& finding) { return finding.is_held; });
+  }
+  explicit operator bool() const { return is_held(); } ///< the same
+};
+
+/// Prints a verdict in one line, without an end of line.
+inline std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
+  const char* separator = "";
+  for (const Finding& finding : verdict.findings) {
+    out << separator << finding.claim << ": " << finding.promised << " promised, "
+        << finding.measured << " measured" << (finding.is_held ? "" : ", BROKEN");
+    separator = "; ";
+  }
+  return out;
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_VERDICT_H

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+//
+// Does a result keep what was promised of it? This header measures; it takes no part in
+// simplifying, shares no code with what does, and quadrille/simplify.h never includes it.
+//
+// Licence: this file is MIT, but it includes CGAL's Polygon Mesh Processing, box intersection and
+// Surface_mesh, which are GPL-3.0-or-later (or commercial). A program that includes it is bound by
+// their terms.
+
+#ifndef QUADRILLE_VERIFY_H
+#define QUADRILLE_VERIFY_H
+
+#include <quadrille/internal/verify/checked_distance.h>
+#include <quadrille/internal/verify/checked_surface.h>
+#include <quadrille/internal/verify/intersecting_pairs.h>
+#include <quadrille/internal/verify/solid_check.h>
+#include <quadrille/verdict.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <ranges>
+#include <stdexcept>
+#include <utility>
+
+namespace quadrille {
+
+namespace internal {
+
+/// What claims say of two surfaces, one after the other.
+class Verification {
+public:
+  Verification(CheckedSurface input, CheckedSurface result)
+      : input_(std::move(input)), result_(std::move(result)) {}
+
+  Verdict operator()(const Claims& claims) {
+    if (claims.distance || claims.distance_both_ways)
+      look_at_distance(claims);
+    if (claims.no_self_intersection)
+      look_at_intersections();
+    if (claims.solid)
+      look_at_solid();
+    return std::move(verdict_);
+  }
+
+private:
+  void look_at_distance(const Claims& claims) {
+    const CheckedDistance distance(result_, input_);
+    const double greatest = (std::min)(claims.distance.value_or(infinity),
+                                       claims.distance_both_ways.value_or(infinity));
+    add_distance("distance of the result from the input", greatest, distance,
+                 &CheckedDistance::from_a);
+    if (claims.distance_both_ways)
+      add_distance("distance of the input from the result", *claims.distance_both_ways, distance,
+                   &CheckedDistance::from_b);
+  }
+
+  // CGAL takes the longer the less it may be wrong, so a small part of the promise is enough.
+  void add_distance(const char* claim, double promised, const CheckedDistance& distance,
+                    double (CheckedDistance::*measure)(double) const) {
+    if (!(promised >= 0))
+      throw std::invalid_argument("quadrille::verify: what is claimed is not a distance");
+    const double error = (std::max)((std::min)(promised / 20, 1e-3 * distance.diagonal_of_both()),
+                                    1e-5 * distance.diagonal_of_both());
+    const double measured = (distance.*measure)(error);
+    verdict_.findings.push_back({claim, promised, measured, error, measured <= promised + error});
+  }
+
+  void look_at_intersections() {
+    add_number("intersecting pairs of faces", IntersectingPairs(input_).count(),
+               IntersectingPairs(result_).count(),
+               [](double before, double after) { return after <= before; });
+  }
+
+  void look_at_solid() {
+    const SolidMeasures before = SolidCheck(input_).measure();
+    const SolidMeasures after = SolidCheck(result_).measure();
+    add_number("open edges", std::size_t{0}, after.open_edges);
+    add_number("components", before.components, after.components);
+    add_number("Euler number", before.euler_number, after.euler_number);
+    add_number("components inside of others", before.nesting, after.nesting);
+    add_number("bounds a volume", true, after.bounds_a_volume);
+  }
+
+  template <class Number, class IsHeld = std::equal_to<double>>
+  void add_number(const char* claim, Number promised, Number measured, IsHeld is_held = {}) {
+    const auto p = static_cast<double>(promised), m = static_cast<double>(measured);
+    verdict_.findings.push_back({claim, p, m, 0, is_held(p, m)});
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  CheckedSurface input_, result_;
+  Verdict verdict_;
+};
+
+/// The two halves of a polygon soup: points, and triples of indices into them.
+template <class Points, class Triangles>
+concept CheckableSoup =
+    std::ranges::input_range<const Points> && std::ranges::input_range<const Triangles> &&
+    std::ranges::input_range<std::ranges::range_reference_t<const Triangles>>;
+
+} // namespace internal
+
+/// Looks whether a simplified mesh keeps what is claimed of it, by code that shares nothing with
+/// the engine.
+///
+/// Distances are those of CGAL's bounded_error_Hausdorff_distance (Tang, Lee and Kim, "Interactive
+/// Hausdorff distance computation for general polygonal models", 2009). They are wrong by at most a
+/// twentieth of what is promised, but not by less than 10⁻⁵ of the diagonal of both surfaces, nor
+/// by more than 10⁻³; what is beyond the promise by no more than that counts as held. Faces
+/// intersect as for NoSelfIntersection; CGAL's exact predicates decide. A surface is solid if each
+/// edge has as many faces on one side as on the other, and CGAL's does_bound_a_volume says so of
+/// what is left when it has been cut where it only touches itself.
+///
+/// Both are models of CGAL's FaceListGraph with a vertex_point map; types may differ. What was
+/// rounded to the numbers of a mesh is measured as it is there. Complexity: about O(n log n) for n
+/// faces of both, but for distances, which take seconds for 10⁵ faces, the more the smaller they
+/// are. Throws std::invalid_argument for a face that is not a triangle, a coordinate that is not
+/// finite, a claimed distance that is none, and a surface without faces whose distance is claimed.
+template <class MeshA, class MeshB>
+requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
+    verify(const MeshA& input, const MeshB& result, const Claims& claims) {
+  return internal::Verification(internal::checked_surface(input),
+                                internal::checked_surface(result))(claims);
+}
+
+/// The same for polygon soups, which may be non-manifold.
+///
+/// Points are anything with x(), y() and z(), or three numbers by index, in a range; triangles are
+/// ranges of three indices. Faces whose three indices are not different are left out. Throws
+/// std::out_of_range when an index names no point, otherwise as for meshes.
+template <class PointsA, class TrianglesA, class PointsB, class TrianglesB>
+requires internal::CheckableSoup<PointsA, TrianglesA> &&
+    internal::CheckableSoup<PointsB, TrianglesB>
+        Verdict verify(const PointsA& input_points, const TrianglesA& input_triangles,
+                       const PointsB& result_points, const TrianglesB& result_triangles,
+                       const Claims& claims) {
+  return internal::Verification(internal::checked_surface(input_points, input_triangles),
+                                internal::checked_surface(result_points, result_triangles))(claims);
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_VERIFY_H

@@ -1,0 +1,232 @@
+// With keep_solid() a solid stays one, as CGAL sees it.
+#include "meshes.h"
+#include "soups.h"
+
+#include <quadrille/hull.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/quadric.h>
+#include <quadrille/simplify.h>
+#include <quadrille/solid.h>
+#include <quadrille/threshold_pairs.h>
+#include <quadrille/verify.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Position;
+using test::Soup;
+using test::Triangle;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Exact = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+Soup turned(Soup soup) {
+  for (Triangle& t : soup.triangles)
+    std::swap(t[0], t[1]);
+  return soup;
+}
+Soup scaled(Soup soup, const Position& scale) {
+  for (Position& p : soup.points)
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] *= scale[i];
+  return soup;
+}
+
+/// Bumps that both sides of a wall have alike.
+Soup with_bumps(Soup soup, double height) {
+  for (Position& p : soup.points) {
+    const Position q = p;
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] += height * std::sin(7 * q[(i + 1) % 3] + double(i)) * std::cos(5 * q[(i + 2) % 3]);
+  }
+  return soup;
+}
+
+Soup shell(double gap) {
+  const Soup sphere = test::sphere(4);
+  return with_bumps(test::joined(sphere, turned(scaled(sphere, {{1 - gap, 1 - gap, 1 - gap}}))),
+                    0.06);
+}
+
+/// A closed box of thin walls.
+Soup thin_walls(int n, double thickness) {
+  const Soup cube = test::cube(n);
+  const double inner = 1 - 2 * thickness;
+  Soup cavity = turned(scaled(cube, {{inner, inner, inner}}));
+  return with_bumps(test::joined(cube, cavity, {{thickness, thickness, thickness}}), 0.05);
+}
+
+/// Two tori that go through each other's holes.
+Soup linked_tori() {
+  const Soup torus = test::torus(48, 24);
+  Soup other = torus;
+  double reach = 0, height = 0;
+  for (Position& p : other.points) {
+    reach = std::max(reach, p[0]);
+    height = std::max(height, p[2]);
+    std::swap(p[1], p[2]);
+    p[1] = -p[1];
+  }
+  return test::joined(torus, other, {{reach - height, 0, 0}});
+}
+
+/// The surface as CGAL's exact kernel sees it.
+Exact exact(const Soup& soup) {
+  return test::make_mesh<Exact>(soup);
+}
+std::size_t pairs(const Exact& mesh) {
+  std::vector<std::pair<Exact::Face_index, Exact::Face_index>> found;
+  PMP::self_intersections(mesh, std::back_inserter(found));
+  return found.size();
+}
+
+/// A manifold solid stays one.
+template <class Cost = Quadric>
+Report check_solid(const Soup& input, const auto& stop) {
+  Exact mesh = exact(input);
+  REQUIRE((CGAL::is_closed(mesh) && pairs(mesh) == 0 && PMP::does_bound_a_volume(mesh)));
+  const Exact before = mesh;
+  const Report report = simplify<Cost>(mesh, stop, keep_solid());
+  mesh.collect_garbage();
+  INFO(report);
+  CHECK(report.faces_after < report.faces_before);
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(pairs(mesh) == 0);
+  CHECK(PMP::does_bound_a_volume(mesh));
+  CHECK(report.self_intersections->before == 0);
+  CHECK(report.self_intersections->after == 0);
+  CHECK(*report.volume_before == Approx(PMP::volume(before)).epsilon(1e-12));
+  CHECK(*report.volume_after == Approx(PMP::volume(mesh)).epsilon(1e-12));
+  const test::SoupTopology is = test::topology_of(test::to_soup(mesh)),
+                           was = test::topology_of(input);
+  CHECK(is.euler() == was.euler());
+  CHECK(is.components == was.components);
+  const Verdict verdict = verify(before, mesh, {.no_self_intersection = true, .solid = true});
+  INFO(verdict);
+  CHECK(verdict);
+  return report;
+}
+
+std::string complaint(Soup soup, const auto&... arguments) {
+  test::PointSoup points(soup);
+  const auto old = points.points;
+  try {
+    simplify(points.points, points.triangles, arguments...);
+  } catch (const std::invalid_argument& error) {
+    CHECK(points.points == old);
+    CHECK(points.triangles == soup.triangles);
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("keep_solid: what would pass through itself stays a solid") {
+  for (const Soup& soup : {shell(0.03), thin_walls(14, 0.02)}) {
+    Exact without = exact(soup);
+    simplify(without, FaceRatio{0.06});
+    without.collect_garbage();
+    CHECK(pairs(without) > 0);
+    CHECK(check_solid(soup, FaceRatio{0.06}).rejected(Rejection::self_intersection) > 0);
+    check_solid<MemorylessQuadric>(soup, FaceRatio{0.06});
+  }
+}
+
+TEST_CASE("keep_solid: nested parts, links, handles, and cubes that nearly touch") {
+  check_solid(linked_tori(), FaceCount{100});
+  check_solid(test::plate_with_holes(3, 4), FaceRatio{0.2});
+  const Soup cube = test::cube(6);
+  check_solid(test::joined(cube, cube, {{1.000001, 0, 0}}), FaceCount{30});
+  Soup matryoshka = test::sphere(3);
+  for (const double size : {0.9, 0.8, 0.7}) {
+    const Soup inner = scaled(test::sphere(3), {{size, size, size}});
+    matryoshka = test::joined(matryoshka, size == 0.8 ? inner : turned(inner));
+  }
+  check_solid(with_bumps(matryoshka, 0.02), FaceRatio{0.1});
+}
+
+TEST_CASE("keep_solid: closed models") {
+  for (const char* name : {"elephant", "pinion_small", "triceratops"}) {
+    INFO(name);
+    Exact mesh;
+    const Soup soup = test::to_soup(test::read_model(name));
+    if (pairs(exact(soup)) > 0 || !CGAL::is_closed(exact(soup)))
+      CHECK_FALSE(complaint(soup, keep_solid()).empty());
+    else
+      check_solid<MemorylessQuadric>(soup, FaceRatio{0.1});
+  }
+}
+
+TEST_CASE("keep_solid: solids that touch along an edge or at a point stay closed") {
+  const auto check = [](const Soup& soup) {
+    test::PointSoup result(soup);
+    const Report report = simplify(result.points, result.triangles, FaceCount{8}, keep_solid());
+    INFO(report);
+    CHECK(report.faces_after < report.faces_before);
+    const Verdict verdict = verify(test::points_of(soup), soup.triangles, result.points,
+                                   result.triangles, {.no_self_intersection = true, .solid = true});
+    INFO(verdict);
+    CHECK(verdict);
+  };
+  check(test::surface_of_cubes(4, 4, 2, [](int x, int y, int) { return x / 2 == y / 2; }));
+  check(test::surface_of_cubes(
+      4, 4, 4, [](int x, int y, int z) { return x / 2 == y / 2 && y / 2 == z / 2; }));
+}
+
+TEST_CASE("keep_solid: what is no solid is refused, and told where") {
+  Soup open = test::sphere(2);
+  const Triangle gone = open.triangles.back();
+  open.triangles.pop_back();
+  const std::string is_open = complaint(open, keep_solid());
+  CAPTURE(is_open);
+  CHECK(is_open.find("keep_solid: the surface is not closed: 3 edges") != std::string::npos);
+  bool is_of_face = false; // the place that it tells is a corner of the face that is gone
+  for (const std::uint32_t v : gone) {
+    const Position& p = open.points[v];
+    is_of_face |= is_open.find("from " + internal::text_of_place(p)) != std::string::npos;
+  }
+  CHECK(is_of_face);
+  const std::string is_turned =
+      complaint(test::joined(test::tetrahedron(), test::triangle(), {{4, 0, 0}}), keep_solid());
+  CHECK(is_turned.find(": 3 edges") != std::string::npos);
+
+  const Soup crossing = test::joined(test::sphere(2), test::sphere(2), {{0.7, 0.1, 0.2}});
+  const std::string crosses = complaint(crossing, keep_solid());
+  CHECK(crosses.find("intersects itself: " + std::to_string(pairs(exact(crossing))) +
+                     " pairs of faces do, the first one near (") != std::string::npos);
+
+  const Soup sphere = test::sphere(2);
+  CHECK(complaint(sphere, keep_solid(), Topology::free).find("keeps the topology") !=
+        std::string::npos);
+  CHECK_FALSE(complaint(sphere, keep_solid(), Topology::parts_may_vanish).empty());
+  CHECK(complaint(sphere, keep_solid(), Topology::kept).empty());
+  CHECK(complaint(sphere, keep_solid(), ThresholdPairs(0.01)).empty()); // topology is kept still
+}
+
+TEST_CASE("keep_solid: chosen at run time, it is as if it were not there") {
+  Soup open = test::grid(8, 8);
+  KeepSolid choice;
+  choice.is_solid_asked = false;
+  CHECK(complaint(open, choice, Topology::free).empty());
+  test::Mesh mesh = test::make_mesh(test::sphere(2));
+  CHECK(simplify(mesh, choice).self_intersections.has_value());
+  CHECK_FALSE(simplify(mesh, choice).volume_before.has_value());
+  choice.is_asked = false;
+  CHECK_FALSE(simplify(mesh, choice).self_intersections.has_value());
+}

@@ -1,0 +1,213 @@
+// verify() finds what is broken of a claim, and nothing where claims hold.
+#include "meshes.h"
+#include "soups.h"
+
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/quadric.h>
+#include <quadrille/self_intersection.h>
+#include <quadrille/simplify.h>
+#include <quadrille/verify.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Position;
+using test::Soup;
+using test::Triangle;
+
+Verdict verify_soups(const Soup& input, const Soup& result, const Claims& claims) {
+  return verify(test::points_of(input), input.triangles, test::points_of(result), result.triangles,
+                claims);
+}
+
+const Finding& finding(const Verdict& verdict, const std::string& claim) {
+  for (const Finding& finding : verdict.findings)
+    if (finding.claim == claim)
+      return finding;
+  throw std::logic_error("nothing of " + claim);
+}
+
+std::size_t pairs_of(const Soup& soup) {
+  return static_cast<std::size_t>(finding(verify_soups(soup, soup, {.no_self_intersection = true}),
+                                          "intersecting pairs of faces")
+                                      .measured);
+}
+
+/// By CGAL, of a mesh.
+std::size_t pairs_by_cgal(const Soup& soup) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  std::vector<Point> points;
+  for (const Position& p : soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, mesh);
+  std::vector<std::pair<decltype(mesh)::Face_index, decltype(mesh)::Face_index>> pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  return static_cast<std::size_t>(std::count_if( // without faces that have no area
+      pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first != pair.second; }));
+}
+
+/// Of faces turned over, a surface.
+Soup turned(Soup soup) {
+  for (Triangle& t : soup.triangles)
+    std::swap(t[0], t[1]);
+  return soup;
+}
+Soup scaled(Soup soup, double scale) {
+  for (Position& p : soup.points)
+    p = scale * p;
+  return soup;
+}
+
+/// Two cubes with an edge in common, of which each has faces of its own.
+Soup cubes_on_an_edge() {
+  Soup soup =
+      test::surface_of_cubes(2, 2, 1, [](int x, int y, int) { return x == y; }); // on one diagonal
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("verify: what a simplification promises is held") {
+  const test::Mesh input = test::make_mesh(test::sphere(3));
+  test::Mesh result = input;
+  const Report report =
+      simplify(result, ErrorLimit::relative(0.01), NoSelfIntersection{}, Topology::kept);
+  REQUIRE(report.faces_after < report.faces_before);
+  result.collect_garbage();
+  const Verdict verdict = verify(input, result,
+                                 {.distance = report.distance_bound,
+                                  .distance_both_ways = 4 * report.distance_bound,
+                                  .no_self_intersection = true,
+                                  .solid = true});
+  INFO(verdict);
+  CHECK(verdict);
+  CHECK(verdict.findings.size() == 8);
+  const Finding& distance = finding(verdict, "distance of the result from the input");
+  CHECK(distance.promised == report.distance_bound);
+  CHECK(distance.measured > 0.1 * report.distance_bound);
+  std::ostringstream text;
+  text << verdict;
+  CHECK(text.str().find("BROKEN") == std::string::npos);
+  CHECK(text.str().find("; open edges: 0 promised, 0 measured;") != std::string::npos);
+}
+
+TEST_CASE("verify: nothing claimed is nothing found") {
+  const Verdict verdict = verify_soups(test::tetrahedron(), test::octahedron(), {});
+  CHECK(verdict.findings.empty());
+  CHECK(verdict.is_held());
+}
+
+TEST_CASE("verify: a moved vertex breaks a distance, and only what looks that way") {
+  Soup input = test::grid(8, 8), bump = input;
+  bump.points[40][2] += 0.25;
+  const auto distances = [](const Soup& a, const Soup& b, double d) {
+    return verify_soups(a, b, {.distance_both_ways = d});
+  };
+  CHECK(distances(input, bump, 0.26));
+  const Verdict broken = distances(input, bump, 0.2);
+  CHECK_FALSE(broken);
+  const Finding& there = finding(broken, "distance of the result from the input");
+  CHECK_FALSE(there.is_held);
+  CHECK(std::abs(there.measured - 0.25) <= there.error);
+  std::ostringstream text;
+  text << broken;
+  CHECK(text.str().find("BROKEN") != std::string::npos);
+
+  Soup part = input; // the result has lost a part: all that is left lies on the input
+  std::erase_if(part.triangles, [&](const Triangle& t) { return input.points[t[0]][0] > 0.49; });
+  const Verdict lost = distances(input, part, 0.2);
+  CHECK(finding(lost, "distance of the result from the input").is_held);
+  CHECK_FALSE(finding(lost, "distance of the input from the result").is_held);
+  CHECK(verify_soups(input, part, {.distance = 0.2}));
+}
+
+TEST_CASE("verify: crossings are found, and counted as CGAL counts them") {
+  const Soup sphere = test::sphere(2);
+  CHECK(pairs_of(sphere) == 0);
+  Soup pulled = sphere;
+  pulled.points[5] = -1.3 * pulled.points[5];
+  CHECK(pairs_of(pulled) == pairs_by_cgal(pulled));
+  CHECK_FALSE(verify_soups(sphere, pulled, {.no_self_intersection = true}));
+  CHECK(verify_soups(pulled, sphere, {.no_self_intersection = true}));
+  const Soup crossing = test::joined(sphere, scaled(sphere, 1), {{0.4, 0.1, 0.2}});
+  CHECK(pairs_of(crossing) > 50);
+  CHECK(pairs_of(crossing) == pairs_by_cgal(crossing));
+  for (std::uint64_t seed = 0; seed < 40; ++seed) { // with faces that lie on each other
+    const Soup wild = test::with_noise(test::random_closed(seed), seed, seed % 2 ? 0.3 : 0);
+    CAPTURE(seed);
+    CHECK(pairs_of(wild) == pairs_by_cgal(wild));
+  }
+  Soup flat = test::grid(4, 4); // on lattice points, so that overlaps are exact
+  flat.points[12] = flat.points[6];
+  CHECK(pairs_of(flat) > 0);
+  CHECK(pairs_of(flat) == pairs_by_cgal(flat));
+}
+
+TEST_CASE("verify: what is no solid is found") {
+  const Claims solid{.solid = true};
+  const Soup sphere = test::sphere(2), shell = test::joined(sphere, turned(scaled(sphere, 0.5)));
+  CHECK(verify_soups(sphere, sphere, solid));
+  CHECK(verify_soups(shell, shell, solid));
+
+  Soup open = sphere;
+  open.triangles.pop_back();
+  CHECK_FALSE(verify_soups(sphere, open, solid));
+  CHECK(finding(verify_soups(sphere, open, solid), "open edges").measured == 3);
+
+  const Verdict not_turned = verify_soups(shell, test::joined(sphere, scaled(sphere, 0.5)), solid);
+  CHECK_FALSE(finding(not_turned, "bounds a volume").is_held);
+  const Verdict beside =
+      verify_soups(shell, test::joined(sphere, scaled(sphere, 0.5), {{3, 0, 0}}), solid);
+  CHECK(finding(beside, "bounds a volume").is_held);
+  CHECK_FALSE(finding(beside, "components inside of others").is_held);
+  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "components").is_held);
+  CHECK_FALSE(finding(verify_soups(sphere, test::torus(12, 8), solid), "Euler number").is_held);
+}
+
+TEST_CASE("verify: solids that touch along an edge or at a point are solids") {
+  const Claims solid{.solid = true};
+  const Soup edge = cubes_on_an_edge();
+  CHECK(verify_soups(edge, edge, solid));
+  CHECK(finding(verify_soups(edge, edge, solid), "components").measured == 2);
+  const Soup point =
+      test::surface_of_cubes(2, 2, 2, [](int x, int y, int z) { return x == y && y == z; });
+  CHECK(finding(verify_soups(point, point, solid), "components").measured == 2);
+  CHECK(verify_soups(point, point, solid));
+  const Soup tunnel = turned(edge); // all but the two cubes, of which the tunnel is one component
+  CHECK(finding(verify_soups(tunnel, tunnel, solid), "open edges").is_held);
+}
+
+TEST_CASE("verify: meshes of other kinds, and what is refused") {
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
+  const auto mesh = test::make_mesh(test::sphere(1));
+  const auto polyhedron = test::make_mesh<Polyhedron>(test::sphere(1));
+  CHECK(verify(mesh, polyhedron,
+               {.distance_both_ways = 0, .no_self_intersection = true, .solid = true}));
+  CHECK_THROWS_AS(verify(mesh, polyhedron, {.distance = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(verify(mesh, test::Mesh(), {.distance = 1}), std::invalid_argument);
+  Soup bad = test::tetrahedron();
+  bad.triangles[0][0] = 7;
+  CHECK_THROWS_AS(verify_soups(test::tetrahedron(), bad, {.solid = true}), std::out_of_range);
+  bad = test::tetrahedron();
+  bad.points[0][0] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(verify_soups(bad, test::tetrahedron(), {.solid = true}), std::invalid_argument);
+}
