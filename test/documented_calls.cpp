@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <iostream>
+#include <quadrille/calibrated.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>
 #include <quadrille/hull.h>
@@ -37,6 +38,7 @@ void documented_calls(Mesh& mesh, std::vector<Point>& points,
                       const TextureMap& uv, const MaterialMap& materials,
                       quadrille::Levels& levels) {
   using namespace quadrille;
+  const auto selected = mesh.property_map<Mesh::Face_index, bool>("f:selected").first;
   const auto importance = [](const Vector<3>& place) { return place[2] > 0 ? 4.0 : 1.0; };
 #include "documented_calls.inc"
 }

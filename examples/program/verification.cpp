@@ -14,8 +14,12 @@ namespace quadrille_examples {
 quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
                           const IndexedMesh& input, const IndexedMesh& result) {
   quadrille::Claims claims;
-  if (std::isfinite(report.distance_bound) && !input.triangles.empty() && !result.triangles.empty())
-    claims.distance = report.distance_bound;
+  if (!input.triangles.empty() && !result.triangles.empty()) {
+    if (std::isfinite(report.hausdorff_bound))
+      claims.distance_both_ways = report.hausdorff_bound;
+    else if (std::isfinite(report.distance_bound))
+      claims.distance = report.distance_bound;
+  }
   claims.no_self_intersection = options.forbids_intersections || options.keeps_solid;
   claims.solid = options.keeps_solid;
   return quadrille::verify(input.points, input.triangles, result.points, result.triangles, claims);

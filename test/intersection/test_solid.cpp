@@ -11,15 +11,19 @@
 #include <quadrille/verify.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -122,6 +126,23 @@ Report check_solid(const Soup& input, const auto& stop) {
   return report;
 }
 
+/// The distance between the two components of a mesh.
+double wall(const Exact& mesh) {
+  std::map<Exact::Face_index, std::size_t> component;
+  REQUIRE(PMP::connected_components(mesh, boost::make_assoc_property_map(component)) == 2);
+  std::array<std::vector<CGAL::Epick::Triangle_3>, 2> sides;
+  for (const auto& [face, side] : component) {
+    const auto h = halfedge(face, mesh);
+    sides[side].emplace_back(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                             mesh.point(target(next(h, mesh), mesh)));
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& a : sides[0])
+    for (const auto& b : sides[1])
+      least = std::min(least, CGAL::squared_distance(a, b));
+  return std::sqrt(least);
+}
+
 std::string complaint(Soup soup, const auto&... arguments) {
   test::PointSoup points(soup);
   const auto old = points.points;
@@ -159,6 +180,16 @@ TEST_CASE("keep_solid: nested parts, links, handles, and cubes that nearly touch
     matryoshka = test::joined(matryoshka, size == 0.8 ? inner : turned(inner));
   }
   check_solid(with_bumps(matryoshka, 0.02), FaceRatio{0.1});
+}
+
+TEST_CASE("keep_solid: walls lose no more than twice a limit of both ways") {
+  Exact mesh = exact(thin_walls(8, 0.06));
+  const double before = wall(mesh), limit = before / 3;
+  const Report report = simplify(mesh, HausdorffLimit{limit}, keep_solid());
+  mesh.collect_garbage();
+  CHECK(report.faces_after < report.faces_before);
+  CHECK(report.hausdorff_bound <= limit);
+  CHECK(wall(mesh) >= before - 2 * limit);
 }
 
 TEST_CASE("keep_solid: closed models") {
