@@ -28,5 +28,7 @@ insert_after '#include <quadrille/internal/contraction/contraction_count.h>' \
 insert_after '  MovedVertices<dimension> moved_;' '  MergedVertices merged_{complex_};'
 insert_after 'return std::tie(self.recording_,' 'self.merged_,'
 
-"$@" "-I$folder/include" -O1 "$here/own_part/main.cpp" -o "$folder/main"
+compiler=$1
+shift
+"$compiler" "-I$folder/include" "$@" -O1 "$here/own_part/main.cpp" -o "$folder/main"
 "$folder/main"

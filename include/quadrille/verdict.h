@@ -35,7 +35,7 @@ struct Finding {
 
 /// What verify() has found, one after the other. It prints itself in one line.
 struct Verdict {
-  std::vector<Finding> findings;
+  std::vector<Finding> findings; ///< one for each claim, in the order of Claims
 
   /// Are all claims held?
   bool is_held() const {

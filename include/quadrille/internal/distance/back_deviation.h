@@ -76,7 +76,7 @@ private:
     bool is_looked_at; // is that known?
     bool is_in_pieces; // they go to several
   };
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   template <class BoundOf>
   void take(const PairStar& star, StarDeviation& deviation, BoundOf bound_of) {
