@@ -30,6 +30,16 @@ inline StarFace star_face_from(const TriangleComplex& complex, Index face, Index
 /// The faces around a pair of vertices: those of one end only, which a contraction changes, and
 /// those of both, which it removes.
 ///
+/// ```text
+///            l
+///          / | \        a, b   the pair; l, r and all other neighbours of the two are its link
+///     \ 1 /  |  \ 2 /   1      faces of `first`: at a and not at b
+///   1   a  s | s  b  2  2      faces of `second`: at b and not at a
+///     / 1 \  |  / 2 \   s      faces of `shared`: at both; here two, (a, b, l) and (b, a, r)
+///          \ | /
+///            r
+/// ```
+///
 /// Where one end is a hub, to which the other comes, its faces do not change. Only those beside the
 /// other end are here: those that have a vertex in common with its link; of further hubs in the
 /// link, at least one each that is opposite to the pair.
