@@ -247,7 +247,11 @@ TEST_CASE("keep_solid: what is no solid is refused, and told where") {
         std::string::npos);
   CHECK_FALSE(complaint(sphere, keep_solid(), Topology::parts_may_vanish).empty());
   CHECK(complaint(sphere, keep_solid(), Topology::kept).empty());
-  CHECK(complaint(sphere, keep_solid(), ThresholdPairs(0.01)).empty()); // topology is kept still
+  test::PointSoup cubes(test::joined(test::cube(4), test::cube(4), {{1.001, 0, 0}}));
+  const Report report = simplify(cubes.points, cubes.triangles, FaceCount{40}, keep_solid(),
+                                 ThresholdPairs(0.01)); // topology is kept still
+  CHECK(report.components_after == 2);
+  CHECK(report.non_edge_contractions == 0);
 }
 
 TEST_CASE("keep_solid: chosen at run time, it is as if it were not there") {
