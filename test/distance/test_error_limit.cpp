@@ -1,10 +1,8 @@
 // An error limit keeps its word: the result lies within it, measured apart by CGAL.
+#include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <quadrille/distance.h>
 #include <quadrille/simplify.h>
@@ -54,26 +52,7 @@ double distance_to(const Mesh& input, const Mesh& result, double limit) {
 
 // The same from points of each triangle, to the last bits, for surfaces of any kind.
 double sampled_distance_to(const test::Soup& input, const test::Soup& result) {
-  using Triangles = std::vector<test::Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<test::Kernel, Triangles::const_iterator>;
-  Triangles triangles;
-  for (const auto& [a, b, c] : input.triangles)
-    triangles.emplace_back(test::to_point<test::Point>(input.points[a]),
-                           test::to_point<test::Point>(input.points[b]),
-                           test::to_point<test::Point>(input.points[c]));
-  const CGAL::AABB_tree<CGAL::AABB_traits<test::Kernel, Primitive>> tree(triangles.begin(),
-                                                                         triangles.end());
-  const int steps = result.triangles.size() > 500 ? 5 : 20;
-  double farthest = 0;
-  for (const auto& [a, b, c] : result.triangles)
-    for (int i = 0; i <= steps; ++i)
-      for (int j = 0; i + j <= steps; ++j) {
-        const test::Position y =
-            1.0 / steps *
-            (i * result.points[a] + j * result.points[b] + (steps - i - j) * result.points[c]);
-        farthest = std::max(farthest, tree.squared_distance(test::to_point<test::Point>(y)));
-      }
-  return std::sqrt(farthest);
+  return test::farthest(result, input, result.triangles.size() > 500 ? 5 : 20);
 }
 
 struct Outcome {
@@ -91,10 +70,7 @@ Outcome simplify_within(double limit, const test::Soup& input, const Arguments&.
   for (const test::Point& p : soup.points)
     outcome.result.points.push_back(test::to_position(p));
   outcome.result.triangles = soup.triangles;
-  double size = 0;
-  for (const test::Position& p : input.points)
-    for (double x : p.coordinates)
-      size = std::max(size, std::abs(x));
+  const double size = test::greatest_coordinate(input);
   INFO("limit " << limit << ": " << outcome.report);
   CHECK(outcome.report.distance_bound <= std::max(limit, 0x1p-40 * size));
   const double measured = sampled_distance_to(input, outcome.result);

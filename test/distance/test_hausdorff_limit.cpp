@@ -1,11 +1,9 @@
 // A Hausdorff limit keeps its word: the result lies within it of the input, and the input of the
 // result, measured apart by CGAL.
+#include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <quadrille/distance.h>
 #include <quadrille/simplify.h>
 
@@ -28,37 +26,8 @@ using test::read_model;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How far points of one surface are from the other at most, corners and points between: never more
-// than it is.
 double farthest(const test::Soup& from, const test::Soup& to) {
-  using Triangles = std::vector<test::Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<test::Kernel, Triangles::const_iterator>;
-  Triangles triangles;
-  for (const auto& [a, b, c] : to.triangles)
-    triangles.emplace_back(test::to_point<test::Point>(to.points[a]),
-                           test::to_point<test::Point>(to.points[b]),
-                           test::to_point<test::Point>(to.points[c]));
-  const CGAL::AABB_tree<CGAL::AABB_traits<test::Kernel, Primitive>> tree(triangles.begin(),
-                                                                         triangles.end());
-  const int steps = from.triangles.size() > 500 ? 3 : 6;
-  double squared = 0;
-  for (const auto& [a, b, c] : from.triangles)
-    for (int i = 0; i <= steps; ++i)
-      for (int j = 0; i + j <= steps; ++j) {
-        const test::Position y =
-            1.0 / steps *
-            (i * from.points[a] + j * from.points[b] + (steps - i - j) * from.points[c]);
-        squared = std::max(squared, tree.squared_distance(test::to_point<test::Point>(y)));
-      }
-  return std::sqrt(squared);
-}
-
-double size_of(const test::Soup& soup) {
-  double size = 0;
-  for (const test::Position& p : soup.points)
-    for (double x : p.coordinates)
-      size = std::max(size, std::abs(x));
-  return size;
+  return test::farthest(from, to, from.triangles.size() > 500 ? 3 : 6);
 }
 
 struct Outcome {
@@ -77,7 +46,7 @@ Outcome simplified(const test::Soup& input, const Arguments&... arguments) {
 // Holds that the report says no less than is measured, either way.
 void check_bounds(const test::Soup& input, const Outcome& outcome) {
   INFO(outcome.report);
-  const double own = 0x1p-50 * size_of(input); // roundings of what is measured
+  const double own = 0x1p-50 * test::greatest_coordinate(input); // roundings of what is measured
   CHECK(outcome.report.hausdorff_bound >= outcome.report.distance_bound);
   CHECK(farthest(outcome.result, input) <= outcome.report.distance_bound + own);
   CHECK(farthest(input, outcome.result) <= outcome.report.hausdorff_bound + own);
@@ -88,7 +57,8 @@ template <class... Arguments>
 Outcome simplify_within(double limit, const test::Soup& input, const Arguments&... arguments) {
   const Outcome outcome = simplified(input, HausdorffLimit{limit}, arguments...);
   INFO("limit " << limit);
-  CHECK(outcome.report.hausdorff_bound <= std::max(limit, 0x1p-40 * size_of(input)));
+  CHECK(outcome.report.hausdorff_bound <=
+        std::max(limit, 0x1p-40 * test::greatest_coordinate(input)));
   check_bounds(input, outcome);
   return outcome;
 }
