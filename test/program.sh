@@ -969,6 +969,29 @@ expect report.json '"hausdorff_bound": 0\.0[0-4]'
 expect report.json '"both_ways": true'
 expect stdout ' from IN, nor of IN from OUT$'
 run 2 plain.off out.off --both-ways
+awk 'BEGIN {
+  n = 12
+  print "ply\nformat ascii 1.0\nelement vertex", (n + 1) ^ 2
+  print "property double x\nproperty double y\nproperty double z\nproperty float allowed"
+  print "element face", 2 * n ^ 2, "\nproperty list uchar int vertex_indices\nend_header"
+  for (j = 0; j <= n; ++j)
+    for (i = 0; i <= n; ++i)
+      print i, j, (i + j) % 2 * 0.2, i < 6 ? 0.01 : 1
+  for (j = 0; j < n; ++j)
+    for (i = 0; i < n; ++i) {
+      v = j * (n + 1) + i
+      print 3, v, v + 1, v + n + 2
+      print 3, v, v + n + 2, v + n + 1
+    }
+}' >field.ply
+run 0 field.ply out.ply --tolerance allowed --report report.json
+expect report.json '"tolerance": "allowed"'
+expect stdout ', nor of IN from OUT, [0-9.]+ % of allowed used$'
+[ "$(grep -c '^[0-5] ' out.ply)" -ge 60 ] || fail "vertices of the least tolerance are gone"
+[ "$(grep -c '^[789] ' out.ply)" -lt 30 ] || fail "vertices of the greatest tolerance are left"
+run 1 field.ply out.ply --tolerance missing
+expect stderr 'no scalar .missing., but .allowed.'
+run 2 field.ply out.ply --tolerance allowed --error 1
 run 2 plain.off out.off --report missing/report.json
 expect stderr '^missing/report.json: '
 run 0 --verbose plain.off out.off

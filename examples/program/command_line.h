@@ -93,6 +93,14 @@ inline void add_target(CLI::App& app, Options& options) {
          "thin spikes stay")
       ->group(target_group)
       ->needs("--error");
+  app.add_option(
+         "--tolerance", target.tolerance,
+         "the same where the limit varies: no face of IN is further from OUT than the least "
+         "of the numbers that its vertices have under this name, a scalar of a PLY file, in "
+         "the units of IN")
+      ->type_name("NAME")
+      ->group(target_group)
+      ->excludes("--error");
   CLI::Option* const levels = in_group(
       app.add_option_function<std::string>(
           "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },

@@ -68,6 +68,9 @@ std::string line(const Options& options, const Outcome& outcome) {
             bound_text(report.distance_bound, outcome.diagonal) + " from IN";
   else
     text += ", error about " + distance_text(report.error, outcome.diagonal);
+  if (report.used_tolerance)
+    text += ", " + percent_text(rounded_up(report.used_tolerance->part)) + " of " +
+            outcome.target.tolerance + " used";
   if (outcome.measured)
     text += measured_text(*outcome.measured, outcome.diagonal);
   if (report.self_intersections)
@@ -100,6 +103,8 @@ Json json_of(const Target& target) {
     json[target.error->is_percentage ? "relative_error" : "error"] = target.error->value;
   if (target.both_ways)
     json["both_ways"] = true;
+  if (!target.tolerance.empty())
+    json["tolerance"] = target.tolerance;
   return json;
 }
 
@@ -155,6 +160,7 @@ Json json_of(const Outcome& outcome) {
                {"error", report.error},
                {"distance_bound", nullptr},
                {"hausdorff_bound", nullptr},
+               {"used_tolerance", nullptr},
                {"self_intersections", nullptr},
                {"volume", nullptr},
                {"normal_bound_degrees", nullptr},
@@ -169,6 +175,9 @@ Json json_of(const Outcome& outcome) {
     json["distance_bound"] = report.distance_bound;
   if (std::isfinite(report.hausdorff_bound))
     json["hausdorff_bound"] = report.hausdorff_bound;
+  if (report.used_tolerance)
+    json["used_tolerance"] = {{"part", report.used_tolerance->part},
+                              {"place", report.used_tolerance->place}};
   if (report.self_intersections)
     json["self_intersections"] =
         before_and_after(report.self_intersections->before, report.self_intersections->after);

@@ -2,6 +2,10 @@
 
 #include <quadrille/attribute_quadric.h>
 
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 namespace quadrille_examples {
 
 namespace {
@@ -21,6 +25,19 @@ quadrille::SoupOptions::Cost cost(const Options& options) {
 /// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
 bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
   return options.is_relaxed || options.crease_degrees || needs_channels(mesh);
+}
+
+/// The numbers of vertices that have this name.
+const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name) {
+  std::string names;
+  for (const NamedNumbers& numbers : mesh.vertex_numbers) {
+    if (numbers.name == name)
+      return numbers.values;
+    names += (names.empty() ? "" : ", ") + in_quotes(numbers.name);
+  }
+  throw std::invalid_argument(
+      "the vertices of IN have no scalar " + in_quotes(name) +
+      (names.empty() ? ", nor any other: a PLY file can give them some" : ", but " + names));
 }
 
 /// Without attributes that vary.
@@ -82,6 +99,8 @@ quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const quadrille::SoupRecorder& recorder) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
+  if (!options.target.tolerance.empty())
+    soup.tolerance = vertex_numbers(mesh, options.target.tolerance);
   if (goes_by_channels(mesh, options))
     return MeshChannels(mesh).simplify(soup, channel_choices(options));
   const MeshAttributes attributes(mesh, importance(options));

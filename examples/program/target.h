@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace quadrille_examples {
 
@@ -21,8 +22,10 @@ struct Target {
   std::optional<double> ratio = {}; ///< of the faces, in [0, 1]
   std::optional<Amount> error = {}; ///< a distance from the input
   bool both_ways = false;           ///< and of the input from the result
+  std::string tolerance = {};       ///< the scalar of vertices that limits it instead; empty: none
 
-  bool is_given() const { return faces || vertices || ratio || error; }
+  bool is_given() const { return faces || vertices || ratio || is_limited(); }
+  bool is_limited() const { return error || !tolerance.empty(); }
 
   void tell(quadrille::SoupOptions& options) const {
     options.faces = faces;
@@ -46,7 +49,7 @@ struct Target {
   /// a face or so counts as met: the report tells.
   bool is_met(quadrille::StopReason reason) const {
     return quadrille::is_target_reached(reason) ||
-           (error && reason != quadrille::StopReason::cancelled);
+           (is_limited() && reason != quadrille::StopReason::cancelled);
   }
 };
 

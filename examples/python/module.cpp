@@ -92,6 +92,7 @@ void add_options(py::module_& m) {
       .def_readwrite("error", &SoupOptions::error)
       .def_readwrite("relative_error", &SoupOptions::relative_error)
       .def_readwrite("both_ways", &SoupOptions::both_ways)
+      .def_readwrite("tolerance", &SoupOptions::tolerance)
       .def_readwrite("cost", &SoupOptions::cost)
       .def_readwrite("boundary_weight", &SoupOptions::boundary_weight)
       .def_readwrite("crease_weight", &SoupOptions::crease_weight)

@@ -25,9 +25,11 @@ namespace py = pybind11;
 /// here.
 inline auto numbers_of(const quadrille::Status& status) {
   const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_distance, next_distance_back, diagonal, progress, stage] = status;
+               next_distance, next_distance_back, next_tolerance, diagonal, progress, stage] =
+      status;
   return std::tuple(initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-                    next_distance, next_distance_back, diagonal, progress, static_cast<int>(stage));
+                    next_distance, next_distance_back, next_tolerance, diagonal, progress,
+                    static_cast<int>(stage));
 }
 
 using SelfIntersections = std::optional<quadrille::Report::SelfIntersections>;
@@ -40,20 +42,30 @@ inline SelfIntersections self_intersections_of(const OptionalPair& counts) {
   return counts ? SelfIntersections({(*counts)[0], (*counts)[1]}) : std::nullopt;
 }
 
+using UsedTolerance = std::optional<quadrille::Report::UsedTolerance>;
+using ToleranceNumbers = std::optional<std::tuple<double, std::array<double, 3>>>;
+
+inline ToleranceNumbers numbers_of(const UsedTolerance& used) {
+  return used ? ToleranceNumbers({used->part, used->place}) : std::nullopt;
+}
+inline UsedTolerance used_tolerance_of(const ToleranceNumbers& used) {
+  return used ? UsedTolerance({std::get<0>(*used), std::get<1>(*used)}) : std::nullopt;
+}
+
 /// The same of a report.
 inline auto numbers_of(const quadrille::Report& report) {
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               volume_before, volume_after, self_intersections, normal_bound_degrees, rejections,
-               seconds] = report;
+               used_tolerance, volume_before, volume_after, self_intersections,
+               normal_bound_degrees, rejections, seconds] = report;
   return std::tuple(faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                     contractions, non_edge_contractions, components_before, components_after,
                     vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                     doubled_faces, doubled_labels, static_cast<int>(stop), error, distance_bound,
-                    hausdorff_bound, volume_before, volume_after, pair_of(self_intersections),
-                    normal_bound_degrees, rejections,
+                    hausdorff_bound, numbers_of(used_tolerance), volume_before, volume_after,
+                    pair_of(self_intersections), normal_bound_degrees, rejections,
                     std::array{seconds.read, seconds.prepare, seconds.contract, seconds.write});
 }
 
@@ -70,18 +82,11 @@ Enum value_of(int number, int count) {
 
 inline quadrille::Status status_of(const StatusNumbers& numbers) {
   const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_distance, next_distance_back, diagonal, progress, stage] = numbers;
-  return {initial_faces,
-          initial_vertices,
-          faces,
-          vertices,
-          contractions,
-          next_error,
-          next_distance,
-          next_distance_back,
-          diagonal,
-          progress,
-          value_of<quadrille::Stage>(stage, 3)};
+               next_distance, next_distance_back, next_tolerance, diagonal, progress, stage] =
+      numbers;
+  return {initial_faces,  initial_vertices, faces,         vertices,
+          contractions,   next_error,       next_distance, next_distance_back,
+          next_tolerance, diagonal,         progress,      value_of<quadrille::Stage>(stage, 3)};
 }
 
 inline quadrille::Report report_of(const ReportNumbers& numbers) {
@@ -89,8 +94,8 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               volume_before, volume_after, self_intersections, normal_bound_degrees, rejections,
-               seconds] = numbers;
+               used_tolerance, volume_before, volume_after, self_intersections,
+               normal_bound_degrees, rejections, seconds] = numbers;
   return {faces_before,
           counted_faces,
           faces_after,
@@ -110,6 +115,7 @@ inline quadrille::Report report_of(const ReportNumbers& numbers) {
           error,
           distance_bound,
           hausdorff_bound,
+          used_tolerance_of(used_tolerance),
           volume_before,
           volume_after,
           self_intersections_of(self_intersections),
@@ -165,6 +171,11 @@ inline void add_report(py::module_& m) {
       .def_readonly("hausdorff_bound", &Report::hausdorff_bound,
                     "nor any point of the input further from the result; infinite but with "
                     "both_ways=True")
+      .def_property_readonly(
+          "used_tolerance", [](const Report& r) { return numbers_of(r.used_tolerance); },
+          "how much of its tolerance a triangle has used at most, 1 if all may be, and the middle "
+          "of "
+          "that triangle of the result; None but with tolerance")
       .def_property_readonly(
           "self_intersections", [](const Report& r) { return pair_of(r.self_intersections); },
           "how many pairs of faces of the input intersect, and of the result; None but with "

@@ -86,6 +86,9 @@ struct SoupOptions {
   std::optional<double> error = {};          ///< see ErrorLimit: a distance, at least 0
   std::optional<double> relative_error = {}; ///< see ErrorLimit::relative: a part of the diagonal
   bool both_ways = false;                    ///< these limits hold both ways: see HausdorffLimit
+  /// Instead of these, how far each point may move: empty, or a distance for each. See
+  /// ToleranceLimit.
+  std::vector<double> tolerance = {};
 
   Cost cost = Cost::quadric;                          ///< what a contraction costs
   double boundary_weight = Quadric{}.boundary_weight; ///< of costs that have one; at least 0

@@ -198,8 +198,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, HausdorffLimit, ShortestEdge,
-/// TimeBudget, AnyOf, AllOf.
+/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, HausdorffLimit, ToleranceLimit,
+/// ShortestEdge, TimeBudget, AnyOf, AllOf.
 ///
 /// **Requirements**, for a constant `stop`:
 ///
@@ -214,6 +214,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///   limit and without, which pays for no distances. Else all of the type do.
 /// - `S::asks_both_ways` and `stop.is_asking_both_ways()`, beside both: the same of
 ///   Status::next_distance_back.
+/// - `S::asks_for_tolerance` and `stop.is_asking_for_tolerance()`, beside all of these: the same of
+///   Status::next_tolerance, in a call with vertex_tolerance_map.
 /// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
 ///   The engine then looks for a pair that meets the target exactly.
 /// - `stop.validate()`: throws if the policy makes no sense.

@@ -21,6 +21,8 @@ enum vertex_image_t { vertex_image };
 enum duplicate_output_t { duplicate_output };
 /// The tag of face_is_selected_map().
 enum face_is_selected_t { face_is_selected };
+/// The tag of vertex_tolerance_map().
+enum vertex_tolerance_t { vertex_tolerance };
 
 /// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
 template <class Map>
@@ -50,6 +52,19 @@ auto face_is_selected_map(const Map& map) {
 template <class Map, class Before>
 auto face_is_selected_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, face_is_selected_t, Before>(map, before);
+}
+
+/// A property map from vertices (of a soup: from point indices) to numbers: how far points may
+/// move, in the mesh's units, at least 0; infinity where that does not matter. Linear on faces. For
+/// ToleranceLimit, which says what it promises.
+template <class Map>
+auto vertex_tolerance_map(const Map& map) {
+  return CGAL::Named_function_parameters<Map, vertex_tolerance_t>(map);
+}
+/// The same parameter, after others in a chain.
+template <class Map, class Before>
+auto vertex_tolerance_map(const Map& map, const Before& before) {
+  return CGAL::Named_function_parameters<Map, vertex_tolerance_t, Before>(map, before);
 }
 
 /// A property map from vertices (of a soup: from point indices) to N numbers, for

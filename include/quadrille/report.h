@@ -39,6 +39,10 @@ struct Status {
   /// as HausdorffLimit; else infinity. It is 0, too, as long as next_distance is looked for, which
   /// comes first.
   double next_distance_back = std::numeric_limits<double>::infinity();
+  /// No point will have used more of its tolerance than that part: see ToleranceLimit. Known to a
+  /// stop policy with `static constexpr bool asks_for_tolerance = true` beside both of these; else
+  /// infinity. It is 0, too, as long as distances are looked for, which come first.
+  double next_tolerance = std::numeric_limits<double>::infinity();
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
   /// What a visitor sees: about which part of the contractions has been done, as far as the stop
   /// policy tells beforehand; 0 while the surface is prepared, 1 at the last call only.
@@ -174,6 +178,14 @@ struct Report {
   /// parts that vanish or faces that do, in a run that is not stopped by that.
   double hausdorff_bound = std::numeric_limits<double>::infinity();
 
+  /// How much of its tolerance a point of the surface has used at most, and where.
+  struct UsedTolerance {
+    double part = 0; ///< of the tolerance: an upper bound, 1 where all of it may be used
+    std::array<double, 3> place{}; ///< the middle of the face of which that is so
+  };
+  /// Known with ToleranceLimit.
+  std::optional<UsedTolerance> used_tolerance;
+
   /// The volume that the surface encloses, in the mesh's units, cubed: the sum of its winding
   /// numbers over space, so negative where it is oriented inwards. Known with OuterHull,
   /// InnerHull and keep_solid(), and with VolumeKeeping where topology is kept and each vertex lies
@@ -222,6 +234,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
     out << ", within " << report.distance_bound << " of the input";
   if (report.hausdorff_bound < std::numeric_limits<double>::infinity())
     out << ", " << report.hausdorff_bound << " both ways";
+  if (report.used_tolerance)
+    out << ", " << report.used_tolerance->part << " of the tolerance used";
   if (report.volume_before && report.volume_after)
     out << ", volume " << *report.volume_before << " -> " << *report.volume_after;
   if (report.self_intersections)

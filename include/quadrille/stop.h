@@ -191,6 +191,35 @@ private:
   bool is_relative_ = false;
 };
 
+/// The same where the limit varies: each face of the input has a tolerance, the least of those of
+/// its corners, which the named parameter vertex_tolerance_map tells (SoupOptions::tolerance). No
+/// point of an input face will be further than its tolerance from the result, and each point of the
+/// result is near to some input face, within the tolerance of that. Where it is 0 nothing moves but
+/// within its plane, or along its straight crease or border.
+///
+/// What counts is the part of its tolerance that each face has used: a contraction that moves the
+/// surface by h uses h/τ more of it, where τ is the least tolerance around, so a small tolerance
+/// reaches a few faces of the result beyond its own. As conservative as HausdorffLimit, which is
+/// the case that all tolerances are the same; source of the sum: the composition of mappings,
+/// Cohen, Manocha and Olano 1997.
+///
+/// In a call with it, Status::next_distance and Report::distance_bound are that part of the
+/// greatest tolerance of all, which is a bound, and a coarse one: for a limit beside it, lower the
+/// tolerances. It needs vertex_tolerance_map, and that needs it, else simplify throws
+/// std::invalid_argument. 4 bytes a face more than HausdorffLimit.
+class ToleranceLimit {
+public:
+  /// Looks at Status::next_distance: see StopPolicy.
+  static constexpr bool asks_for_distance = true;
+  /// And at Status::next_distance_back.
+  static constexpr bool asks_both_ways = true;
+  /// And at Status::next_tolerance.
+  static constexpr bool asks_for_tolerance = true;
+
+  /// Is it enough?
+  bool operator()(const Status& status) const { return status.next_tolerance > 1; }
+};
+
 /// Stops as soon as any of several stop policies says so: `AnyOf{FaceCount{1000},
 /// ErrorLimit{0.1}}`.
 template <class... Stops>
@@ -210,6 +239,14 @@ public:
   bool is_asking_both_ways() const {
     return std::apply(
         [](const auto&... stop) { return (internal::is_asking_both_ways(stop) || ...); }, stops_);
+  }
+  /// And at Status::next_tolerance.
+  static constexpr bool asks_for_tolerance = (internal::asks_for_tolerance<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_tolerance() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_for_tolerance(stop) || ...); },
+        stops_);
   }
 
   explicit AnyOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type
@@ -250,6 +287,14 @@ public:
   bool is_asking_both_ways() const {
     return std::apply(
         [](const auto&... stop) { return (internal::is_asking_both_ways(stop) || ...); }, stops_);
+  }
+  /// And at Status::next_tolerance.
+  static constexpr bool asks_for_tolerance = (internal::asks_for_tolerance<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_tolerance() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_for_tolerance(stop) || ...); },
+        stops_);
   }
 
   explicit AllOf(Stops... stops) : stops_(std::move(stops)...) {} ///< stop policies of any type

@@ -4,6 +4,8 @@
 #include "cases.h"
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
@@ -25,19 +27,17 @@ namespace test {
 
 namespace detail {
 
-struct AnyPlacement {
-  PlacementName name;
-
-  auto operator()(const auto& cost, const auto& pair) const
-      -> std::remove_cvref_t<decltype(pair.first)> {
-    if constexpr (requires { cost.minimizer(pair); })
-      if (name == PlacementName::optimal)
-        return quadrille::OptimalPlacement{}(cost, pair);
-    if (name == PlacementName::endpoint)
-      return quadrille::EndpointPlacement{}(cost, pair);
-    return quadrille::MidpointPlacement{}(cost, pair);
-  }
-};
+// A built-in placement by its name: of all of them the engines in quadrille::compiled are made.
+// Where a cost has no minimizer, the midpoint stands for it.
+template <class Cost>
+quadrille::internal::BuiltInPlacement placement_of(PlacementName name) {
+  using Kind = quadrille::internal::BuiltInPlacement::Kind;
+  if (name == PlacementName::endpoint)
+    return quadrille::internal::BuiltInPlacement(Kind::endpoint);
+  constexpr bool has_minimizer = !std::is_same_v<Cost, quadrille::EdgeLength>;
+  return quadrille::internal::BuiltInPlacement(
+      has_minimizer && name == PlacementName::optimal ? Kind::optimal : Kind::midpoint);
+}
 
 class CancelAt {
 public:
@@ -50,10 +50,10 @@ private:
 };
 
 // Calls simplify(policy...) with the policies of a call.
-template <class Pairs, class Simplify>
+template <class Cost, class Pairs, class Simplify>
 quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify simplify) {
   const auto with_order = [&](const auto& order) {
-    return simplify(AnyPlacement{call.placement}, pairs, call.stop, order, call.topology,
+    return simplify(placement_of<Cost>(call.placement), pairs, call.stop, order, call.topology,
                     quadrille::NormalFlip(call.flip_degrees), quadrille::TriangleShape(call.shape),
                     quadrille::HighestDegree(call.degree));
   };
@@ -83,7 +83,7 @@ void simplify_soup(const Case& input, Outcome& outcome, const Cost& cost) {
       CGAL::make_property_map(outcome.numbers), CGAL::make_property_map(outcome.colors),
       CGAL::parameters::vertex_is_constrained_map(is_fixed).visitor(visitor));
   const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
-  outcome.report = detail::with_policies(input.call, pairs, [&](const auto&... policy) {
+  outcome.report = detail::with_policies<Cost>(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(outcome.points, outcome.triangles, cost, policy..., named);
   });
 }
@@ -111,7 +111,7 @@ void simplify_mesh(const Case& input, Outcome& outcome, const Cost& cost) {
                                         .edge_is_constrained_map(is_kept)
                                         .visitor(visitor));
   const quadrille::ThresholdPairs pairs(input.call.threshold, 1000);
-  outcome.report = detail::with_policies(input.call, pairs, [&](const auto&... policy) {
+  outcome.report = detail::with_policies<Cost>(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(mesh, cost, policy..., named);
   });
   if (!is_valid_triangle_mesh(mesh))

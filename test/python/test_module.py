@@ -112,6 +112,18 @@ class Results(Folder):
         self.assertGreaterEqual(both.hausdorff_bound, both.distance_bound)
         self.assertLessEqual(both.hausdorff_bound, 0.01 * np.linalg.norm(np.ptp(points, axis=0)))
         self.assertEqual(pickle.loads(pickle.dumps(both)).hausdorff_bound, both.hausdorff_bound)
+        tolerance = np.where(points[:, 0] < 0, 0.0, 0.1)
+        field = quadrille.simplify(points, faces, tolerance=tolerance)
+        part, place = field.report.used_tolerance
+        self.assertTrue(0 < part <= 1)
+        self.assertEqual(len(place), 3)
+        self.assertEqual(pickle.loads(pickle.dumps(field.report)).used_tolerance, (part, place))
+        self.assertIsNone(both.used_tolerance)
+        for wrong in (tolerance[1:], -1 - tolerance):
+            with self.assertRaisesRegex(ValueError, "tolerance"):
+                quadrille.simplify(points, faces, tolerance=wrong)
+        with self.assertRaisesRegex(ValueError, "the lower of both"):
+            quadrille.simplify(points, faces, tolerance=tolerance, error=1.0)
         few = quadrille.simplify(points, faces, faces=0)
         self.assertFalse(few.report.is_target_reached)
 

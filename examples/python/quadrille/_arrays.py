@@ -66,6 +66,14 @@ def one_for_each(name, array, count, of_what):
     return array
 
 
+def numbers(name, array, count, of="point"):
+    """A list of real numbers, one for each of what `of` says."""
+    array = _of_numbers(name, array, "fiub", "real numbers")
+    if array.shape != (count,):
+        raise ValueError(f"{name} has the shape {array.shape}, not ({count},): one for each {of}")
+    return array.tolist()
+
+
 def mask(name, array, count, of="point"):
     """A list of booleans of a mask, or of indices of what `of` says."""
     array = np.asarray(array)

@@ -53,6 +53,7 @@ class Options:
     error: Optional[float]
     relative_error: Optional[float]
     both_ways: bool
+    tolerance: List[float]
     cost: Cost
     boundary_weight: float
     crease_weight: float
@@ -137,6 +138,8 @@ class Report:
     def distance_bound(self) -> float: ...
     @property
     def hausdorff_bound(self) -> float: ...
+    @property
+    def used_tolerance(self) -> Optional[Tuple[float, List[float]]]: ...
     @property
     def self_intersections(self) -> Optional[List[int]]: ...
     @property

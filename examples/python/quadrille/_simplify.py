@@ -23,6 +23,7 @@ def simplify(
     error: Optional[float] = None,
     relative_error: Optional[float] = None,
     both_ways: bool = False,
+    tolerance: Optional[np.ndarray] = None,
     cost: str = "quadric",
     placement: Optional[str] = None,
     order: str = "greedy",
@@ -77,6 +78,8 @@ def simplify(
     relative_error   the same as a part of the diagonal of the bounding box, 0.001 say
     both_ways        error and relative_error count both ways: no point of the input is further from
                      the result either, so that thin spikes stay
+    tolerance        instead of these, a distance for each point, at least 0: no triangle of the input
+                     further from the result than the least of its corners, see ToleranceLimit
 
     How:
 
@@ -138,6 +141,8 @@ def simplify(
     _set_targets(options, faces=faces, vertices=vertices, ratio=ratio, error=error,
                  relative_error=relative_error)
     options.both_ways = bool(both_ways)
+    if tolerance is not None:
+        options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
     options.cost = _choice("cost", cost, _core.Cost)
     options.order = _choice("order", order, _core.Order)
     if placement is not None:

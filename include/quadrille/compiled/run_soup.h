@@ -35,7 +35,9 @@ public:
   static constexpr bool asks_for_distance = true;
   bool is_asking_for_distance() const { return error_ || relative_error_ || is_asking_both_ways(); }
   static constexpr bool asks_both_ways = true;
-  bool is_asking_both_ways() const { return hausdorff_ || relative_hausdorff_; }
+  bool is_asking_both_ways() const { return hausdorff_ || relative_hausdorff_ || tolerance_; }
+  static constexpr bool asks_for_tolerance = true;
+  bool is_asking_for_tolerance() const { return tolerance_.has_value(); }
 
   explicit SoupStop(const SoupOptions& options) {
     if (options.faces)
@@ -44,6 +46,8 @@ public:
       ratio_ = FaceRatio{*options.ratio};
     if (options.vertices)
       vertices_ = VertexCount{*options.vertices};
+    if (!options.tolerance.empty())
+      tolerance_.emplace();
     if (options.both_ways)
       take_limits(options, hausdorff_, relative_hausdorff_);
     else
@@ -79,7 +83,8 @@ private:
   bool any(Is is) const {
     const auto holds = [&](const auto& stop) { return stop && is(*stop); };
     return holds(faces_) || holds(ratio_) || holds(vertices_) || holds(error_) ||
-           holds(relative_error_) || holds(hausdorff_) || holds(relative_hausdorff_);
+           holds(relative_error_) || holds(hausdorff_) || holds(relative_hausdorff_) ||
+           holds(tolerance_);
   }
 
   std::optional<FaceCount> faces_;
@@ -87,6 +92,7 @@ private:
   std::optional<VertexCount> vertices_;
   std::optional<ErrorLimit> error_, relative_error_;
   std::optional<HausdorffLimit> hausdorff_, relative_hausdorff_;
+  std::optional<ToleranceLimit> tolerance_;
 };
 
 struct SoupVisitor {
@@ -105,6 +111,18 @@ struct FixedPoints {
   friend bool get(const FixedPoints& map, std::size_t i) {
     return !map.is_fixed->empty() && (*map.is_fixed)[i];
   }
+};
+
+/// How far points may move.
+struct PointTolerances {
+  using key_type = std::size_t;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+  const std::vector<double>* tolerance;
+
+  bool is_limited() const { return !tolerance->empty(); }
+  friend double get(const PointTolerances& map, std::size_t i) { return (*map.tolerance)[i]; }
 };
 
 /// Which triangles are selected.
@@ -169,8 +187,10 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
   SoupRecorder recorder = options.recorder;
   const auto named = parameters::face_is_selected_map(
       SelectedTriangles{&options.selected},
-      CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
-          .visitor(std::cref(visitor)));
+      parameters::vertex_tolerance_map(
+          PointTolerances{&options.tolerance},
+          CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
+              .visitor(std::cref(visitor))));
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,

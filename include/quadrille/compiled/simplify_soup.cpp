@@ -34,6 +34,10 @@ void require_count(const char* name, std::size_t values, std::size_t count, cons
 
 void validate(const SoupView& soup, const SoupOptions& options) {
   require_count("fixed", options.fixed.size(), soup.points.size(), "points");
+  require_count("tolerance", options.tolerance.size(), soup.points.size(), "points");
+  if (!options.tolerance.empty() && (options.error || options.relative_error))
+    refuse(
+        "there are both an error and a tolerance of points: give the lower of both as tolerance");
   require_count("selected", options.selected.size(), soup.triangles.size(), "triangles");
   require_count("labels", soup.labels.size(), soup.triangles.size(), "triangles");
   for (std::size_t i = 0; i < soup.channels.size(); ++i)

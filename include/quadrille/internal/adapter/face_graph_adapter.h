@@ -70,6 +70,13 @@ public:
         surface.fix(v);
   }
 
+  /// Tells how far vertices may move.
+  template <class Map>
+  void limit_vertices(Map map, SurfaceInput<dimension>& surface) const {
+    for (Index v = 0; v < vertices_.size(); ++v)
+      surface.limit(v, static_cast<double>(get(map, vertices_[v])), v);
+  }
+
   /// Fixes the ends of the edges of which get(map, edge) is true, and has these edges left by
   /// write().
   template <class Map>

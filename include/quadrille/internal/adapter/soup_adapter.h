@@ -67,6 +67,13 @@ public:
         surface.fix(v);
   }
 
+  /// Tells how far points may move.
+  template <class Map>
+  void limit_vertices(Map map, SurfaceInput<dimension>& surface) const {
+    for (Index v = 0; v < surface.positions.size(); ++v)
+      surface.limit(v, static_cast<double>(get(map, static_cast<std::size_t>(v))), v);
+  }
+
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
   /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
   /// soup stays as it was. Calls tell as Teller says.

@@ -65,6 +65,13 @@ public:
         surface.fix(vertex_of_[i]);
   }
 
+  /// Tells how far points may move: of those that are one vertex, the least.
+  template <class Map>
+  void limit_vertices(Map map, SurfaceInput<3>& surface) const {
+    for (std::size_t i = 0; i < vertex_of_.size(); ++i)
+      surface.limit(vertex_of_[i], static_cast<double>(get(map, i)), i);
+  }
+
   /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {

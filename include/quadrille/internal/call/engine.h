@@ -7,11 +7,13 @@
 #include <quadrille/internal/input/spatial_order.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/order/greedy_loop.h>
+#include <quadrille/internal/policy/stop_rule.h>
 #include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <chrono>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -50,11 +52,23 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
   return loop.run();
 }
 
+/// Throws if there are tolerances and nothing that holds them, or the other way round.
+template <class Input>
+void check_tolerances(const Input& input, const StopRule& stop) {
+  if (stop.is_asking_for_tolerance() && input.tolerances.size() < input.positions.size())
+    throw std::invalid_argument(
+        "quadrille::simplify: ToleranceLimit needs tolerances: pass vertex_tolerance_map");
+  if (!stop.is_asking_for_tolerance() && !input.tolerances.empty())
+    throw std::invalid_argument("quadrille::simplify: nothing holds the tolerances of "
+                                "vertex_tolerance_map: pass ToleranceLimit as stop policy");
+}
+
 /// The surface once pairs have been contracted; nothing if the visitor cancels before the first.
 template <class Policies>
 std::optional<FinishedSurface<typename Policies::Cost>>
 contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
                bool keeps_memories, Report& report, StopWatch& watch) {
+  check_tolerances(input, policies.stop);
   const auto box = input.box();
   if (policies.pairs.ignores_indices())
     SpatialOrder::apply(input, box, policies.threads);

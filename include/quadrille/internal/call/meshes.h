@@ -81,6 +81,18 @@ void fix_vertices(Reader& reader, Input& input, const NamedParameters& named) {
     reader.fix_vertices(fixed, input);
 }
 
+/// Tells how far vertices may move, if it is said.
+template <class Reader, class Input, class NamedParameters>
+void limit_vertices(Reader& reader, Input& input, const NamedParameters& named) {
+  const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_tolerance);
+  if constexpr (is_given<decltype(map)>) {
+    if constexpr (requires { map.is_limited(); }) // one that is chosen at run time
+      if (!map.is_limited())
+        return;
+    reader.limit_vertices(map, input);
+  }
+}
+
 /// Keeps from being changed what is not selected, if faces are. They are in the order of the input.
 template <class Faces, class Input, class NamedParameters>
 void select_faces(const Faces& faces, Input& input, const NamedParameters& named) {
@@ -142,6 +154,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     fix_vertices(reader, input, named);
+    limit_vertices(reader, input, named);
     select_faces(faces(mesh), input, named);
     name_edges<Cost>(reader, input, named);
     if constexpr (Carried::has_labels)
@@ -195,6 +208,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   const auto read = [&](auto& reader) {
     auto input = reader.read();
     fix_vertices(reader, input, named);
+    limit_vertices(reader, input, named);
     const auto indices = boost::irange(std::size_t{0}, std::ranges::size(triangles));
     select_faces(indices, input, named);
     if constexpr (Carried::has_labels)

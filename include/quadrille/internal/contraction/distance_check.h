@@ -48,10 +48,14 @@ public:
 
   /// What is known of the surface as it is. Does each point of the input have a place on it?
   void tell(Report& report, bool has_all_points) const {
-    report.distance_bound = scale_.length_of_mesh(bounds_.greatest(complex_));
+    const bool are_parts = bounds_.tolerances().are_given();
+    const double unit = are_parts ? greatest_tolerance() : 1;
+    report.distance_bound = scale_.length_of_mesh(unit * bounds_.greatest(complex_));
     if (policies_.stop.is_asking_both_ways() && has_all_points)
-      report.hausdorff_bound =
-          (std::max)(report.distance_bound, scale_.length_of_mesh(bounds_.greatest_back(complex_)));
+      report.hausdorff_bound = (std::max)(
+          report.distance_bound, scale_.length_of_mesh(unit * bounds_.greatest_back(complex_)));
+    if (are_parts && has_all_points)
+      tell_tolerance(report);
   }
 
   /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
@@ -64,8 +68,10 @@ private:
   friend const DistanceCalls<P>* distance_calls();
 
   bool measure_too_far(Contraction& contraction, Status& status) const {
+    StarTolerance& tolerance = contraction.scratch().distance.tolerance;
+    tolerance = bounds_.tolerance_of(contraction.star());
     const auto stops = [&](const FaceDeviation& deviation) {
-      status.next_distance = distance_of_mesh(deviation.from_input);
+      tell_distance(status, deviation.from_input, tolerance);
       return policies_.stop(status);
     };
     const FaceDeviation deviation = measure(contraction, status);
@@ -92,29 +98,51 @@ private:
     if (!policies_.stop.is_asking_both_ways())
       return false;
     auto& scratch = contraction.scratch().distance;
+    const double used = status.next_tolerance;
     const auto stops = [&](double distance) {
-      status.next_distance_back = distance_of_mesh(distance);
+      status.next_distance_back = told(distance, scratch.tolerance);
+      if (scratch.tolerance.is_given)
+        status.next_tolerance = (std::max)(used, scratch.tolerance.bound_of(distance));
       return policies_.stop(status);
     };
     return stops(bounds_.measure_back(contraction.star(),
                                       kind_of_star(contraction.first(), contraction.second()),
-                                      scratch.deviation, scratch.back, stops));
+                                      scratch.tolerance, scratch.deviation, scratch.back, stops));
+  }
+
+  // How much of them is used, and in which face most.
+  void tell_tolerance(Report& report) const {
+    const Index face = bounds_.most_used(complex_);
+    if (face == none)
+      return;
+    Vector<3> middle{};
+    for (Index v : complex_.vertices(face))
+      middle += 1. / 3 * space(scale_.position_of_mesh(geometry_.positions()[v]));
+    report.used_tolerance = Report::UsedTolerance{bounds_.used(face), middle.coordinates};
   }
 
   bool look_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
     return bounds_.is_beyond_hub(
         complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
         scratch.distance.faces_too_far,
-        [this](Index v) { return link_condition_.may_be_junction(v); }, stops_beyond(status));
+        [this](Index v) { return link_condition_.may_be_junction(v); },
+        [this, after = status](double distance, const StarTolerance& tolerance) mutable {
+          tell_distance(after, distance, tolerance);
+          return policies_.stop(after);
+        });
   }
 
   // In the engine's unit.
   FaceDeviation measure(const Contraction& contraction, const Status& status) const {
     const Index a = contraction.first(), b = contraction.second();
+    auto& scratch = contraction.scratch().distance;
+    const auto stops_beyond = [&, after = status](double distance) mutable {
+      tell_distance(after, distance, scratch.tolerance);
+      return policies_.stop(after);
+    };
     return bounds_.measure(contraction.star(), a, b, geometry_.positions(),
-                           space(contraction.target()), kind_of_star(a, b),
-                           contraction.scratch().distance.deviation, contraction.bounds(),
-                           stops_beyond(status));
+                           space(contraction.target()), kind_of_star(a, b), scratch.tolerance,
+                           scratch.deviation, contraction.bounds(), stops_beyond);
   }
 
   StarKind kind_of_star(Index a, Index b) const {
@@ -124,17 +152,22 @@ private:
     return link.is_oriented(a) && link.is_oriented(b) ? StarKind::oriented : StarKind::closed;
   }
 
-  // Does the stop policy stop if nothing but the distance changes?
-  auto stops_beyond(const Status& status) const {
-    return [this, after = status](double distance) mutable {
-      after.next_distance = distance_of_mesh(distance);
-      return policies_.stop(after);
-    };
+  // How far the surface will be from the input.
+  void tell_distance(Status& status, double distance, const StarTolerance& tolerance) const {
+    status.next_distance = told(distance, tolerance);
+    if (tolerance.is_given)
+      status.next_tolerance = tolerance.bound_of(distance);
   }
-
-  // What may be nothing but rounding is 0.
-  double distance_of_mesh(double distance) const {
-    return distance <= bounds_.rounding() ? 0 : scale_.length_of_mesh(distance);
+  // What may be nothing but rounding is 0. Of a tolerance a part is known, and the distance is at
+  // most that part of the greatest.
+  double told(double distance, const StarTolerance& tolerance) const {
+    if (distance <= bounds_.rounding())
+      return 0;
+    return scale_.length_of_mesh(
+        tolerance.is_given ? tolerance.bound_of(distance) * greatest_tolerance() : distance);
+  }
+  double greatest_tolerance() const {
+    return (std::max)(bounds_.tolerances().greatest(), bounds_.rounding());
   }
 
   // Many of them do not add up to more than rounding.

@@ -4,6 +4,7 @@
 #include <quadrille/internal/distance/back_deviation.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
+#include <quadrille/internal/distance/tolerances.h>
 
 #include <vector>
 
@@ -14,6 +15,7 @@ struct DistanceScratch {
   StarDeviation deviation;
   BackDeviation back;
   RecentFaces faces_too_far;
+  StarTolerance tolerance;   // of the star
   std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
 };
 

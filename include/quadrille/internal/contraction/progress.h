@@ -62,6 +62,8 @@ public:
   void announce_distance(double distance) { status_.next_distance = distance; }
   /// The same of the distance from the input to the surface.
   void announce_distance_back(double distance) { status_.next_distance_back = distance; }
+  /// And of the part of its tolerance that a point will have used.
+  void announce_tolerance(double part) { status_.next_tolerance = part; }
   /// Is each point of the input still known to have some place on the surface?
   bool has_all_points() const { return !total_.loses_points; }
   /// Does the stop policy stop?

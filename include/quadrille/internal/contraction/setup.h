@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/distance/tolerances.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/pair_source.h>
@@ -63,6 +64,17 @@ double greatest_coordinate(const Scale<N>& scale, const Box<N>& box) {
     for (std::size_t i = 0; i < 3; ++i)
       greatest = (std::max)(greatest, std::abs(p[i]));
   return greatest;
+}
+
+/// The tolerances of faces, in the engine's unit, of those of vertices; none of none.
+template <std::size_t N>
+Tolerances tolerances_of(const TriangleComplex& complex, std::vector<double> of_vertex,
+                         const Scale<N>& scale) {
+  if (of_vertex.empty())
+    return {};
+  for (double& tolerance : of_vertex)
+    tolerance = scale.length_from_mesh(tolerance);
+  return {complex, of_vertex, 2 * scale.length_from_mesh(scale.diagonal())};
 }
 
 /// The triangles of an input. A pair policy of the user's wants to see them once more.

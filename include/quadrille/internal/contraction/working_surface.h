@@ -90,7 +90,7 @@ public:
                     count_unselected(complex_, numbering_.faces, input.is_selected),
                     scale_.diagonal());
     if (progress_.proceed())
-      classify(box);
+      classify(box, input.tolerances);
     if (!progress_.proceed())
       return;
     remember();
@@ -213,7 +213,7 @@ public:
   }
 
 private:
-  void classify(const Box<dimension>& box) {
+  void classify(const Box<dimension>& box, const std::vector<double>& tolerances) {
     if (is_topology_kept_)
       link_condition_ = LinkCondition(
           complex_,
@@ -223,11 +223,13 @@ private:
       initial_components_ = count_components(complex_);
     if (policies_.stop.is_asking_for_distance()) {
       const bool both_ways = policies_.stop.is_asking_both_ways();
-      bounds_ =
-          DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box), both_ways);
+      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box),
+                               both_ways, tolerances_of(complex_, tolerances, scale_));
       progress_.announce_distance(0);
       if (both_ways)
         progress_.announce_distance_back(0);
+      if (policies_.stop.is_asking_for_tolerance())
+        progress_.announce_tolerance(0);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <quadrille/internal/distance/back_deviation.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
+#include <quadrille/internal/distance/tolerances.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/vector.h>
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -25,23 +27,41 @@ enum class StarKind { oriented, closed, any };
 
 /// Of each face, how far its points are from the input at most: what each contraction has added.
 /// And, where distances count both ways, how far the input points are that have come to lie in it.
+/// Where there are tolerances both are parts of these: what each contraction has used.
 class DistanceBounds {
 public:
   /// `size` is the greatest coordinate of the surface.
-  explicit DistanceBounds(std::size_t faces, double size = 0, bool both_ways = false)
-      : of_face_(faces, 0), back_of_face_(both_ways ? faces : 0, 0), size_(size) {}
+  explicit DistanceBounds(std::size_t faces, double size = 0, bool both_ways = false,
+                          Tolerances tolerances = {})
+      : of_face_(faces, 0), back_of_face_(both_ways ? faces : 0, 0),
+        tolerances_(std::move(tolerances)), size_(size) {}
 
   /// A distance that may be nothing but the sum of many roundings, on a surface of this size.
   double rounding() const { return 0x1p-40 * size_; }
+
+  const Tolerances& tolerances() const { return tolerances_; }
+  /// That of the faces around a pair.
+  StarTolerance tolerance_of(const PairStar& star) const {
+    StarTolerance result;
+    if (!tolerances_.are_given())
+      return result;
+    result = {true, tolerances_.least(star), 0, rounding()};
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
+      for (const StarFace& f : *faces)
+        result.used = (std::max)({result.used, of_face_[f.face], back_of_face_[f.face]});
+    return result;
+  }
 
   /// What a contraction would make of the bounds of the faces that it changes, in the order of the
   /// star; and the greatest of these. Once is_too_far(distance) says so nothing else is looked at:
   /// then only the distance that is too far is told. What is too far stays so at any greater one.
   template <std::size_t N, class IsTooFar>
   FaceDeviation measure(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
-                        const Vector<3>& x, StarKind kind, StarDeviation& deviation,
-                        std::vector<float>& bounds, IsTooFar is_too_far) const {
-    deviation.take(star, a, b, positions, x, [this](Index face) { return of_face_[face]; });
+                        const Vector<3>& x, StarKind kind, const StarTolerance& tolerance,
+                        StarDeviation& deviation, std::vector<float>& bounds,
+                        IsTooFar is_too_far) const {
+    deviation.take(star, a, b, positions, x,
+                   [&](Index face) { return tolerance.length_of(of_face_[face]); });
     if (back_of_face_.size() > 0)
       deviation.keep_pieces();
     const auto bound = [&](double distance) {
@@ -61,7 +81,7 @@ public:
     if (kind == StarKind::any)
       deviation.add_border();
     FaceDeviation greatest = deviation.greatest();
-    greatest.from_input = take_bounds(star, deviation, bounds);
+    greatest.from_input = take_bounds(star, tolerance, deviation, bounds);
     return greatest;
   }
 
@@ -69,11 +89,11 @@ public:
   /// done that has just been measured. Once is_too_far(distance) says so of some, how far these
   /// are.
   template <class IsTooFar>
-  double measure_back(const PairStar& star, StarKind kind, StarDeviation& deviation,
-                      BackDeviation& back, IsTooFar is_too_far) const {
+  double measure_back(const PairStar& star, StarKind kind, const StarTolerance& tolerance,
+                      StarDeviation& deviation, BackDeviation& back, IsTooFar is_too_far) const {
     return back.measure(
         star, deviation, kind == StarKind::oriented, kind != StarKind::any,
-        [this](Index face) { return back_of_face_[face]; }, is_too_far);
+        [&](Index face) { return tolerance.length_of(back_of_face_[face]); }, is_too_far);
   }
 
   /// Will one of very many faces at an end be too far? Looks at them before the star is gathered,
@@ -96,9 +116,12 @@ public:
         if (f.second == other || f.third == other)
           return false;
         const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
-        const auto bound = static_cast<double>(of_face_[face]);
+        StarTolerance tolerance; // that of the star is not greater, so more of it would be used
+        if (tolerances_.are_given())
+          tolerance = {true, tolerances_[face], of_face_[face], rounding()};
+        const double length = tolerance.length_of(of_face_[face]) + std::sqrt(squared);
         return squared > 0x1p-40 * squared_distance(x, at(f.second)) && // else it may be rounding
-               is_too_far(static_cast<double>(rounded_up(bound + std::sqrt(squared))));
+               is_too_far(static_cast<double>(rounded_up(length)), tolerance);
       };
       return recent_faces.any_at(complex, end, is_face_beyond) ||
              complex.any_corner(end, [&](Index face, Index i) {
@@ -112,7 +135,9 @@ public:
   }
 
   /// The faces of a star that a contraction has changed have the bounds that were measured for it.
-  void set(const PairStar& star, const std::vector<float>& bounds) { set(of_face_, star, bounds); }
+  void set(const PairStar& star, const std::vector<float>& bounds) {
+    set(of_face_, star, bounds, [](float bound) { return bound; });
+  }
   template <class Event>
   void after(const Event& event) {
     const PairStar& star = event.contraction.star();
@@ -120,7 +145,7 @@ public:
       set(star, event.contraction.bounds());
     if (back_of_face_.size() > 0) {
       auto& scratch = event.contraction.scratch();
-      set(back_of_face_, star, scratch.distance.back.bounds());
+      set_back(star, scratch.distance.back.bounds(), scratch.distance.tolerance);
       scratch.tally.loses_points |= scratch.distance.back.is_any_lost();
     }
   }
@@ -131,19 +156,45 @@ public:
     internal::pack_if(of_face_, is_left);
     if (back_of_face_.size() > 0)
       internal::pack_if(back_of_face_, is_left);
+    if (tolerances_.are_given())
+      tolerances_.pack_if(is_left);
   }
 
   /// Of the faces that are left.
   double greatest(const TriangleComplex& complex) const { return greatest(of_face_, complex); }
+  /// Which of these has used most of its tolerance, the lowest if several have; `none` of none.
+  Index most_used(const TriangleComplex& complex) const {
+    Index most = none;
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_removed(face) && (most == none || used(face) > used(most)))
+        most = face;
+    return most;
+  }
+  double used(Index face) const {
+    return static_cast<double>((std::max)(of_face_[face], back_of_face_[face]));
+  }
   /// The same of their input points.
   double greatest_back(const TriangleComplex& complex) const {
     return greatest(back_of_face_, complex);
   }
 
 private:
-  static void set(Array<float>& of_face, const PairStar& star, const std::vector<float>& bounds) {
+  template <class Stored>
+  static void set(Array<float>& of_face, const PairStar& star, const std::vector<float>& bounds,
+                  Stored stored) {
     auto bound = bounds.begin();
-    star.for_each_changed([&](const StarFace& f) { of_face[f.face] = *bound++; });
+    star.for_each_changed([&](const StarFace& f) { of_face[f.face] = stored(*bound++); });
+  }
+  void set_back(const PairStar& star, const std::vector<float>& lengths,
+                const StarTolerance& tolerance) {
+    if (!tolerance.is_given) {
+      set(back_of_face_, star, lengths, [](float length) { return length; });
+      return;
+    }
+    set(back_of_face_, star, lengths, [&](float length) {
+      return static_cast<float>(tolerance.bound_of(static_cast<double>(length)));
+    });
+    tolerances_.set(star, tolerance.least);
   }
 
   static double greatest(const Array<float>& of_face, const TriangleComplex& complex) {
@@ -155,8 +206,8 @@ private:
   }
 
   // Of the faces of a star, in its order. Returns the greatest of those that change.
-  double take_bounds(const PairStar& star, const StarDeviation& deviation,
-                     std::vector<float>& bounds) const {
+  double take_bounds(const PairStar& star, const StarTolerance& tolerance,
+                     const StarDeviation& deviation, std::vector<float>& bounds) const {
     bounds.clear();
     std::size_t changed = 0;
     float greatest = 0;
@@ -165,8 +216,9 @@ private:
         if (deviation.is_unchanged(end)) {
           bounds.push_back(of_face_[f.face]);
         } else {
-          bounds.push_back(rounded_up(deviation[changed++].from_input + deviation.rounding()));
-          greatest = (std::max)(greatest, bounds.back());
+          const float length = rounded_up(deviation[changed++].from_input + deviation.rounding());
+          greatest = (std::max)(greatest, length);
+          bounds.push_back(static_cast<float>(tolerance.bound_of(static_cast<double>(length))));
         }
     };
     take(star.first, 0);
@@ -182,6 +234,7 @@ private:
 
   Array<float> of_face_;
   Array<float> back_of_face_; // none where distances count one way
+  Tolerances tolerances_;
   double size_;
 };
 

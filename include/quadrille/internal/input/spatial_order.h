@@ -35,6 +35,8 @@ public:
     renumber(surface.triangles, places(order, order.size()), threads);
     sort_faces(surface, threads);
     permute(surface.positions, order, threads);
+    if (!surface.tolerances.empty())
+      permute(surface.tolerances, order, threads);
     if (!surface.is_fixed.empty())
       permute(surface.is_fixed, order,
               Threads()); // of bits, which threads can't write side by side

@@ -2,13 +2,16 @@
 #define QUADRILLE_INTERNAL_INPUT_SURFACE_INPUT_H
 
 #include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/base/text.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +33,8 @@ struct SurfaceInput {
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
   /// Of each input face: may it be changed? The corners of others are fixed. Empty if all may.
   std::vector<bool> is_selected;
+  /// Of each vertex, in the mesh's units; empty if there are none. See ToleranceLimit.
+  std::vector<double> tolerances;
   std::vector<ChannelInput> channels;
   /// May it have faces on the same three vertices? Of those one is left, or with may_have_backs one
   /// of each way round.
@@ -51,6 +56,16 @@ struct SurfaceInput {
       if (a != b && b != c && c != a)
         is_used[a] = is_used[b] = is_used[c] = 1;
     return Box<N>(positions, [&](std::size_t v) { return is_used[v] != 0; });
+  }
+
+  /// The least of all that a vertex is given is its own. Throws std::invalid_argument for one that
+  /// is no distance; `point` is how its user calls the vertex.
+  void limit(Index v, double tolerance, std::size_t point) {
+    if (!(tolerance >= 0))
+      throw std::invalid_argument("quadrille::simplify: the tolerance " + text_of(tolerance) +
+                                  " of vertex " + std::to_string(point) + " is not a distance");
+    tolerances.resize(positions.size(), std::numeric_limits<double>::infinity());
+    tolerances[v] = (std::min)(tolerances[v], tolerance);
   }
 
   void fix(Index v) {

@@ -20,9 +20,8 @@ public:
 
   explicit DistanceStop(WorkingSurface<Policies>& surface)
       : surface_(surface), is_asking_(surface.policies().stop.is_asking_for_distance()),
-        none_(surface.policies().stop.is_asking_both_ways()
-                  ? 0
-                  : std::numeric_limits<double>::infinity()) {}
+        none_(surface.policies().stop.is_asking_both_ways() ? 0 : infinity),
+        unused_(surface.policies().stop.is_asking_for_tolerance() ? 0 : infinity) {}
 
   bool is_asking() const { return is_asking_; }
   /// The contraction may get another target.
@@ -31,8 +30,7 @@ public:
       return false;
     Status status = surface_.status();
     const bool result = surface_.distance_check().is_too_far(contraction, status);
-    surface_.progress().announce_distance(status.next_distance);
-    surface_.progress().announce_distance_back(status.next_distance_back);
+    announce(status.next_distance, status.next_distance_back, status.next_tolerance);
     surface_.progress().announce(contraction.error());
     return result;
   }
@@ -49,23 +47,29 @@ public:
   bool is_too_far(double distance) {
     if (!is_asking_ || is_enough_without())
       return false;
-    surface_.progress().announce_distance(distance);
-    surface_.progress().announce_distance_back(std::numeric_limits<double>::infinity());
+    announce(distance, infinity, infinity);
     return surface_.progress().is_enough();
   }
   /// At a distance of 0, if it asks for any.
   bool is_enough_without() {
-    if (is_asking_) {
-      surface_.progress().announce_distance(0);
-      surface_.progress().announce_distance_back(none_);
-    }
+    if (is_asking_)
+      announce(0, none_, unused_);
     return surface_.progress().is_enough();
   }
 
 private:
+  void announce(double distance, double back, double tolerance) {
+    surface_.progress().announce_distance(distance);
+    surface_.progress().announce_distance_back(back);
+    surface_.progress().announce_tolerance(tolerance);
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   WorkingSurface<Policies>& surface_;
   const bool is_asking_;
-  const double none_; // the distance back where it does not count or has not been looked for
+  const double none_;   // the distance back where it does not count or has not been looked for
+  const double unused_; // the same of tolerances
 };
 
 } // namespace quadrille::internal

@@ -278,6 +278,8 @@ private:
     status.next_distance = 0;
     if (stop.is_asking_both_ways())
       status.next_distance_back = 0;
+    if (stop.is_asking_for_tolerance())
+      status.next_tolerance = 0;
     return stop(status) || surface_.distance_check().is_too_far(contraction, status);
   }
 

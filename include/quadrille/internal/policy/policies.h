@@ -206,6 +206,20 @@ bool is_asking_both_ways(const Stop& stop) {
   return asks_both_ways<Stop>;
 }
 
+/// And at Status::next_tolerance?
+template <class Stop>
+inline constexpr bool asks_for_tolerance = requires {
+  requires Stop::asks_for_tolerance;
+};
+
+/// And does this one?
+template <class Stop>
+bool is_asking_for_tolerance(const Stop& stop) {
+  if constexpr (requires { stop.is_asking_for_tolerance(); })
+    return stop.is_asking_for_tolerance();
+  return asks_for_tolerance<Stop>;
+}
+
 /// Is every edge a pair at any time, for this pair policy?
 template <class Pairs>
 inline constexpr bool includes_edges = requires {

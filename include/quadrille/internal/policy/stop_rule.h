@@ -19,6 +19,8 @@ public:
     rule.is_asking_ = asks_for_distance<Stop> && internal::is_asking_for_distance(stop);
     rule.is_asking_both_ways_ =
         rule.is_asking_ && asks_both_ways<Stop> && internal::is_asking_both_ways(stop);
+    rule.is_asking_for_tolerance_ = rule.is_asking_both_ways_ && asks_for_tolerance<Stop> &&
+                                    internal::is_asking_for_tolerance(stop);
     rule.is_enough_ = [](const void* policy, const Status& status) -> bool {
       return (*static_cast<const Stop*>(policy))(status);
     };
@@ -37,6 +39,8 @@ public:
   bool is_asking_for_distance() const { return is_asking_; }
   /// And at Status::next_distance_back?
   bool is_asking_both_ways() const { return is_asking_both_ways_; }
+  /// And at Status::next_tolerance?
+  bool is_asking_for_tolerance() const { return is_asking_for_tolerance_; }
 
 private:
   using Asked = bool (*)(const void*, const Status&);
@@ -45,7 +49,7 @@ private:
 
   std::shared_ptr<const void> policy_;
   Asked is_enough_ = nullptr, is_passed_ = nullptr;
-  bool is_asking_ = false, is_asking_both_ways_ = false;
+  bool is_asking_ = false, is_asking_both_ways_ = false, is_asking_for_tolerance_ = false;
 };
 
 } // namespace quadrille::internal
