@@ -104,7 +104,7 @@ void simplify_soup_with_channels(const Case& input, Outcome& outcome) {
       [&](std::size_t v) -> bool { return input.is_fixed[v]; });
   const detail::CancelAt visitor(input.call.cancel_at);
   const ThresholdPairs pairs(input.call.threshold, 1000);
-  outcome.report = detail::with_policies(input.call, pairs, [&](const auto&... policy) {
+  outcome.report = detail::with_policies<Quadric>(input.call, pairs, [&](const auto&... policy) {
     return quadrille::simplify(
         outcome.points, outcome.triangles, Quadric{.boundary_weight = input.call.boundary_weight},
         policy..., Labels{CGAL::make_property_map(all.labels)},

@@ -571,14 +571,15 @@ TEST_CASE("At a hub the first face that is too far ends the measuring") {
   RecentFaces recent_faces;
   std::vector<float> after;
   std::size_t asked = 0;
-  const auto is_too_far = [&](double distance) {
+  const auto is_too_far = [&](double distance, const StarTolerance& = {}) {
     ++asked;
     return distance > 0.01;
   };
   const auto is_one_sheet = [](Index) { return false; };
   const Vector<3> x{{0, 0, 0.5}}; // far from each face
-  CHECK(bounds.measure(star, 0, 1, positions, x, StarKind::oriented, deviation, after, is_too_far)
-            .from_input > 0.01);
+  CHECK(
+      bounds.measure(star, 0, 1, positions, x, StarKind::oriented, {}, deviation, after, is_too_far)
+          .from_input > 0.01);
   CHECK(asked == 1);
   CHECK(bounds.is_beyond_hub(complex, 0, 1, positions, x, recent_faces, is_one_sheet, is_too_far));
   CHECK(asked == 2);

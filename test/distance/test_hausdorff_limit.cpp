@@ -214,7 +214,7 @@ public:
     std::vector<float> bounds;
     StarDeviation deviation;
     DistanceBounds(complex_.face_capacity(), 1, true)
-        .measure(star_, a_, b_, positions_, x, StarKind::oriented, deviation, bounds, never);
+        .measure(star_, a_, b_, positions_, x, StarKind::oriented, {}, deviation, bounds, never);
     BackDeviation back;
     back.measure(
         star_, deviation, true, true, [&](Index f) { return f == face ? bound : 0; }, never);

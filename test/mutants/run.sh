@@ -48,7 +48,7 @@ passes() {
     gltf* | mesh_io | public_data) sources="$folder/examples/mesh_io/*.cpp" ;; # quadrille_mesh_io
     any_order) options="-O1 -I$folder/test/any_order" ;;
     parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;
-    error_limit | float_precision | hausdorff_limit | targets | thin_features) options=-O1 ;; # take minutes without
+    error_limit | float_precision | hausdorff_limit | tolerance_limit | targets | thin_features) options=-O1 ;; # take minutes without
   esac
   $compile -include "$folder/prelude.h" $options -I"$folder/include" -I"$folder/test" \
     -I"$folder/test/support" "$folder"/test/*/"test_$1.cpp" $sources "$folder/main.o" $libraries \

@@ -15,27 +15,48 @@
 
 namespace test {
 
-/// How far points of one surface are from the other at most, corners and points between, `steps`
-/// along each edge: to the last bits, and never more than it is. For surfaces of any kind.
-inline double farthest(const Soup& from, const Soup& to, int steps) {
+/// Distances of points from a surface of any kind, to the last bits.
+class Nearest {
+public:
+  explicit Nearest(const Soup& soup) {
+    for (const auto& [a, b, c] : soup.triangles)
+      triangles_.emplace_back(to_point<Point>(soup.points[a]), to_point<Point>(soup.points[b]),
+                              to_point<Point>(soup.points[c]));
+    tree_.insert(triangles_.begin(), triangles_.end());
+    tree_.build();
+  }
+  double distance(const Position& p) const {
+    return std::sqrt(tree_.squared_distance(to_point<Point>(p)));
+  }
+
+private:
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  Triangles triangles;
-  for (const auto& [a, b, c] : to.triangles)
-    triangles.emplace_back(to_point<Point>(to.points[a]), to_point<Point>(to.points[b]),
-                           to_point<Point>(to.points[c]));
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.begin(),
-                                                                   triangles.end());
-  double squared = 0;
-  for (const auto& [a, b, c] : from.triangles)
-    for (int i = 0; i <= steps; ++i)
-      for (int j = 0; i + j <= steps; ++j) {
-        const Position y =
-            1.0 / steps *
-            (i * from.points[a] + j * from.points[b] + (steps - i - j) * from.points[c]);
-        squared = std::max(squared, tree.squared_distance(to_point<Point>(y)));
-      }
-  return std::sqrt(squared);
+
+  Triangles triangles_;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+};
+
+/// Calls visit(point) for points of a triangle, corners and points between, `steps` along each
+/// edge.
+template <class Visit>
+void for_each_point(const Soup& soup, const Triangle& t, int steps, Visit visit) {
+  const auto& [a, b, c] = t;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j)
+      visit(1.0 / steps *
+            (i * soup.points[a] + j * soup.points[b] + (steps - i - j) * soup.points[c]));
+}
+
+/// How far points of one surface are from the other at most, corners and points between, `steps`
+/// along each edge: never more than it is. For surfaces of any kind.
+inline double farthest(const Soup& from, const Soup& to, int steps) {
+  const Nearest nearest(to);
+  double most = 0;
+  for (const Triangle& t : from.triangles)
+    for_each_point(from, t, steps,
+                   [&](const Position& p) { most = std::max(most, nearest.distance(p)); });
+  return most;
 }
 
 /// The greatest coordinate of a soup.

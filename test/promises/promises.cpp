@@ -1,0 +1,219 @@
+// Holds what guarantees.md promises on models of the caller's: each in doubles, in floats, and far
+// from the origin. Prints a line for each promise, and fails if one is broken. Distances are
+// measured by CGAL's tree at corners and points between; the rest by <quadrille/verify.h>.
+//   promises MODEL.off...
+#include "farthest.h"
+#include "soups.h"
+
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/self_intersection.h>
+#include <quadrille/simplify.h>
+#include <quadrille/solid.h>
+#include <quadrille/verify.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::Position;
+using test::Soup;
+
+template <class Number>
+using PointOf = typename CGAL::Simple_cartesian<Number>::Point_3;
+
+constexpr std::size_t most_faces = 60'000;
+
+Soup read(const std::string& file) {
+  std::vector<test::Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  if (!CGAL::IO::read_polygon_soup(file, points, polygons))
+    throw std::runtime_error("cannot be read");
+  Soup soup;
+  for (const test::Point& p : points)
+    soup.points.push_back(test::to_position(p));
+  for (const auto& polygon : polygons) {
+    if (polygon.size() != 3)
+      throw std::runtime_error("has faces that are no triangles");
+    soup.triangles.push_back({static_cast<std::uint32_t>(polygon[0]),
+                              static_cast<std::uint32_t>(polygon[1]),
+                              static_cast<std::uint32_t>(polygon[2])});
+  }
+  return soup;
+}
+
+// The points of a surface in one type of numbers.
+template <class Number>
+std::vector<PointOf<Number>> points_of(const Soup& soup) {
+  std::vector<PointOf<Number>> points;
+  for (const Position& p : soup.points)
+    points.emplace_back(static_cast<Number>(p[0]), static_cast<Number>(p[1]),
+                        static_cast<Number>(p[2]));
+  return points;
+}
+template <class Number>
+Soup soup_of(const std::vector<PointOf<Number>>& points, std::vector<test::Triangle> triangles) {
+  Soup soup;
+  for (const auto& p : points)
+    soup.points.push_back({{double(p.x()), double(p.y()), double(p.z())}});
+  soup.triangles = std::move(triangles);
+  return soup;
+}
+
+// One model in one type of numbers.
+template <class Number>
+class Promises {
+public:
+  Promises(const std::string& name, const Soup& soup)
+      : name_(name), input_(soup_of<Number>(::points_of<Number>(soup), soup.triangles)),
+        diagonal_(test::diagonal(input_)),
+        rounding_(8 * double(std::numeric_limits<Number>::epsilon()) *
+                  test::greatest_coordinate(input_)) {}
+
+  bool check() {
+    const double limit = 0.003 * diagonal_;
+    both_ways("both ways", limit, HausdorffLimit{limit});
+    both_ways("both ways, passes", limit, HausdorffLimit{limit}, RelaxedOrder{});
+    both_ways("both ways, free", limit, HausdorffLimit{limit}, Topology::free);
+    tolerances("tolerances", ToleranceLimit{});
+    tolerances("tolerances, passes", ToleranceLimit{}, RelaxedOrder{});
+    claims("no self-intersection", {.no_self_intersection = true}, NoSelfIntersection{},
+           FaceRatio{0.05});
+    claims("solid", {.no_self_intersection = true, .solid = true}, keep_solid(), FaceRatio{0.05});
+    return all_hold_;
+  }
+
+private:
+  struct Outcome {
+    Report report;
+    Soup result;
+  };
+
+  template <class... Arguments>
+  Outcome simplified(const Arguments&... arguments) const {
+    std::vector<PointOf<Number>> points = ::points_of<Number>(input_);
+    std::vector<test::Triangle> triangles = input_.triangles;
+    const Report report =
+        simplify<MemorylessQuadric, OptimalPlacement>(points, triangles, arguments...);
+    return {report, soup_of<Number>(points, std::move(triangles))};
+  }
+
+  template <class... Arguments>
+  void both_ways(const char* promise, double limit, const Arguments&... arguments) {
+    const Outcome outcome = simplified(arguments...);
+    const double measured = std::max(test::farthest(outcome.result, input_, 3),
+                                     test::farthest(input_, outcome.result, 3));
+    tell(promise, outcome, measured, limit, measured <= limit + rounding_);
+  }
+
+  // A tolerance that grows a hundredfold along the longest axis.
+  template <class... Arguments>
+  void tolerances(const char* promise, const Arguments&... arguments) {
+    std::vector<double> tolerances;
+    const double low = input_.points.empty() ? 0 : [&] {
+      double least = input_.points[0][0];
+      for (const Position& p : input_.points)
+        least = std::min(least, p[0]);
+      return least;
+    }();
+    for (const Position& p : input_.points)
+      tolerances.push_back(0.0003 * diagonal_ * std::pow(100, (p[0] - low) / diagonal_));
+    const Outcome outcome = simplified(
+        arguments..., parameters::vertex_tolerance_map(CGAL::make_property_map(tolerances)));
+    const double measured = used(outcome.result, tolerances);
+    tell(promise, outcome, measured, 1, measured <= 1);
+  }
+
+  // The greatest part of its tolerance by which a point of a face is from the result.
+  double used(const Soup& result, const std::vector<double>& tolerances) const {
+    const test::Nearest nearest(result);
+    double most = 0;
+    for (const test::Triangle& t : input_.triangles) {
+      const double tolerance =
+          std::min({tolerances[t[0]], tolerances[t[1]], tolerances[t[2]]}) + rounding_;
+      test::for_each_point(input_, t, 2, [&](const Position& p) {
+        most = std::max(most, nearest.distance(p) / tolerance);
+      });
+    }
+    return most;
+  }
+
+  template <class... Arguments>
+  void claims(const char* promise, const Claims& claims, const Arguments&... arguments) {
+    std::vector<PointOf<Number>> points = ::points_of<Number>(input_);
+    std::vector<test::Triangle> triangles = input_.triangles;
+    Report report;
+    try {
+      report = simplify<MemorylessQuadric, OptimalPlacement>(points, triangles, arguments...);
+    } catch (const std::invalid_argument& refused) {
+      std::printf("%s: %s: refused: %s\n", name_.c_str(), promise, refused.what());
+      return;
+    }
+    const Verdict verdict =
+        verify(::points_of<Number>(input_), input_.triangles, points, triangles, claims);
+    tell(promise, {report, {}}, verdict.findings.empty() ? 0 : verdict.findings.back().measured, 0,
+         verdict.is_held());
+  }
+
+  void tell(const char* promise, const Outcome& outcome, double measured, double promised,
+            bool holds) {
+    std::printf("%s: %s: %zu -> %zu faces, promised %g, measured %g%s\n", name_.c_str(), promise,
+                outcome.report.faces_before, outcome.report.faces_after, promised, measured,
+                holds ? "" : ": BROKEN");
+    std::fflush(stdout);
+    all_hold_ &= holds;
+  }
+
+  std::string name_;
+  Soup input_;
+  double diagonal_, rounding_;
+  bool all_hold_ = true;
+};
+
+bool check(const std::string& file) {
+  const std::string name = std::filesystem::path(file).stem().string();
+  try {
+    const Soup soup = read(file);
+    if (soup.triangles.empty() || soup.triangles.size() > most_faces)
+      throw std::runtime_error("has no faces, or too many to measure");
+    const double far = 1e5 * test::diagonal(soup);
+    const Soup moved = test::mapped(soup, [&](const Position& p) {
+      return p + Position{{far, -far, far}};
+    });
+    bool holds = Promises<double>(name, soup).check();
+    holds &= Promises<float>(name + " in floats", soup).check();
+    return Promises<double>(name + " far away", moved).check() && holds;
+  } catch (const std::runtime_error& skipped) {
+    std::printf("%s: skipped: %s\n", name.c_str(), skipped.what());
+    return true;
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  bool holds = true;
+  for (int i = 1; i < argc; ++i)
+    try {
+      holds &= check(argv[i]);
+    } catch (const std::exception& error) {
+      std::printf("%s: BROKEN: %s\n", argv[i], error.what());
+      holds = false;
+    }
+  std::puts(holds ? "all promises are held" : "a promise is BROKEN");
+  return holds ? 0 : 1;
+}
