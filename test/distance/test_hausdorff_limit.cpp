@@ -4,8 +4,13 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/channels.h>
 #include <quadrille/distance.h>
+#include <quadrille/labels.h>
 #include <quadrille/simplify.h>
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/property_map.h>
 
 #include <catch2/catch.hpp>
 
@@ -334,6 +339,31 @@ TEST_CASE("Doubled faces leave their points to the one that is left") {
       simplify_within(limit, bag, Topology::free, RelaxedOrder{});
     }
   }
+}
+
+TEST_CASE("Labels and channels go along within a limit of both ways") {
+  const test::Soup input = test::with_noise(test::torus(30, 16), 2, 0.02);
+  std::vector<int> labels;
+  for (const auto& t : input.triangles)
+    labels.push_back(input.points[t[0]][0] > 0);
+  std::vector<CGAL::IO::Color> colors;
+  for (const test::Position& p : input.points)
+    colors.emplace_back(p[0] > 0 ? 250 : 10, static_cast<unsigned char>(100 + 20 * p[1]), 0);
+  const auto run = [&](const auto& order) {
+    test::PointSoup soup(input);
+    std::vector<int> left = labels;
+    const Report report =
+        simplify(soup.points, soup.triangles, HausdorffLimit{0.05}, order,
+                 Labels{CGAL::make_property_map(left)}, Colors{CGAL::make_property_map(colors)});
+    check_bounds(input, {report, test::to_soup(soup)});
+    CHECK(report.hausdorff_bound <= 0.05);
+    CHECK(report.contractions > 400);
+    CHECK(report.rejected(Rejection::distance) > 0);
+  };
+  const auto colors_of_input = colors;
+  run(GreedyOrder{});
+  colors = colors_of_input;
+  run(RelaxedOrder{});
 }
 
 TEST_CASE("Only who asks is told of both ways") {
