@@ -102,6 +102,9 @@ struct SoupOptions {
   bool keep_solid = false;                            ///< see keep_solid()
   /// Points that stay where they are: empty, or a value for each point.
   std::vector<bool> fixed = {};
+  /// How much what happens at points counts, at least 0: empty, or a value for each point. See
+  /// vertex_importance_map.
+  std::vector<double> importance = {};
   /// Triangles that may be changed, and count for the targets: empty, or a value for each. See
   /// face_is_selected_map.
   std::vector<bool> selected = {};

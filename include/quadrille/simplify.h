@@ -65,6 +65,7 @@ inline namespace QUADRILLE_THREADING {
 /// - edge_is_constrained_map: such an edge stays, with its ends
 /// - vertex_is_constrained_map: such a vertex stays where it is
 /// - quadrille::parameters::vertex_tolerance_map: how far points may move: see ToleranceLimit
+/// - vertex_importance_map: where more faces stay
 /// - face_is_selected_map: only such faces are simplified, and counted
 /// - edge_is_crease_map: creases, see Quadric
 /// - face_patch_map: the same as Labels

@@ -125,6 +125,18 @@ struct PointTolerances {
   friend double get(const PointTolerances& map, std::size_t i) { return (*map.tolerance)[i]; }
 };
 
+/// How important points are.
+struct PointImportances {
+  using key_type = std::size_t;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+  const std::vector<double>* of;
+
+  bool is_empty() const { return of->empty(); }
+  friend double get(const PointImportances& map, std::size_t i) { return (*map.of)[i]; }
+};
+
 /// Which triangles are selected.
 struct SelectedTriangles {
   using key_type = std::size_t;
@@ -189,8 +201,10 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
       SelectedTriangles{&options.selected},
       parameters::vertex_tolerance_map(
           PointTolerances{&options.tolerance},
-          CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
-              .visitor(std::cref(visitor))));
+          parameters::vertex_importance_map(
+              PointImportances{&options.importance},
+              CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
+                  .visitor(std::cref(visitor)))));
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,

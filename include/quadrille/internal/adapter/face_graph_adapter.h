@@ -77,6 +77,14 @@ public:
       surface.limit(v, static_cast<double>(get(map, vertices_[v])), v);
   }
 
+  /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
+  /// is the vertex v of the surface.
+  template <class Map, class Visit>
+  void for_each_value(Map map, Visit visit) const {
+    for (Index v = 0; v < vertices_.size(); ++v)
+      visit(v, get(map, vertices_[v]), v);
+  }
+
   /// Fixes the ends of the edges of which get(map, edge) is true, and has these edges left by
   /// write().
   template <class Map>

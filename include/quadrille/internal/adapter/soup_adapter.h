@@ -74,6 +74,14 @@ public:
       surface.limit(v, static_cast<double>(get(map, static_cast<std::size_t>(v))), v);
   }
 
+  /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
+  /// is the vertex v of the surface.
+  template <class Map, class Visit>
+  void for_each_value(Map map, Visit visit) const {
+    for (Index v = 0; v < std::ranges::size(points_); ++v)
+      visit(v, get(map, static_cast<std::size_t>(v)), v);
+  }
+
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
   /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
   /// soup stays as it was. Calls tell as Teller says.

@@ -72,6 +72,14 @@ public:
       surface.limit(vertex_of_[i], static_cast<double>(get(map, i)), i);
   }
 
+  /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
+  /// is the vertex v of the surface.
+  template <class Map, class Visit>
+  void for_each_value(Map map, Visit visit) const {
+    for (std::size_t i = 0; i < vertex_of_.size(); ++i)
+      visit(vertex_of_[i], get(map, i), i);
+  }
+
   /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {

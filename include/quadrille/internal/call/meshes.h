@@ -12,6 +12,7 @@
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/call/run.h>
 #include <quadrille/internal/call/teller.h>
+#include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/parameters.h>
 #include <quadrille/report.h>
 
@@ -22,6 +23,8 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/irange.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <ranges>
 #include <type_traits>
 #include <utility>
@@ -93,6 +96,22 @@ void limit_vertices(Reader& reader, Input& input, const NamedParameters& named) 
   }
 }
 
+/// Reads how important vertices are, if that is told. Of those at one place the greatest counts.
+template <class Reader, class Input, class NamedParameters>
+void weigh_vertices(Reader& reader, Input& input, const NamedParameters& named) {
+  const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_importance);
+  if constexpr (is_given<decltype(map)>) {
+    if constexpr (requires { map.is_empty(); }) // one that is chosen at run time
+      if (map.is_empty())
+        return;
+    input.importances.assign(input.positions.size(), 0.0);
+    reader.for_each_value(map, [&](Index v, double importance, std::size_t vertex) {
+      require_importance(importance, vertex);
+      input.importances[v] = (std::max)(input.importances[v], importance);
+    });
+  }
+}
+
 /// Keeps from being changed what is not selected, if faces are. They are in the order of the input.
 template <class Faces, class Input, class NamedParameters>
 void select_faces(const Faces& faces, Input& input, const NamedParameters& named) {
@@ -155,6 +174,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
     auto input = reader.read();
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
+    weigh_vertices(reader, input, named);
     select_faces(faces(mesh), input, named);
     name_edges<Cost>(reader, input, named);
     if constexpr (Carried::has_labels)
@@ -209,6 +229,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
     auto input = reader.read();
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
+    weigh_vertices(reader, input, named);
     const auto indices = boost::irange(std::size_t{0}, std::ranges::size(triangles));
     select_faces(indices, input, named);
     if constexpr (Carried::has_labels)

@@ -25,6 +25,7 @@
 #include <quadrille/internal/contraction/target_rules.h>
 #include <quadrille/internal/contraction/unselected.h>
 #include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/distance/distance_bounds.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
@@ -69,11 +70,12 @@ public:
                   policies.threads),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
         terms_(policies.cost, geometry_, complex_, link_condition_),
+        importance_(relative_importances(input.importances)),
         appearance_(policies, complex_, geometry_, memories_),
         recording_({policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
                     scratches_}),
-        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_,
-                   appearance_.channels()),
+        evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, appearance_.channels(),
+                   importance_),
         checks_(policies, scale_, complex_, numbering_, geometry_, link_condition_,
                 appearance_.seams(), appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
@@ -111,8 +113,8 @@ public:
   static auto followers(auto& self) {
     return std::tie(self.recording_, self.bounds_, self.appearance_.channels(),
                     self.appearance_.seams(), self.pairs_, self.numbering_, self.moved_,
-                    self.memories_, self.geometry_, self.link_condition_, self.terms_, self.parts_,
-                    self.checks_.optional());
+                    self.memories_, self.geometry_, self.link_condition_, self.terms_,
+                    self.importance_, self.parts_, self.checks_.optional());
   }
 
   const Policies& policies() const { return policies_; }
@@ -291,6 +293,7 @@ private:
   Parts<dimension> parts_;
   VertexMemories<Cost> memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS typename LocalTermsOf<Cost>::type terms_;
+  VertexImportance importance_;
   Appearance<Policies> appearance_;
   OptionalRecording<Policies> recording_;
   PairEvaluator<Policies> evaluator_;

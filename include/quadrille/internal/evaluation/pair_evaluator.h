@@ -8,6 +8,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/evaluation/two_lanes.h>
@@ -47,9 +48,9 @@ public:
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
-                const Terms& terms, const Channels& channels)
+                const Terms& terms, const Channels& channels, const VertexImportance& importance)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        memories_(memories), terms_(terms), channels_(channels) {}
+        memories_(memories), terms_(terms), channels_(channels), importance_(importance) {}
 
   const Cost& cost() const { return policies_.cost; }
   const Scale<Cost::dimension>& scale() const { return scale_; }
@@ -58,6 +59,7 @@ public:
   const Memories& memories() const { return memories_; }
   const Terms& terms() const { return terms_; }
   const Channels& channels() const { return channels_; }
+  const VertexImportance& importance() const { return importance_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     geometry_.prefetch(v);
@@ -111,6 +113,8 @@ public:
     if constexpr (counts_channels)
       squared *= channels_.error_factor(candidate.pair, candidate.first, candidate.second);
     candidate.error = scale_.length_of_mesh(std::sqrt((std::max)(0.0, squared)));
+    if (importance_.is_any_given()) [[unlikely]]
+      weigh(candidate);
   }
 
   /// Contractions of the same pair to its ends, the cheaper one first.
@@ -132,20 +136,18 @@ public:
     keys.clear();
     float* const values = keys.extend(pairs.size() + 1); // two at a time
     keys.add(pairs.size());
-    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
-                  (!counts_channels || remembers_forms<Cost>))
-      if (is_optimal(policies_.placement)) {
-        TwoLanes(*this).evaluate_all(pairs, values, labels);
-        if (complex_.hubs().any())
-          evaluate_at_hubs(pairs, values);
-        return;
-      }
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      values[i] = key_of(pairs[i]);
+    evaluate_alike(pairs, values, labels);
+    if (importance_.is_any_given()) [[unlikely]]
+      weigh(pairs, values);
   }
 
   /// The key of a pair, as a float.
   float key_of(const VertexPair& p) const {
+    const float key = key_alike(p);
+    return importance_.is_any_given() ? key * importance_.of_pair(p.first, p.second) : key;
+  }
+  /// The same where all vertices are of the same importance.
+  float key_alike(const VertexPair& p) const {
     const auto [a, b] = std::minmax(p.first, p.second);
     const Pair pair = view(a, b);
     const Position x = target(a, b, pair);
@@ -169,6 +171,31 @@ public:
   }
 
 private:
+  QUADRILLE_NOINLINE void weigh(Candidate& candidate) const {
+    const double factor = importance_.of_pair(candidate.first, candidate.second);
+    candidate.cost *= factor;
+    candidate.key *= factor;
+  }
+  QUADRILLE_NOINLINE void weigh(const AppendBuffer<VertexPair>& pairs, float* keys) const {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      keys[i] *= importance_.of_pair(pairs[i].first, pairs[i].second);
+  }
+
+  // Of which importance they are does not count yet.
+  QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
+                      VertexLabels& labels) const {
+    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
+                  (!counts_channels || remembers_forms<Cost>))
+      if (is_optimal(policies_.placement)) {
+        TwoLanes(*this).evaluate_all(pairs, values, labels);
+        if (complex_.hubs().any())
+          evaluate_at_hubs(pairs, values);
+        return;
+      }
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      values[i] = key_alike(pairs[i]);
+  }
+
   // Is it known where the pair goes, whatever it costs there? To what is fixed, or to a hub.
   bool is_settled(Index a, Index b) const {
     return geometry_.is_fixed(a) || geometry_.is_fixed(b) || complex_.hubs().of_pair(a, b) != none;
@@ -178,7 +205,7 @@ private:
                                            float* keys) const {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (complex_.hubs().of_pair(pairs[i].first, pairs[i].second) != none)
-        keys[i] = key_of(pairs[i]);
+        keys[i] = key_alike(pairs[i]);
   }
 
   // The pair as cost and placement see it.
@@ -223,6 +250,7 @@ private:
   const Memories& memories_;
   const Terms& terms_;
   const Channels& channels_;
+  const VertexImportance& importance_;
 };
 
 } // namespace quadrille::internal

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_EVALUATION_PART_PRICE_H
 #define QUADRILLE_INTERNAL_EVALUATION_PART_PRICE_H
 
+#include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/vector.h>
@@ -20,7 +21,7 @@ namespace quadrille::internal {
 /// contractions to that place cost, so as a rule a part shrinks as far as it can before it
 /// vanishes; and it is no less for a thin or flat part, whose planes all pass through the centre.
 /// Of a cost that looks at the surface as it is, what it sees counts in this way, and what vertices
-/// remember is added as it costs it at the centre.
+/// remember is added as it costs it at the centre. The part counts as its most important vertex.
 template <class Policies>
 class PartPrice {
 public:
@@ -43,8 +44,11 @@ public:
     } else {
       price = (std::max)(of_radius, cost_of(part, centre));
     }
-    return std::isnan(price) ? std::numeric_limits<float>::infinity()
-                             : PairEvaluator<Policies>::as_key(evaluator_.key_of_cost(price));
+    if (std::isnan(price))
+      return std::numeric_limits<float>::infinity();
+    const float key = PairEvaluator<Policies>::as_key(evaluator_.key_of_cost(price));
+    const VertexImportance& importance = evaluator_.importance();
+    return importance.is_any_given() ? key * importance.greatest_of(vertices) : key;
   }
 
 private:

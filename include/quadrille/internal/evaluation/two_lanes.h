@@ -135,7 +135,8 @@ private:
 
   void write(const Two& two, Lanes values, float* keys) const {
     for (std::size_t k = 0; k < 2; ++k)
-      keys[k] = std::isnan(values[k]) ? evaluator_.key_of(two[k]) : Evaluator::as_key(values[k]);
+      keys[k] =
+          std::isnan(values[k]) ? evaluator_.key_alike(two[k]) : Evaluator::as_key(values[k]);
   }
 
   // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has
@@ -146,7 +147,7 @@ private:
       return;
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (geometry.is_fixed(pairs[i].first) || geometry.is_fixed(pairs[i].second))
-        keys[i] = evaluator_.key_of(pairs[i]);
+        keys[i] = evaluator_.key_alike(pairs[i]);
   }
 
   std::array<Vector<3>, 2> ways(const Two& two) const {

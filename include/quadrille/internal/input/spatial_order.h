@@ -40,6 +40,8 @@ public:
     if (!surface.is_fixed.empty())
       permute(surface.is_fixed, order,
               Threads()); // of bits, which threads can't write side by side
+    if (!surface.importances.empty())
+      permute(surface.importances, order, threads);
   }
 
 private:

@@ -29,6 +29,7 @@ struct SurfaceInput {
   Array<TriangleComplex::Triangle> triangles;
   Array<Index> input_vertices, input_faces;  ///< see InputIndices
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
+  std::vector<double> importances;           ///< of each vertex; empty if all count alike
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
   /// Of each input face: may it be changed? The corners of others are fixed. Empty if all may.

@@ -1,0 +1,290 @@
+#ifndef QUADRILLE_IMPORTANCE_H
+#define QUADRILLE_IMPORTANCE_H
+
+#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_indices.h>
+#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/call/meshes.h>
+#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// \file
+/// Maps of importance for vertex_importance_map: where a surface is curved, and where it is seen.
+/// They are numbers of which only ratios matter, the same in any unit of length. Another map may be
+/// multiplied with them. <quadrille/simplify.h> does not include this header.
+
+namespace quadrille {
+
+/// How curvature_importance() counts.
+struct CurvatureImportance {
+  /// What is curved as the surface is on average counts 2 to this power times as much as what is
+  /// flat: with 3 it gets about twice as many faces, beside those that the cost gives it anyway. At
+  /// least 0, where all is alike.
+  double strength = 3;
+};
+
+/// How view_importance() counts.
+struct ViewImportance {
+  Vector<3> eye = {}; ///< from where the surface is seen, in its own coordinates
+  /// How much a vertex counts of which no face is turned to the eye, beside others as near; at
+  /// least 0. With 1/64 what is turned away gets about a quarter of the faces.
+  double turned_away = 1. / 64;
+  /// How much one counts of which some are and some are not, so that it may lie on the outline; at
+  /// least 0.
+  double outline = 8;
+};
+
+namespace internal {
+
+/// A surface of which importances are told, in the engine's unit.
+struct WeighedSurface {
+  const char* function; ///< whose name errors begin with
+  std::vector<Vector<3>> positions;
+  std::vector<std::array<std::size_t, 3>> triangles;
+
+  void add_point(const Vector<3>& p) {
+    if (!is_finite(p))
+      throw std::invalid_argument(function + (": vertex " + std::to_string(positions.size())) +
+                                  " is not finite");
+    positions.push_back(p);
+  }
+  template <class Face>
+  void add_face(const Face& face) {
+    const auto [a, b, c] = read_indices(face, triangles.size(), positions.size(), {function},
+                                        [] { return " is not a triangle"; });
+    triangles.push_back({a, b, c});
+  }
+
+  /// Brings it to the engine's unit, so that nothing over- or underflows.
+  Scale<3> rescale() {
+    const Scale<3> scale(Box<3>(positions), true);
+    for (Vector<3>& p : positions)
+      p = scale.position_from_mesh(p);
+    return scale;
+  }
+};
+
+template <class Mesh>
+WeighedSurface weighed_mesh(const char* function, const Mesh& mesh) {
+  WeighedSurface surface{function, {}, {}};
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  for (const auto v : vertices(mesh)) {
+    put(number, v, surface.positions.size());
+    surface.add_point(position_of(get(points, v)));
+  }
+  std::vector<std::size_t> corners;
+  for (const auto f : faces(mesh)) {
+    corners.clear();
+    const auto first = halfedge(f, mesh);
+    auto h = first;
+    do
+      corners.push_back(get(number, target(h, mesh)));
+    while ((h = next(h, mesh)) != first);
+    surface.add_face(corners);
+  }
+  return surface;
+}
+
+template <class Points, class Triangles>
+WeighedSurface weighed_soup(const char* function, const Points& points,
+                            const Triangles& triangles) {
+  WeighedSurface surface{function, {}, {}};
+  for (const auto& p : points)
+    surface.add_point(position_of(p));
+  for (const auto& triangle : triangles)
+    surface.add_face(triangle);
+  return surface;
+}
+
+/// The vertex normals of a surface: of unit length, or 0 where no face has an area.
+inline std::vector<Vector<3>> vertex_normals(const WeighedSurface& surface) {
+  std::vector<Vector<3>> normals(surface.positions.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto& at = surface.positions;
+    const Vector<3> normal = normal_vector(at[a], at[b], at[c]);
+    for (std::size_t v : {a, b, c})
+      normals[v] += normal;
+  }
+  for (Vector<3>& n : normals)
+    if (const double length = std::sqrt(squared_length(n)); length > 0)
+      n *= 1 / length;
+  return normals;
+}
+
+/// Four times the area of a triangle, times the mean of the square of the gradient of a map that
+/// is linear on it: each edge counts by the cotangent of the angle opposite to it.
+inline double dirichlet_energy(const std::array<Vector<3>, 3>& at,
+                               const std::array<Vector<3>, 3>& values, double doubled_area) {
+  double energy = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    energy +=
+        dot(at[j] - at[i], at[k] - at[i]) / doubled_area * squared_distance(values[j], values[k]);
+  }
+  return 2 * energy;
+}
+
+/// The root of the sum of the squares of both principal curvatures, at each vertex: by how much
+/// vertex normals turn over its faces, in the mean of their areas.
+inline std::vector<double> curvatures(const WeighedSurface& surface) {
+  const std::vector<Vector<3>> normals = vertex_normals(surface);
+  std::vector<double> curvature(surface.positions.size()), area(surface.positions.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    const std::array at{surface.positions[a], surface.positions[b], surface.positions[c]};
+    const double doubled = std::sqrt(squared_length(normal_vector(at[0], at[1], at[2])));
+    if (!(doubled > 0))
+      continue;
+    const double energy = dirichlet_energy(at, {normals[a], normals[b], normals[c]}, doubled);
+    for (std::size_t v : {a, b, c}) {
+      curvature[v] += energy;
+      area[v] += 2 * doubled;
+    }
+  }
+  for (std::size_t v = 0; v < curvature.size(); ++v)
+    curvature[v] = area[v] > 0 ? std::sqrt((std::max)(curvature[v] / area[v], 0.0)) : 0;
+  return curvature;
+}
+
+/// The mean over the area of a surface of what its vertices have.
+inline double mean_over(const WeighedSurface& surface, const std::vector<double>& values) {
+  double sum = 0, area = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto& at = surface.positions;
+    const double of_face = std::sqrt(squared_length(normal_vector(at[a], at[b], at[c])));
+    sum += of_face * (values[a] + values[b] + values[c]) / 3;
+    area += of_face;
+  }
+  return area > 0 ? sum / area : 0;
+}
+
+inline void require_factor(const char* function, const char* name, double factor) {
+  if (!(factor >= 0) || !std::isfinite(factor))
+    throw std::invalid_argument(std::string(function) + ": " + name + " " + text_of(factor) +
+                                " is negative or not finite");
+}
+
+inline std::vector<double> importances(WeighedSurface surface, const CurvatureImportance& how) {
+  require_factor(surface.function, "strength", how.strength);
+  surface.rescale();
+  std::vector<double> importances = curvatures(surface);
+  const double mean = mean_over(surface, importances);
+  for (double& x : importances)
+    x = mean > 0 ? std::pow(1 + x / mean, how.strength) : 1;
+  return importances;
+}
+
+/// How much each vertex counts for how it is turned to an eye, in the unit of the surface.
+inline std::vector<double> facing(const WeighedSurface& surface, const Vector<3>& eye,
+                                  const ViewImportance& how) {
+  std::vector<std::array<bool, 2>> has_face(surface.positions.size()); // away, towards the eye
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto& at = surface.positions;
+    const Vector<3> normal = normal_vector(at[a], at[b], at[c]);
+    if (!(squared_length(normal) > 0))
+      continue;
+    for (std::size_t v : {a, b, c})
+      has_face[v][dot(normal, eye - at[a]) > 0] = true;
+  }
+  std::vector<double> factors;
+  for (const auto& [is_away, is_towards] : has_face)
+    factors.push_back(!is_away ? 1 : is_towards ? how.outline : how.turned_away);
+  return factors;
+}
+
+inline std::vector<double> importances(WeighedSurface surface, const ViewImportance& how) {
+  constexpr double nearest = 1e-2; // of the way to the farthest vertex
+  require_factor(surface.function, "turned_away", how.turned_away);
+  require_factor(surface.function, "outline", how.outline);
+  if (!is_finite(how.eye))
+    throw std::invalid_argument(std::string(surface.function) + ": the eye is not finite");
+  const Scale<3> scale = surface.rescale();
+  const Vector<3> eye = scale.position_from_mesh(how.eye);
+  std::vector<double> importances = facing(surface, eye, how);
+  const auto distance = [&](const Vector<3>& p) { return std::sqrt(squared_distance(p, eye)); };
+  double farthest = 0;
+  for (const Vector<3>& p : surface.positions)
+    farthest = (std::max)(farthest, distance(p));
+  for (std::size_t v = 0; v < importances.size() && farthest > 0; ++v)
+    importances[v] *= std::pow((std::max)(distance(surface.positions[v]) / farthest, nearest), -3);
+  return importances;
+}
+
+template <class Mesh, class Map>
+void put_importances(const Mesh& mesh, Map map, const std::vector<double>& importances) {
+  std::size_t i = 0;
+  for (const auto v : vertices(mesh))
+    put(map, v, importances[i++]);
+}
+
+} // namespace internal
+
+/// Importances for vertex_importance_map by which more faces stay where the surface is curved:
+/// (1 + κ/κ̄)^strength, where κ² is the sum of the squares of both principal curvatures and κ̄ the
+/// mean of κ over the area. One for each point, in linear time.
+///
+/// `points` and `triangles` are a polygon soup. Throws std::invalid_argument for a strength that is
+/// negative or not finite, a point that is not finite, and a face that is not a triangle or names a
+/// point which is not there.
+///
+/// κ² is the square of the gradient of the vertex normals, linear on each face, in the mean over
+/// the faces of a vertex. Source: Rusinkiewicz, Estimating Curvatures and Their Derivatives on
+/// Triangle Meshes, 2004, section 3 (normals that are linear on faces); Pinkall and Polthier,
+/// Computing Discrete Minimal Surfaces and Their Conjugates, 1993 (the gradient by cotangents).
+template <std::ranges::input_range Points, std::ranges::input_range Triangles>
+std::vector<double> curvature_importance(const Points& points, const Triangles& triangles,
+                                         const CurvatureImportance& how = {}) {
+  return internal::importances(
+      internal::weighed_soup("quadrille::curvature_importance", points, triangles), how);
+}
+
+/// The same of a mesh, a model of CGAL's FaceListGraph, written to a property map of its vertices.
+template <class Mesh, class Map>
+requires internal::ReadableGraph<Mesh>
+void curvature_importance(const Mesh& mesh, Map map, const CurvatureImportance& how = {}) {
+  internal::put_importances(
+      mesh, map,
+      internal::importances(internal::weighed_mesh("quadrille::curvature_importance", mesh), how));
+}
+
+/// Importances for vertex_importance_map for a surface that is seen from a place: in proportion to
+/// distance⁻³, so that errors look alike large at any distance (twice as near, half of the error),
+/// times ViewImportance::turned_away and outline. What lies behind other parts counts as if it were
+/// seen, and what is nearer to the eye than a hundredth of the farthest vertex as if it were there.
+/// One for each point, in linear time.
+///
+/// `points` and `triangles` are a polygon soup. Throws std::invalid_argument for factors that are
+/// negative or not finite, an eye or a point that is not finite, and a face that is not a triangle
+/// or names a point which is not there.
+template <std::ranges::input_range Points, std::ranges::input_range Triangles>
+std::vector<double> view_importance(const Points& points, const Triangles& triangles,
+                                    const ViewImportance& how) {
+  return internal::importances(
+      internal::weighed_soup("quadrille::view_importance", points, triangles), how);
+}
+
+/// The same of a mesh, a model of CGAL's FaceListGraph, written to a property map of its vertices.
+template <class Mesh, class Map>
+requires internal::ReadableGraph<Mesh>
+void view_importance(const Mesh& mesh, Map map, const ViewImportance& how) {
+  internal::put_importances(
+      mesh, map,
+      internal::importances(internal::weighed_mesh("quadrille::view_importance", mesh), how));
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_IMPORTANCE_H
