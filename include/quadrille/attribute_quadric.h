@@ -55,7 +55,7 @@ struct AttributeQuadric {
   /// Of each attribute, in mesh units a unit of the attribute; by default as above.
   std::optional<Vector<N>> weights = {};
   double boundary_weight = 100;             ///< as in Quadric
-  Weighting weighting = Weighting::by_area; ///< as in Quadric
+  Weighting weighting = Weighting::by_area; ///< as in Quadric, but not by_squared_area
 
   /// The weights for attributes between `low` and `high`, see above.
   Vector<N> attribute_weights(const Vector<N>& low, const Vector<N>& high, double diagonal) const {
@@ -122,6 +122,9 @@ struct AttributeQuadric {
   /// Throws std::invalid_argument for a weight that makes no sense.
   void validate() const {
     internal::require_weight("quadrille::AttributeQuadric", "boundary_weight", boundary_weight);
+    if (weighting == Weighting::by_squared_area)
+      throw std::invalid_argument("quadrille::AttributeQuadric: Weighting::by_squared_area is for "
+                                  "Quadric");
     if (!(importance > 0) || !std::isfinite(importance))
       throw std::invalid_argument("quadrille::AttributeQuadric: importance " +
                                   internal::text_of(importance) + " is not above 0 and finite");

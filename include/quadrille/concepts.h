@@ -55,6 +55,12 @@ namespace quadrille {
 /// - `cost.boundary(p, q, r)`: the Memory that the boundary edge pq of the face pqr leaves at p.
 /// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease, an edge whose
 ///   normals differ by more than that, or that `edge_is_crease_map` names.
+/// - `cost.vertex(memory, normal)` with `cost.has_vertex_terms()`: what a vertex leaves beside its
+///   faces, where there is any such thing, from what these leave and the sum of their doubled area
+///   vectors, a Vector<3>.
+/// - `cost.convert_lengths(convert)`, for a scale-free cost with members that are lengths in the
+///   mesh's unit: puts `convert(length)` in the place of each. It is called for a copy of the cost,
+///   of which faces, vertices and edges are then asked what they leave.
 /// - `cost.crease_weight`, a member that can be written to: how much such edges count. Edges at
 ///   which labels differ, and chart ends of textures, are counted by `crease` with weights of their
 ///   own.

@@ -32,6 +32,7 @@
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/pairs/pair_finder.h>
 #include <quadrille/internal/pairs/pair_selection.h>
+#include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
@@ -238,8 +239,8 @@ private:
   void remember() {
     const auto is_interior = [this](Index v) { return link_condition_.is_interior(v); };
     VertexLabels& labels = scratch().labels;
-    memories_.remember(policies_.cost, geometry_.positions(), complex_, labels,
-                       creases_.left(numbering_), is_interior, policies_.threads);
+    memories_.remember(with_engine_lengths(policies_.cost, scale_), geometry_.positions(), complex_,
+                       labels, creases_.left(numbering_), is_interior, policies_.threads);
     appearance_.remember();
     terms_.sum_up(labels);
   }

@@ -12,13 +12,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// What each vertex remembers at the beginning: its faces, its boundary edges, its creases.
+/// What each vertex remembers at the beginning: its faces, itself, its boundary edges, its creases.
 template <class Cost>
 class InitialMemories {
 public:
@@ -37,6 +38,7 @@ public:
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
       std::fill(result.begin() + range.begin, result.begin() + range.end, Memory{});
       memories.add_faces(range);
+      memories.add_vertices(range);
     });
     if constexpr (has_boundaries || has_creases)
       memories.add_edges(labels, is_interior);
@@ -60,6 +62,10 @@ private:
   static constexpr bool has_creases = requires(const Cost c, Position p) {
     c.crease(p, p, p);
     c.crease_degrees;
+  };
+  static constexpr bool may_have_vertex_terms = requires(const Cost c, const Memory m) {
+    c.vertex(m, Vector<3>{});
+    { c.has_vertex_terms() } -> std::convertible_to<bool>;
   };
 
   InitialMemories(const Cost& cost, const Array<Position>& positions, TriangleComplex& complex,
@@ -88,6 +94,25 @@ private:
         memories_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
       if (range.contains(r))
         memories_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
+    }
+  }
+
+  // What vertices of a range leave themselves.
+  template <class R>
+  void add_vertices([[maybe_unused]] const R& range) {
+    if constexpr (may_have_vertex_terms) {
+      if (!cost_.has_vertex_terms())
+        return;
+      std::vector<Vector<3>> normals(range.end - range.begin);
+      complex_.for_each_face_at(range, [&](const TriangleComplex::Triangle& corners) {
+        const auto at = [&](std::size_t i) { return space(positions_[corners[i]]); };
+        const Vector<3> normal = normal_vector(at(0), at(1), at(2));
+        for (Index v : corners)
+          if (range.contains(v))
+            normals[v - range.begin] += normal;
+      });
+      for (Index v = range.begin; v < range.end; ++v)
+        memories_[v] += cost_.vertex(memories_[v], normals[v - range.begin]);
     }
   }
 

@@ -14,6 +14,20 @@
 
 namespace quadrille::internal {
 
+/// A cost whose lengths, if it has any, are in the engine's unit.
+template <class Cost>
+decltype(auto) with_engine_lengths(const Cost& cost,
+                                   [[maybe_unused]] const Scale<Cost::dimension>& scale) {
+  const auto convert = [&](double length) { return scale.length_from_mesh(length); };
+  if constexpr (requires(Cost copy) { copy.convert_lengths(convert); }) {
+    Cost copy(cost);
+    copy.convert_lengths(convert);
+    return copy;
+  } else {
+    return (cost);
+  }
+}
+
 /// What the ends of a pair remember and see now, as the cost has made it. Of a scale-free cost that
 /// is in units which nobody knows, so it is not there.
 template <class Cost>
