@@ -73,6 +73,13 @@ namespace quadrille {
 ///   yours.
 /// - `cost.validate()`: throws if the policy makes no sense.
 /// - `C::ScaleFree`: the cost does as well in any unit of length, see concepts.h.
+/// - `C::TwoLanes`: pairs may be costed two at a time where vertices go to the position of least
+///   cost, which is the fast path of Quadric and its kin. `using TwoLanes = MyCost;` in the class
+///   MyCost, for this class alone, says that it is scale-free and has values, tie break and
+///   minimizer as they have: those of Quadric for `pair.memory`, a `QuadricForm<3>`; or of
+///   MemorylessQuadric for what its `join` makes of its `Current`, and with `loss(growth, trace)`
+///   and `Memory::planes` of ThinFeatureQuadric as well. What faces, vertices and edges leave or
+///   say is its own. Keys are then the same to the rounding of a float.
 /// - `C::face_is_alike_at_corners`: true if face(p, q, r) leaves the same at q and r.
 /// - `cost.attribute_weights(low, high, diagonal)`, for costs with attributes: by what these are
 ///   multiplied before anything sees them, from their least and greatest values and the diagonal

@@ -31,6 +31,7 @@ struct MemorylessQuadric {
   static constexpr std::size_t dimension = 3; ///< positions only
   using ScaleFree = MemorylessQuadric;        ///< as well in any unit: see CostPolicy
   using TieBreak = MemorylessQuadric;         ///< on the scale of the values of this class
+  using TwoLanes = MemorylessQuadric;         ///< pairs may be costed two at a time: see CostPolicy
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
 

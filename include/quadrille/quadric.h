@@ -108,6 +108,7 @@ struct Quadric {
   static constexpr std::size_t dimension = 3; ///< positions only
   using ScaleFree = Quadric;                  ///< as well in any unit: see CostPolicy
   using TieBreak = Quadric;                   ///< on the scale of the values of this class
+  using TwoLanes = Quadric;                   ///< pairs may be costed two at a time: see CostPolicy
   using Memory = QuadricForm<3>;              ///< planes, about the vertex
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede

@@ -29,6 +29,7 @@ namespace quadrille {
 struct ThinFeatureQuadric : MemorylessQuadric {
   using ScaleFree = ThinFeatureQuadric; ///< as well in any unit: see CostPolicy
   using TieBreak = ThinFeatureQuadric;  ///< on the scale of the values of this class
+  using TwoLanes = ThinFeatureQuadric;  ///< pairs may be costed two at a time: see CostPolicy
 
   double loss_weight = 3;       ///< at least 0
   double loss_tolerance = 0.15; ///< at least 0; more: only larger losses count

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H
 #define QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H
 
+#include <quadrille/internal/base/lanes.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
 #include <quadrille/internal/evaluation/two_quadrics.h>
@@ -8,10 +9,8 @@
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/memoryless_quadric.h>
 #include <quadrille/placement.h>
-#include <quadrille/quadric.h>
-#include <quadrille/thin_feature_quadric.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -19,16 +18,29 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 namespace quadrille::internal {
 
+/// Does a class say of itself that pairs may be costed two at a time? See CostPolicy.
+template <class Cost>
+inline constexpr bool says_two_lanes = requires {
+  requires std::same_as<typename Cost::TwoLanes, std::remove_const_t<Cost>>;
+};
+
 /// Is there a kernel that costs two pairs at the price of one, for this cost and placement?
 template <class Cost, class Placement>
-inline constexpr bool has_two_lanes =
-    (std::same_as<Placement, OptimalPlacement> ||
-     std::same_as<Placement, BuiltInPlacement>)&&(std::same_as<Cost, Quadric> ||
-                                                  std::same_as<Cost, MemorylessQuadric> ||
-                                                  std::same_as<Cost, ThinFeatureQuadric>);
+inline constexpr bool
+    has_two_lanes = (std::same_as<Placement, OptimalPlacement> ||
+                     std::same_as<Placement, BuiltInPlacement>)&&says_two_lanes<Cost>;
+
+/// Does a cost of that kind count losses of remembered planes, as ThinFeatureQuadric does?
+template <class Cost>
+concept CountsLosses = requires(const Cost& cost, const typename Cost::Memory& memory,
+                                const Lanes& lanes) {
+  { memory.planes } -> std::convertible_to<const QuadricForm<3>&>;
+  { cost.loss(lanes, lanes) } -> std::convertible_to<Lanes>;
+};
 
 /// Does a placement of those, or one whose guess is of those, take the position of least cost?
 template <class Placement>
@@ -45,6 +57,9 @@ template <class Evaluator>
 class TwoLanes {
 public:
   using Cost = typename Evaluator::Cost;
+  static_assert(is_scale_free<Cost>,
+                "A cost that says TwoLanes has to be scale-free: see CostPolicy in "
+                "<quadrille/concepts.h>.");
 
   explicit TwoLanes(const Evaluator& evaluator) : evaluator_(evaluator) {}
 
@@ -114,7 +129,7 @@ private:
                  {star.shared_with(p.second, evaluator_.cost(), positions()),
                   star.shared_with(q.second, evaluator_.cost(), positions())},
                  ways(two), squared_reaches(two));
-      if constexpr (std::same_as<Cost, ThinFeatureQuadric>)
+      if constexpr (CountsLosses<Cost>)
         values += losses(two, minimizers);
       write(two, values, keys + i);
     }
@@ -135,8 +150,7 @@ private:
 
   void write(const Two& two, Lanes values, float* keys) const {
     for (std::size_t k = 0; k < 2; ++k)
-      keys[k] =
-          std::isnan(values[k]) ? evaluator_.key_alike(two[k]) : Evaluator::as_key(values[k]);
+      keys[k] = std::isnan(values[k]) ? evaluator_.key_alike(two[k]) : Evaluator::as_key(values[k]);
   }
 
   // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has
