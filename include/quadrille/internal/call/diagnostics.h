@@ -66,6 +66,18 @@ requires internal::ReadableGraph<Mesh>
 void simplify(const Mesh&, // what is constant or temporary cannot be simplified
               const Arguments&...) = delete;
 
+/// Does not compile, for a view of a mesh.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Graph,
+          class... Arguments>
+requires internal::ReadableGraph<Graph> &&
+    (!internal::FaceGraph<Graph>)&&(!std::is_const_v<Graph>)Report
+    simplify(Graph&, const Arguments&...) {
+  static_assert(internal::FaceGraph<Graph>,
+                "This graph can be read only, as a Face_filtered_graph: simplify the mesh that it "
+                "is a view of, with quadrille::parameters::face_is_selected_map for its faces.");
+  return {};
+}
+
 /// The same with nothing but defaults, lest it be taken by CGAL::simplify(x).
 template <class Mesh>
 requires internal::ReadableGraph<Mesh>
