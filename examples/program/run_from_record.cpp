@@ -56,6 +56,7 @@ quadrille::Report report_of(const LevelInfo& finest, const LevelInfo& level, con
   report.contractions = level.contractions;
   report.error = level.error;
   report.distance_bound = level.distance_bound;
+  report.hausdorff_bound = level.hausdorff_bound;
   const bool is_met = target.is_coarse_enough({.initial_faces = finest.faces,
                                                .initial_vertices = finest.vertices,
                                                .faces = level.faces,

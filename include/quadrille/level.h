@@ -37,6 +37,9 @@ struct LevelInfo {
   double error = 0;             ///< as Report::error; rounded up to a float
   /// As Report::distance_bound, or more: it never falls from a level to a coarser one.
   double distance_bound = std::numeric_limits<double>::infinity();
+  /// The same of Report::hausdorff_bound; distance_bound is no less then. For recordings with a
+  /// stop policy that asks both ways, as HausdorffLimit; else infinite, but for the input.
+  double hausdorff_bound = std::numeric_limits<double>::infinity();
 };
 
 /// The values of a channel at a level.

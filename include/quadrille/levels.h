@@ -160,7 +160,7 @@ inline void Levels::name_channels(const RecordedSurface& surface) {
 
 inline void Levels::begin(RecordedSurface surface) {
   name_channels(surface);
-  records_ = internal::RecordList(surface.width, surface.knows_distances);
+  records_ = internal::RecordList(surface.width, surface.knows_distances, surface.knows_both_ways);
   records_.reserve(surface.values.size() / surface.width, surface.triangles.size());
   items_.clear();
   items_.push_back({surface.width, std::move(surface.triangles), std::move(surface.values)});
@@ -193,7 +193,8 @@ inline LevelInfo Levels::info(const Place& place) const {
   return internal::level_info(
       segment.faces_at(place.contractions), segment.tracks.front().items_at(place.contractions),
       begins_[place.segment] + place.contractions, segment.error_at(place.contractions),
-      knows_bounds, knows_bounds ? segment.bound_at(place.contractions) : 0);
+      knows_bounds, segment.are_bounds_both_ways,
+      knows_bounds ? segment.bound_at(place.contractions) : 0);
 }
 
 inline LevelChannel Levels::channel_at(const ChannelPlace& channel, const Place& place,

@@ -132,6 +132,7 @@ private:
     return internal::level_info(stage.faces, stage.vertices,
                                 static_cast<std::size_t>(stage.contractions),
                                 static_cast<double>(stage.error), directory_.knows_bounds,
+                                directory_.are_bounds_both_ways,
                                 static_cast<double>(stage.bound));
   }
 

@@ -47,6 +47,7 @@ struct RecordedSurface {
   std::vector<std::array<RecordedIndex, 3>> triangles;
   std::vector<RecordedChannel> channels; ///< in the order of the call
   bool knows_distances; ///< does a stop policy ask for distances, so that contractions tell them?
+  bool knows_both_ways; ///< and both ways, so that they tell the greater of both?
 };
 
 /// What a contraction does to a wedge of a channel that has seams.
@@ -65,7 +66,7 @@ struct RecordedContraction {
   RecordedIndex gone = not_recorded; ///< the vertex that has become it; the same
   std::span<const double> values;    ///< of the one that is left, afterwards: see RecordedSurface
   double error = 0;                  ///< as a distance: see Report::error
-  double distance_bound = 0;         ///< of the faces that it changes, if a stop policy asks for it
+  double distance_bound = 0;         ///< of the faces that it changes: see knows_distances
   std::span<const RecordedIndex> removed_faces; ///< by their numbers
   std::span<const RecordedWedge> wedges; ///< those at the vertex that is left, of all channels
 };

@@ -1,4 +1,5 @@
 // Levels of detail from one run: each is what simplify leaves, bit for bit.
+#include "farthest.h"
 #include "meshes.h"
 #include "replay.h"
 #include "soups.h"
@@ -12,6 +13,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
 
 #include <catch2/catch.hpp>
 
@@ -129,6 +131,37 @@ TEST_CASE("levels with a limit of the distance tell bounds") {
   }
   for (double limit : {0.02, 0.05})
     CHECK(levels.info(DistanceAtMost{limit}).faces > levels.coarsest().faces);
+}
+
+TEST_CASE("levels of a limit both ways tell bounds both ways") {
+  const Soup soup = with_noise(sphere(3), 5, 0.01);
+  const std::vector<double> tolerances(soup.points.size(), 0.1);
+  const auto check = [&](const auto& stop, const auto&... named) {
+    Levels levels;
+    Points points = points_of_soup(soup);
+    Triangles triangles = soup.triangles;
+    const Report report = simplify(points, triangles, stop, record_into(levels), named...);
+    CHECK(levels.coarsest().hausdorff_bound >= report.hausdorff_bound);
+    CHECK(levels.coarsest().hausdorff_bound < 0.1 * (1 + 1e-6));
+    for (std::size_t i = 0; i <= report.contractions; i += report.contractions / 8) {
+      const Level level = levels.at(AfterContractions{i});
+      Soup now{{}, level.triangles};
+      for (const auto& p : level.points)
+        now.points.push_back({p});
+      CHECK(farthest(soup, now, 2) <= level.hausdorff_bound + 1e-12);
+      CHECK(farthest(now, soup, 2) <= level.distance_bound + 1e-12);
+      CHECK(level.hausdorff_bound == level.distance_bound);
+    }
+  };
+  check(HausdorffLimit{0.1});
+  check(ToleranceLimit{}, parameters::vertex_tolerance_map(CGAL::make_property_map(tolerances)));
+
+  Levels one_way;
+  Points points = points_of_soup(soup);
+  Triangles triangles = soup.triangles;
+  simplify(points, triangles, ErrorLimit{0.1}, record_into(one_way));
+  CHECK(one_way.coarsest().hausdorff_bound == std::numeric_limits<double>::infinity());
+  CHECK(one_way.finest().hausdorff_bound == 0);
 }
 
 // --- Against a replay ----------------------------------------------------------------------------

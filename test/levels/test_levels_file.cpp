@@ -44,6 +44,7 @@ void require_same(const Level& a, const Level& b) {
   REQUIRE(a.contractions == b.contractions);
   REQUIRE(a.error == b.error);
   REQUIRE(a.distance_bound == b.distance_bound);
+  REQUIRE(a.hausdorff_bound == b.hausdorff_bound);
   REQUIRE(a.points == b.points);
   REQUIRE(a.triangles == b.triangles);
   REQUIRE(a.input_vertices == b.input_vertices);
@@ -95,7 +96,7 @@ TEST_CASE("levels are read as they were written") {
 TEST_CASE("bounds are read as they were written") {
   const Folder folder;
   const std::filesystem::path path = folder.path("bounds.qlv");
-  const Levels levels = levels_of(textured_torus(24, 15), ErrorLimit{0.05});
+  const Levels levels = levels_of(textured_torus(24, 15), HausdorffLimit{0.05});
   write_levels(path, levels, {.is_compressed = false});
   LevelsFile file(path);
   for (double d = 0; d < 0.06; d += 0.001)

@@ -20,6 +20,7 @@ class Level(Mesh):
 
     error           as of Report.error
     distance_bound  no point is further from the input; infinite but of runs with error=
+    hausdorff_bound nor any point of the input further from the level; of runs with both_ways=True
     contractions    that lead to it
     input_points, input_faces  which point and face of the input each of its own is: labels and
                     materials are found there
@@ -27,6 +28,7 @@ class Level(Mesh):
 
     error: float = 0.0
     distance_bound: float = float("inf")
+    hausdorff_bound: float = float("inf")
     contractions: int = 0
     input_points: Optional[np.ndarray] = None
     input_faces: Optional[np.ndarray] = None
@@ -90,7 +92,8 @@ class Levels:
                                         distance=distance, contractions=contractions))
         info = arrays["info"]
         level = Level(arrays["points"], arrays["faces"], error=info["error"],
-                      distance_bound=info["distance_bound"], contractions=info["contractions"],
+                      distance_bound=info["distance_bound"],
+                      hausdorff_bound=info["hausdorff_bound"], contractions=info["contractions"],
                       input_points=arrays["input_points"], input_faces=arrays["input_faces"])
         set_channels(level, {name: values if indices is None else (values, indices)
                              for name, (values, indices) in zip(self._names, arrays["channels"])})
@@ -99,7 +102,8 @@ class Levels:
     def info(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
              error: Optional[float] = None, distance: Optional[float] = None,
              contractions: Optional[int] = None) -> Dict[str, Any]:
-        """The same without the surface: its faces, vertices, contractions, error, distance_bound."""
+        """The same without the surface: its faces, vertices, contractions, error, distance_bound,
+        hausdorff_bound."""
         return self._levels.info(*_stop(faces=faces, vertices=vertices, error=error,
                                         distance=distance, contractions=contractions))
 

@@ -48,13 +48,12 @@ public:
 
   /// What is known of the surface as it is. Does each point of the input have a place on it?
   void tell(Report& report, bool has_all_points) const {
-    const bool are_parts = bounds_.tolerances().are_given();
-    const double unit = are_parts ? greatest_tolerance() : 1;
+    const double unit = bounds_.greatest_tolerance();
     report.distance_bound = scale_.length_of_mesh(unit * bounds_.greatest(complex_));
     if (policies_.stop.is_asking_both_ways() && has_all_points)
       report.hausdorff_bound = (std::max)(
           report.distance_bound, scale_.length_of_mesh(unit * bounds_.greatest_back(complex_)));
-    if (are_parts && has_all_points)
+    if (bounds_.has_tolerances() && has_all_points)
       tell_tolerance(report);
   }
 
@@ -163,11 +162,7 @@ private:
   double told(double distance, const StarTolerance& tolerance) const {
     if (distance <= bounds_.rounding())
       return 0;
-    return scale_.length_of_mesh(
-        tolerance.is_given ? tolerance.bound_of(distance) * greatest_tolerance() : distance);
-  }
-  double greatest_tolerance() const {
-    return (std::max)(bounds_.tolerances().greatest(), bounds_.rounding());
+    return scale_.length_of_mesh(tolerance.distance_of(tolerance.bound_of(distance)));
   }
 
   // Many of them do not add up to more than rounding.

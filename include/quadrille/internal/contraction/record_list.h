@@ -45,11 +45,12 @@ class RecordList {
 public:
   RecordList() = default;
   /// `width`: how many numbers a vertex has.
-  RecordList(std::size_t width, bool knows_distances)
-      : width_(width), knows_distances_(knows_distances) {}
+  RecordList(std::size_t width, bool knows_distances, bool knows_both_ways)
+      : width_(width), knows_distances_(knows_distances), knows_both_ways_(knows_both_ways) {}
 
   std::size_t size() const { return headers_.size(); }
   bool knows_distances() const { return knows_distances_; }
+  bool knows_both_ways() const { return knows_both_ways_; }
 
   /// Makes room, so that nothing is copied. What is not used takes no memory.
   void reserve(std::size_t contractions, std::size_t faces) {
@@ -126,7 +127,7 @@ private:
   }
 
   std::size_t width_ = 3;
-  bool knows_distances_ = false;
+  bool knows_distances_ = false, knows_both_ways_ = false;
   std::vector<Header> headers_;
   std::vector<double> values_;
   std::vector<float> bounds_;

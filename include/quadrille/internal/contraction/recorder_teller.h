@@ -215,10 +215,19 @@ private:
   double distance_bound(const Contraction& contraction) const {
     if (!policies_.stop.is_asking_for_distance())
       return 0;
-    float greatest = 0;
-    for (float bound : contraction.bounds())
-      greatest = (std::max)(greatest, bound);
-    return scale_.length_of_mesh(static_cast<double>(greatest));
+    const auto greatest = [](const std::vector<float>& values) {
+      float result = 0;
+      for (float value : values)
+        result = (std::max)(result, value);
+      return static_cast<double>(result);
+    };
+    const auto& scratch = contraction.scratch().distance;
+    double bound = greatest(contraction.bounds());
+    if (policies_.stop.is_asking_both_ways())
+      bound = scratch.back.is_any_lost()
+                  ? std::numeric_limits<double>::infinity()
+                  : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.back.bounds())));
+    return scale_.length_of_mesh(scratch.tolerance.distance_of(bound));
   }
 
   // Of the wedges that met, those of one wedge now: the lowest identity is left.

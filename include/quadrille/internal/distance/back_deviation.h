@@ -104,9 +104,7 @@ private:
     for (const StarFace& f : star.shared)
       add(bound_of(f.face));
   }
-  void add(double bound) {
-    images_.push_back({bound, infinity, none, false, false});
-  }
+  void add(double bound) { images_.push_back({bound, infinity, none, false, false}); }
 
   // Finds the face to which all points of an old one go; none if it leaves no edge of a face.
   void look_at_one(std::size_t i) {

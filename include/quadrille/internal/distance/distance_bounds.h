@@ -39,13 +39,17 @@ public:
   /// A distance that may be nothing but the sum of many roundings, on a surface of this size.
   double rounding() const { return 0x1p-40 * size_; }
 
-  const Tolerances& tolerances() const { return tolerances_; }
+  bool has_tolerances() const { return tolerances_.are_given(); }
+  /// What the bounds are parts of at most; 1 if they are distances.
+  double greatest_tolerance() const {
+    return has_tolerances() ? (std::max)(tolerances_.greatest(), rounding()) : 1;
+  }
   /// That of the faces around a pair.
   StarTolerance tolerance_of(const PairStar& star) const {
     StarTolerance result;
     if (!tolerances_.are_given())
       return result;
-    result = {true, tolerances_.least(star), 0, rounding()};
+    result = {true, tolerances_.least(star), 0, rounding(), greatest_tolerance()};
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)
         result.used = (std::max)({result.used, of_face_[f.face], back_of_face_[f.face]});
@@ -118,7 +122,7 @@ public:
         const double squared = squared_distance_to_triangle(x, at(end), at(f.second), at(f.third));
         StarTolerance tolerance; // that of the star is not greater, so more of it would be used
         if (tolerances_.are_given())
-          tolerance = {true, tolerances_[face], of_face_[face], rounding()};
+          tolerance = {true, tolerances_[face], of_face_[face], rounding(), greatest_tolerance()};
         const double length = tolerance.length_of(of_face_[face]) + std::sqrt(squared);
         return squared > 0x1p-40 * squared_distance(x, at(f.second)) && // else it may be rounding
                is_too_far(static_cast<double>(rounded_up(length)), tolerance);

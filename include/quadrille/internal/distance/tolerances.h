@@ -23,9 +23,12 @@ struct StarTolerance {
   double least = 1;    // in the engine's unit
   float used = 0;      // the greatest part that a face of the star has used
   double rounding = 0; // what uses nothing
+  double greatest = 1; // of all faces at the beginning: a part of it is no less than that of any
 
   /// A bound as a length that what a contraction adds can be added to.
   double length_of(float bound) const { return static_cast<double>(bound) * least; }
+  /// As a distance that no point has gone beyond.
+  double distance_of(double bound) const { return bound * greatest; }
   /// And back, rounded up to a float. What may be rounding uses nothing more.
   double bound_of(double length) const {
     if (!is_given)

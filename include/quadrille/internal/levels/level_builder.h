@@ -226,6 +226,7 @@ private:
                          column.begin() + static_cast<std::ptrdiff_t>(end));
     };
     segment.faces_after = of_records(faces_after_);
+    segment.are_bounds_both_ways = records_.knows_both_ways();
     float error = segment.error_before, bound = segment.bound_before;
     for (std::size_t i = begin; i < end; ++i) {
       segment.errors.push_back(error = (std::max)(error, records_.error(i)));

@@ -82,7 +82,7 @@ struct LevelDirectory {
 
   std::string comment;
   std::uint64_t input_vertices = 0;
-  bool knows_bounds = false;
+  bool knows_bounds = false, are_bounds_both_ways = false;
   std::vector<std::size_t> widths; // of the tracks
   std::vector<Channel> channels;
   std::vector<Stage> stages;
@@ -92,7 +92,7 @@ struct LevelDirectory {
     ByteWriter writer;
     writer.put_text(comment);
     writer.put(input_vertices);
-    writer.put(static_cast<std::uint8_t>(knows_bounds));
+    writer.put(static_cast<std::uint8_t>(knows_bounds + (knows_bounds && are_bounds_both_ways)));
     writer.put(static_cast<std::uint32_t>(widths.size()));
     for (std::size_t width : widths)
       writer.put(static_cast<std::uint32_t>(width));
@@ -119,7 +119,9 @@ struct LevelDirectory {
     LevelDirectory directory;
     directory.comment = reader.get_text();
     directory.input_vertices = reader.get<std::uint64_t>();
-    directory.knows_bounds = reader.get<std::uint8_t>() != 0;
+    const auto known = reader.get<std::uint8_t>();
+    directory.knows_bounds = known != 0;
+    directory.are_bounds_both_ways = known == 2;
     for (auto left = reader.get<std::uint32_t>(); left > 0; --left)
       directory.widths.push_back(reader.get<std::uint32_t>());
     for (auto left = reader.get<std::uint32_t>(); left > 0; --left) {

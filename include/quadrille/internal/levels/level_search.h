@@ -15,12 +15,11 @@ namespace quadrille::internal {
 
 /// What is known of a level; of its bound only if distances have been recorded.
 inline LevelInfo level_info(std::size_t faces, std::size_t vertices, std::size_t contractions,
-                            double error, bool knows_bounds, double bound) {
+                            double error, bool knows_bounds, bool are_both_ways, double bound) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  return {faces, vertices, contractions, error,
-          contractions == 0 ? 0
-          : knows_bounds    ? bound
-                            : unknown};
+  const double known = contractions == 0 ? 0 : knows_bounds ? bound : unknown;
+  return {faces, vertices, contractions,
+          error, known,    contractions == 0 || are_both_ways ? known : unknown};
 }
 
 /// That many contractions into a segment.

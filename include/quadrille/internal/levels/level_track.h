@@ -89,6 +89,7 @@ struct LevelSegment {
   std::vector<Index> faces_after; ///< of each contraction: how many are left
   std::vector<float> errors;      ///< of each contraction: the greatest until then
   std::vector<float> bounds;      ///< the same of distances; empty if they are not known
+  bool are_bounds_both_ways = false;
   float error_before = 0, bound_before = 0;
   std::vector<LevelTrack> tracks; ///< the vertices, then the wedges of each channel with seams
 

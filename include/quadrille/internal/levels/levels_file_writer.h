@@ -25,6 +25,7 @@ public:
     directory_.comment = options.comment;
     directory_.input_vertices = levels.input_vertex_count_;
     directory_.knows_bounds = !levels.segments_.front().bounds.empty();
+    directory_.are_bounds_both_ways = levels.segments_.front().are_bounds_both_ways;
     for (const auto& track : levels.segments_.front().tracks)
       directory_.widths.push_back(track.width);
     for (const auto& channel : levels.channels_)

@@ -17,7 +17,7 @@ namespace quadrille::internal {
 
 /// A segment of levels as bytes: counts, then columns.
 ///
-///     u32 contractions, faces; f32 error before, bound before; u8 bounds are known
+///     u32 contractions, faces; f32 error before, bound before; u8 bounds are known, 2 if both ways
 ///     [contractions] faces that go, as u8 after a 1, or as u32 after a 4
 ///     f32 [contractions] errors; bounds, if they are known
 ///     each track: u32 items, parents, changes; u8 bytes of a number, 4 or 8
@@ -35,7 +35,9 @@ public:
     writer.put(static_cast<std::uint32_t>(segment.faces()));
     writer.put(segment.error_before);
     writer.put(segment.bound_before);
-    writer.put(static_cast<std::uint8_t>(!segment.bounds.empty()));
+    writer.put(static_cast<std::uint8_t>(segment.bounds.empty()         ? 0
+                                         : segment.are_bounds_both_ways ? 2
+                                                                        : 1));
     put_small(steps_down(segment.faces_after, segment.faces()), writer);
     writer.put_column(segment.errors);
     writer.put_column(segment.bounds);
@@ -52,10 +54,11 @@ public:
     const auto faces = reader.get<std::uint32_t>();
     segment.error_before = reader.get<float>();
     segment.bound_before = reader.get<float>();
-    const bool knows_bounds = reader.get<std::uint8_t>() != 0;
+    const auto known = reader.get<std::uint8_t>();
+    segment.are_bounds_both_ways = known == 2;
     segment.faces_after = sums_down(get_small(contractions, reader), faces);
     segment.errors = reader.get_column<float>(contractions);
-    segment.bounds = reader.get_column<float>(knows_bounds ? contractions : 0);
+    segment.bounds = reader.get_column<float>(known != 0 ? contractions : 0);
     for (std::size_t width : widths)
       segment.tracks.push_back(read_track(width, contractions, faces, reader));
     require(reader.left() == 0, "a segment is longer than it says");
