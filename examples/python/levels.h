@@ -44,6 +44,7 @@ inline py::dict dict_of(const quadrille::LevelInfo& info) {
   result["contractions"] = info.contractions;
   result["error"] = info.error;
   result["distance_bound"] = info.distance_bound;
+  result["hausdorff_bound"] = info.hausdorff_bound;
   return result;
 }
 

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -48,8 +49,13 @@ public:
     told_ = told_channels(all_channels(), back_channels, complex_.vertex_capacity());
     for (std::size_t c = 0; c < told_.size(); ++c)
       width_ += told_[c].has_wedges ? 0 : all_channels()[c].components();
-    RecordedSurface surface{dimension, width_, std::vector<double>(width_ * vertices),
-                            {},        {},     policies_.stop.is_asking_for_distance()};
+    RecordedSurface surface{dimension,
+                            width_,
+                            std::vector<double>(width_ * vertices),
+                            {},
+                            {},
+                            policies_.stop.is_asking_for_distance(),
+                            policies_.stop.is_asking_both_ways()};
     std::vector<double> memory;
     for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
       const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
@@ -123,6 +129,8 @@ public:
       add_inputs(face, faces);
     RecordedContraction removal;
     removal.error = event.radius;
+    if (policies_.stop.is_asking_both_ways()) // its points have no place left
+      removal.distance_bound = std::numeric_limits<double>::infinity();
     removal.removed_faces = faces;
     policies_.recorder.record(removal);
   }
@@ -169,7 +177,9 @@ private:
     else
       return {};
   }
-  RecordList empty_list() const { return {width_, policies_.stop.is_asking_for_distance()}; }
+  RecordList empty_list() const {
+    return {width_, policies_.stop.is_asking_for_distance(), policies_.stop.is_asking_both_ways()};
+  }
 
   // The numbers of a vertex at a position; in a memory, if there are more than the position's.
   std::span<const double> values_of(Index v, const Vector<dimension>& position,
