@@ -25,11 +25,11 @@ namespace py = pybind11;
 /// here.
 inline auto numbers_of(const quadrille::Status& status) {
   const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_distance, next_distance_back, next_tolerance, diagonal, progress, stage] =
-      status;
+               next_cost, next_distance, next_distance_back, next_tolerance, diagonal, progress,
+               stage] = status;
   return std::tuple(initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-                    next_distance, next_distance_back, next_tolerance, diagonal, progress,
-                    static_cast<int>(stage));
+                    next_cost, next_distance, next_distance_back, next_tolerance, diagonal,
+                    progress, static_cast<int>(stage));
 }
 
 using SelfIntersections = std::optional<quadrille::Report::SelfIntersections>;
@@ -82,11 +82,21 @@ Enum value_of(int number, int count) {
 
 inline quadrille::Status status_of(const StatusNumbers& numbers) {
   const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_distance, next_distance_back, next_tolerance, diagonal, progress, stage] =
-      numbers;
-  return {initial_faces,  initial_vertices, faces,         vertices,
-          contractions,   next_error,       next_distance, next_distance_back,
-          next_tolerance, diagonal,         progress,      value_of<quadrille::Stage>(stage, 3)};
+               next_cost, next_distance, next_distance_back, next_tolerance, diagonal, progress,
+               stage] = numbers;
+  return {initial_faces,
+          initial_vertices,
+          faces,
+          vertices,
+          contractions,
+          next_error,
+          next_cost,
+          next_distance,
+          next_distance_back,
+          next_tolerance,
+          diagonal,
+          progress,
+          value_of<quadrille::Stage>(stage, 3)};
 }
 
 inline quadrille::Report report_of(const ReportNumbers& numbers) {

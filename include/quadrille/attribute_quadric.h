@@ -57,6 +57,9 @@ struct AttributeQuadric {
   double boundary_weight = 100;             ///< as in Quadric
   Weighting weighting = Weighting::by_area; ///< as in Quadric, but not by_squared_area
 
+  /// Values grow with that power of lengths, of which attributes times their weights are some.
+  double degree() const { return weighting == Weighting::by_area ? 4 : 2; }
+
   /// The weights for attributes between `low` and `high`, see above.
   Vector<N> attribute_weights(const Vector<N>& low, const Vector<N>& high, double diagonal) const {
     if (weights)

@@ -69,6 +69,12 @@ private:
   std::function<void(StopReason)> stop_;
 };
 
+/// A box in space.
+struct SoupBox {
+  std::array<double, 3> low;  ///< the least coordinates, finite
+  std::array<double, 3> high; ///< the greatest, each at least the least
+};
+
 /// What simplified_soup() and simplify_soup() are asked for. Each field is a policy of `simplify`,
 /// by its name.
 struct SoupOptions {
@@ -89,6 +95,7 @@ struct SoupOptions {
   /// Instead of these, how far each point may move: empty, or a distance for each. See
   /// ToleranceLimit.
   std::vector<double> tolerance = {};
+  std::optional<double> cost_limit = {}; ///< see CostLimit: at least 0
 
   Cost cost = Cost::quadric;                          ///< what a contraction costs
   double boundary_weight = Quadric{}.boundary_weight; ///< of costs that have one; at least 0
@@ -108,6 +115,14 @@ struct SoupOptions {
   /// Triangles that may be changed, and count for the targets: empty, or a value for each. See
   /// face_is_selected_map.
   std::vector<bool> selected = {};
+  /// Points that other pieces of the surface have as well: empty, or a value for each point. See
+  /// vertex_is_shared_map; relative limits, and the scale, are those of bounding_box.
+  std::vector<bool> shared = {};
+  /// Edges of one triangle between shared points that are borders of the whole surface: see
+  /// border_edges.
+  std::vector<std::array<std::uint32_t, 2>> borders = {};
+  /// In the scale of which the surface is simplified: see parameters::bounding_box.
+  std::optional<SoupBox> bounding_box = {};
   /// Asked now and then; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 

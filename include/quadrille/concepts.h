@@ -80,6 +80,9 @@ namespace quadrille {
 ///   MemorylessQuadric for what its `join` makes of its `Current`, and with `loss(growth, trace)`
 ///   and `Memory::planes` of ThinFeatureQuadric as well. What faces, vertices and edges leave or
 ///   say is its own. Keys are then the same to the rounding of a float.
+/// - `cost.degree()`: of a ScaleFree cost, by which power of lengths its values grow, so that stop
+///   policies can be told what contractions cost in the mesh's units; a multiple of 1/2. A class
+///   that is derived from one with another degree says its own.
 /// - `C::face_is_alike_at_corners`: true if face(p, q, r) leaves the same at q and r.
 /// - `cost.attribute_weights(low, high, diagonal)`, for costs with attributes: by what these are
 ///   multiplied before anything sees them, from their least and greatest values and the diagonal
@@ -212,7 +215,7 @@ concept PairPolicy = std::copy_constructible<P> &&
 /// **Refines** `std::copy_constructible`.
 ///
 /// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, HausdorffLimit, ToleranceLimit,
-/// ShortestEdge, TimeBudget, AnyOf, AllOf.
+/// CostLimit, ShortestEdge, TimeBudget, AnyOf, AllOf.
 ///
 /// **Requirements**, for a constant `stop`:
 ///
@@ -229,6 +232,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///   Status::next_distance_back.
 /// - `S::asks_for_tolerance` and `stop.is_asking_for_tolerance()`, beside all of these: the same of
 ///   Status::next_tolerance, in a call with vertex_tolerance_map.
+/// - `S::asks_for_cost`, true for a look at Status::next_cost, and `stop.is_asking_for_cost()`
+///   beside it. Where such a policy stops at a cost it has to stop at all greater ones.
 /// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
 ///   The engine then looks for a pair that meets the target exactly.
 /// - `stop.validate()`: throws if the policy makes no sense.

@@ -18,6 +18,9 @@ struct EdgeLength {
   static constexpr std::size_t dimension = 3; ///< positions only
   using ScaleFree = EdgeLength;               ///< as well in any unit: see CostPolicy
 
+  /// Values grow with that power of lengths.
+  double degree() const { return 2; }
+
   /// Nothing.
   struct Memory {
     Memory& operator+=(const Memory&) { return *this; } ///< nothing and nothing is nothing

@@ -35,6 +35,9 @@ struct MemorylessQuadric {
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
 
+  /// Values grow with that power of lengths.
+  double degree() const { return 4.5; }
+
   /// Nothing.
   struct Memory {
     Memory& operator+=(const Memory&) { return *this; } ///< nothing and nothing is nothing

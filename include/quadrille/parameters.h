@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_PARAMETERS_H
 #define QUADRILLE_PARAMETERS_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
@@ -25,6 +26,15 @@ enum face_is_selected_t { face_is_selected };
 enum vertex_tolerance_t { vertex_tolerance };
 /// The tag of vertex_importance_map().
 enum vertex_importance_t { vertex_importance };
+
+/// The tag of vertex_is_shared_map().
+enum vertex_is_shared_t { vertex_is_shared };
+/// The tag of edge_is_border_map().
+enum edge_is_border_t { edge_is_border };
+/// The tag of border_edges().
+enum border_edges_t { border_edges_tag };
+/// The tag of bounding_box().
+enum bounding_box_t { bounding_box_tag };
 
 /// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
 template <class Map>
@@ -69,6 +79,69 @@ auto vertex_tolerance_map(const Map& map, const Before& before) {
   return CGAL::Named_function_parameters<Map, vertex_tolerance_t, Before>(map, before);
 }
 
+/// A property map from vertices (of a soup: from point indices) to bool, for a *piece* of a
+/// surface that is simplified by itself: where it is true, another piece has this vertex as well.
+/// Pieces fit after that as they did before, without a gap, a T-junction, or an edge of three
+/// faces:
+///
+/// - A shared vertex stays where it is, bit by bit, as if it was constrained.
+/// - No edge between two shared vertices comes about that this piece has not, since another piece
+///   may have it, or make it, as well: Rejection::chord.
+/// - An edge of one face between two shared vertices is no border, and nothing holds it like one,
+///   but for those that edge_is_border_map or border_edges() names.
+///
+/// All pieces should be simplified in the scale of one box, see bounding_box, up to one
+/// CostLimit: a target of faces would destroy a piece that has many shared vertices. Nothing of
+/// the surface beyond the piece is looked at, which costs no accuracy beside MemorylessQuadric: a
+/// shared vertex does not move, and lies on all of its faces. Creases that cost policies find by
+/// angles, and labels' borders, are not seen at edges of two pieces.
+template <class Map>
+auto vertex_is_shared_map(const Map& map) {
+  return CGAL::Named_function_parameters<Map, vertex_is_shared_t>(map);
+}
+/// The same parameter, after others in a chain.
+template <class Map, class Before>
+auto vertex_is_shared_map(const Map& map, const Before& before) {
+  return CGAL::Named_function_parameters<Map, vertex_is_shared_t, Before>(map, before);
+}
+
+/// A property map from edges of a mesh to bool, beside vertex_is_shared_map: edges of one face
+/// between two shared vertices that are borders of the whole surface. Others of one face are
+/// borders anyway.
+template <class Map>
+auto edge_is_border_map(const Map& map) {
+  return CGAL::Named_function_parameters<Map, edge_is_border_t>(map);
+}
+/// The same parameter, after others in a chain.
+template <class Map, class Before>
+auto edge_is_border_map(const Map& map, const Before& before) {
+  return CGAL::Named_function_parameters<Map, edge_is_border_t, Before>(map, before);
+}
+
+/// The same of a soup: a range of pairs of point indices, as std::array<std::size_t, 2>.
+template <class Edges>
+auto border_edges(const Edges& edges) {
+  return CGAL::Named_function_parameters<Edges, border_edges_t>(edges);
+}
+/// The same parameter, after others in a chain.
+template <class Edges, class Before>
+auto border_edges(const Edges& edges, const Before& before) {
+  return CGAL::Named_function_parameters<Edges, border_edges_t, Before>(edges, before);
+}
+
+/// A CGAL::Bbox_3 in the scale of which the surface is simplified, instead of that of its own
+/// bounding box: relative limits are of its diagonal, and costs have the bits that they have
+/// in any other piece with the same box. A surface that reaches out of it by more than half of
+/// its diagonal is refused by std::invalid_argument; less may come of an earlier simplification.
+inline auto bounding_box(const CGAL::Bbox_3& box) {
+  return CGAL::Named_function_parameters<CGAL::Bbox_3, bounding_box_t>(box);
+}
+/// The same parameter, after others in a chain.
+template <class Before>
+auto bounding_box(const CGAL::Bbox_3& box, const Before& before) {
+  return CGAL::Named_function_parameters<CGAL::Bbox_3, bounding_box_t, Before>(box, before);
+}
+
 /// A property map from vertices (of a soup: from point indices) to N numbers, for
 /// AttributeQuadric<N>.
 template <class Map>
@@ -84,8 +157,8 @@ auto vertex_attribute_map(const Map& map, const Before& before) {
 /// A property map from vertices (of a soup: from point indices) to QuadricForm, which `simplify`
 /// writes: for each vertex that is left, what it remembers of the planes that have gone into it.
 /// The form is about the vertex, in the units of the mesh and its attributes; its values are mean
-/// squared distances to the planes, so its square root at 0 is the error of the vertex in the sense
-/// of Report::error. For costs whose memory is a QuadricForm.
+/// squared distances to the planes, so its square root at 0 is the error of the vertex in the
+/// sense of Report::error. For costs whose memory is a QuadricForm.
 template <class Map>
 auto vertex_quadric_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_quadric_t>(map);
@@ -123,14 +196,14 @@ auto vertex_importance_map(const Map& map, const Before& before) {
 inline constexpr std::size_t vanished = ~std::size_t{0};
 
 /// A property map that `simplify` writes for each vertex of the input: which vertex it has become
-/// part of. From vertices of a mesh to vertices: null_vertex() of its graph traits where the vertex
-/// has vanished with all of its faces, or had none. Of a soup from the old to the new indices of
-/// points, both std::size_t: `vanished` in that case.
+/// part of. From vertices of a mesh to vertices: null_vertex() of its graph traits where the
+/// vertex has vanished with all of its faces, or had none. Of a soup from the old to the new
+/// indices of points, both std::size_t: `vanished` in that case.
 ///
 /// Keys are the vertices of the input, of which most are removed afterwards: for a mesh whose
 /// vertices are handles use a map that does not look at them, as
-/// boost::make_assoc_property_map(std_map). Of a vertex that a non-manifold result is written with
-/// several times, it is the first one: see duplicate_output_iterator.
+/// boost::make_assoc_property_map(std_map). Of a vertex that a non-manifold result is written
+/// with several times, it is the first one: see duplicate_output_iterator.
 template <class Map>
 auto vertex_image_map(const Map& map) {
   return CGAL::Named_function_parameters<Map, vertex_image_t>(map);
@@ -142,9 +215,9 @@ auto vertex_image_map(const Map& map, const Before& before) {
 }
 
 /// An output iterator that takes the vertices that a mesh gets so that it can hold a non-manifold
-/// result, each as a std::pair of the new vertex and the one that it is a duplicate of. Duplicates
-/// have the position of that, its attributes and, in a Surface_mesh or a mesh of OpenMesh, all of
-/// its properties; other maps are for the caller to fill.
+/// result, each as a std::pair of the new vertex and the one that it is a duplicate of.
+/// Duplicates have the position of that, its attributes and, in a Surface_mesh or a mesh of
+/// OpenMesh, all of its properties; other maps are for the caller to fill.
 template <class Iterator>
 auto duplicate_output_iterator(const Iterator& iterator) {
   return CGAL::Named_function_parameters<Iterator, duplicate_output_t>(iterator);

@@ -131,6 +131,11 @@ struct Quadric {
     internal::require_weight("quadrille::Quadric", "position_noise", position_noise);
   }
 
+  /// Values grow with that power of lengths.
+  double degree() const {
+    return weighting == Weighting::by_area ? 4 : weighting == Weighting::by_squared_area ? 6 : 2;
+  }
+
   /// What a face pqr leaves at each of its corners. Nothing for a face without a normal.
   Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const Vector<3> normal = normal_vector(p, q, r);

@@ -28,6 +28,11 @@ struct Status {
   /// The error of the contraction that comes next, as a distance in the mesh's units: see
   /// Report::error.
   double next_error = 0;
+  /// What the contraction that comes next costs, with what tells equal costs apart, as the cost
+  /// policy computes it in the mesh's units: see CostLimit. Known to a stop policy with `static
+  /// constexpr bool asks_for_cost = true`; for others nothing is, and this is infinity. It is 0
+  /// where a stop policy is asked about the surface and not about a contraction.
+  double next_cost = std::numeric_limits<double>::infinity();
   /// No point of the surface will be further from the input than that after the contraction that
   /// comes next, in the mesh's units. Known to a stop policy with `static constexpr bool
   /// asks_for_distance = true`; for others nothing is, and this is infinity. It is 0 up to 2⁻⁴⁰ of
@@ -87,8 +92,9 @@ enum class Rejection {
   /// faces would intersect that do not: see NoSelfIntersection
   self_intersection,
   normal_deviation, ///< a normal would be too far from those of the input: see NormalDeviation
+  chord, ///< an edge between two shared vertices would come about: see vertex_is_shared_map
 };
-inline constexpr std::size_t rejection_causes = 15; ///< how many there are
+inline constexpr std::size_t rejection_causes = 16; ///< how many there are
 
 /// In words.
 constexpr std::string_view to_string(Stage stage) {
@@ -120,7 +126,8 @@ constexpr std::string_view to_string(Rejection cause) {
                                                                  "volume",
                                                                  "filter",
                                                                  "self-intersection",
-                                                                 "normal deviation"};
+                                                                 "normal deviation",
+                                                                 "chord"};
   return names[static_cast<std::size_t>(cause)];
 }
 

@@ -66,6 +66,9 @@ inline namespace QUADRILLE_THREADING {
 /// - vertex_is_constrained_map: such a vertex stays where it is
 /// - quadrille::parameters::vertex_tolerance_map: how far points may move: see ToleranceLimit
 /// - vertex_importance_map: where more faces stay
+/// - vertex_is_shared_map: of a piece of a surface, vertices that another piece has as well, with
+///   edge_is_border_map, of a soup border_edges(), for borders between them
+/// - bounding_box: the box in the scale of which the surface is simplified, as other pieces are
 /// - face_is_selected_map: only such faces are simplified, and counted
 /// - edge_is_crease_map: creases, see Quadric
 /// - face_patch_map: the same as Labels

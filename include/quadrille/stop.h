@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_STOP_H
 #define QUADRILLE_STOP_H
 
+#include <quadrille/cost_limit.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
@@ -233,6 +234,13 @@ public:
         [](const auto&... stop) { return (internal::is_asking_for_distance(stop) || ...); },
         stops_);
   }
+  /// Looks at Status::next_cost: see StopPolicy.
+  static constexpr bool asks_for_cost = (internal::asks_for_cost<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_cost() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_for_cost(stop) || ...); }, stops_);
+  }
   /// And at Status::next_distance_back.
   static constexpr bool asks_both_ways = (internal::asks_both_ways<Stops> || ...);
   /// Does one of the policies do so this time?
@@ -280,6 +288,13 @@ public:
     return std::apply(
         [](const auto&... stop) { return (internal::is_asking_for_distance(stop) || ...); },
         stops_);
+  }
+  /// Looks at Status::next_cost: see StopPolicy.
+  static constexpr bool asks_for_cost = (internal::asks_for_cost<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_cost() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::is_asking_for_cost(stop) || ...); }, stops_);
   }
   /// And at Status::next_distance_back.
   static constexpr bool asks_both_ways = (internal::asks_both_ways<Stops> || ...);

@@ -37,6 +37,9 @@ struct ThinFeatureQuadric : MemorylessQuadric {
   static constexpr double tolerated_rise = 1;   ///< with more, some legs are lost
   static constexpr double tolerated_fall = 0.5; ///< as in MemorylessQuadric
 
+  /// Values grow with that power of lengths.
+  double degree() const { return 4; }
+
   /// What a vertex remembers of its input faces.
   struct Memory {
     QuadricForm<3> planes; ///< about the vertex
@@ -45,6 +48,11 @@ struct ThinFeatureQuadric : MemorylessQuadric {
     /// Joins what two vertices remember, about one origin.
     Memory& operator+=(const Memory& other) {
       planes += other.planes;
+      return *this;
+    }
+    /// Takes out what one of several pieces of a surface remembers, about one origin.
+    Memory& operator-=(const Memory& other) {
+      planes -= other.planes;
       return *this;
     }
     void move_origin(const Vector<3>& d) { planes.move_origin(d); } ///< as QuadricForm::move_origin

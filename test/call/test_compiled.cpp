@@ -2,13 +2,14 @@
 #include "soups.h"
 
 #include <quadrille/compiled.h>
-#include <quadrille/parameters.h>
 #include <quadrille/normal_deviation.h>
+#include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <catch2/catch.hpp>
 
 #include <cstddef>
@@ -108,6 +109,29 @@ TEST_CASE("Each option of the compiled library is the policy of its name") {
   options = {};
   options.relative_error = 0.02;
   check(soup, options, Quadric{}, ErrorLimit::relative(0.02));
+  options.bounding_box = SoupBox{{-5, -5, -5}, {5, 5, 5}};
+  check(soup, options, Quadric{}, ErrorLimit::relative(0.02),
+        parameters::bounding_box({-5, -5, -5, 5, 5, 5}));
+  options = {};
+  options.cost_limit = 1e-4;
+  check(soup, options, Quadric{}, CostLimit{1e-4});
+}
+
+TEST_CASE("Shared points of the compiled library are those of the named parameters") {
+  SoupOptions options;
+  options.cost_limit = 1e-3;
+  options.shared.assign(soup.points.size(), false);
+  for (std::size_t v = 0; v < soup.points.size(); v += 2)
+    options.shared[v] = true;
+  for (const auto& t : soup.triangles)
+    options.borders.push_back({t[0], t[1]});
+  const auto is_shared = boost::make_function_property_map<std::size_t>(
+      [](std::size_t v) -> bool { return v % 2 == 0; });
+  check(soup, options, Quadric{}, CostLimit{1e-3},
+        parameters::vertex_is_shared_map(is_shared, parameters::border_edges(options.borders)));
+  Arrays arrays(soup);
+  options.shared.pop_back();
+  CHECK_THROWS_AS(simplify_soup(arrays.points, arrays.triangles, options), std::invalid_argument);
 }
 
 TEST_CASE("Fixed points stay, and the images tell what became of the others") {

@@ -3,6 +3,7 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/soup_channel_list.h>
+#include <quadrille/compiled/soup_maps.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/normal_deviation.h>
@@ -13,8 +14,10 @@
 #include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/property_map.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -38,12 +41,16 @@ public:
   bool is_asking_both_ways() const { return hausdorff_ || relative_hausdorff_ || tolerance_; }
   static constexpr bool asks_for_tolerance = true;
   bool is_asking_for_tolerance() const { return tolerance_.has_value(); }
+  static constexpr bool asks_for_cost = true;
+  bool is_asking_for_cost() const { return cost_.has_value(); }
 
   explicit SoupStop(const SoupOptions& options) {
     if (options.faces)
       faces_ = FaceCount{*options.faces};
     if (options.ratio)
       ratio_ = FaceRatio{*options.ratio};
+    if (options.cost_limit)
+      cost_ = CostLimit(*options.cost_limit);
     if (options.vertices)
       vertices_ = VertexCount{*options.vertices};
     if (!options.tolerance.empty())
@@ -52,7 +59,7 @@ public:
       take_limits(options, hausdorff_, relative_hausdorff_);
     else
       take_limits(options, error_, relative_error_);
-    if (!faces_ && !ratio_ && !vertices_ && !is_asking_for_distance())
+    if (!faces_ && !ratio_ && !vertices_ && !cost_ && !is_asking_for_distance())
       ratio_ = FaceRatio{};
   }
 
@@ -84,7 +91,7 @@ private:
     const auto holds = [&](const auto& stop) { return stop && is(*stop); };
     return holds(faces_) || holds(ratio_) || holds(vertices_) || holds(error_) ||
            holds(relative_error_) || holds(hausdorff_) || holds(relative_hausdorff_) ||
-           holds(tolerance_);
+           holds(tolerance_) || holds(cost_);
   }
 
   std::optional<FaceCount> faces_;
@@ -93,6 +100,7 @@ private:
   std::optional<ErrorLimit> error_, relative_error_;
   std::optional<HausdorffLimit> hausdorff_, relative_hausdorff_;
   std::optional<ToleranceLimit> tolerance_;
+  std::optional<CostLimit> cost_;
 };
 
 struct SoupVisitor {
@@ -100,81 +108,12 @@ struct SoupVisitor {
   bool proceed(const Status& status) const { return !asked || asked(status); }
 };
 
-/// Which points are fixed.
-struct FixedPoints {
-  using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const std::vector<bool>* is_fixed;
-
-  friend bool get(const FixedPoints& map, std::size_t i) {
-    return !map.is_fixed->empty() && (*map.is_fixed)[i];
-  }
-};
-
-/// How far points may move.
-struct PointTolerances {
-  using key_type = std::size_t;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-  const std::vector<double>* tolerance;
-
-  bool is_limited() const { return !tolerance->empty(); }
-  friend double get(const PointTolerances& map, std::size_t i) { return (*map.tolerance)[i]; }
-};
-
-/// How important points are.
-struct PointImportances {
-  using key_type = std::size_t;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-  const std::vector<double>* of;
-
-  bool is_empty() const { return of->empty(); }
-  friend double get(const PointImportances& map, std::size_t i) { return (*map.of)[i]; }
-};
-
-/// Which triangles are selected.
-struct SelectedTriangles {
-  using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const std::vector<bool>* is_selected;
-
-  bool selects_all() const { return is_selected->empty(); }
-  friend bool get(const SelectedTriangles& map, std::size_t i) { return (*map.is_selected)[i]; }
-};
-
-/// What became of each point.
-struct PointImages {
-  using key_type = std::size_t;
-  using value_type = std::size_t;
-  using reference = std::size_t;
-  using category = boost::writable_property_map_tag;
-  std::vector<std::size_t>* image;
-
-  friend void put(const PointImages& map, std::size_t i, std::size_t of_it) {
-    (*map.image)[i] = of_it;
-  }
-};
-
-/// The labels of triangles. What becomes of them is told by the triangles.
-struct SoupLabelMap {
-  using key_type = std::size_t;
-  using value_type = std::uint32_t;
-  using reference = std::uint32_t;
-  using category = boost::read_write_property_map_tag;
-  std::span<const std::uint32_t> labels;
-
-  friend std::uint32_t get(const SoupLabelMap& map, std::size_t i) {
-    return map.labels.empty() ? 0 : map.labels[i];
-  }
-  friend void put(const SoupLabelMap&, std::size_t, std::uint32_t) {}
-};
+inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
+  if (!options.bounding_box)
+    return std::nullopt;
+  const auto& [low, high] = *options.bounding_box;
+  return CGAL::Bbox_3(low[0], low[1], low[2], high[0], high[1], high[2]);
+}
 
 /// The order of the options, so that one engine is compiled for both.
 inline AnyOrder order_of(const SoupOptions& options) {
@@ -190,6 +129,23 @@ inline KeepSolid intersection_of(const SoupOptions& options) {
   return result;
 }
 
+/// The named parameters that the options say.
+inline auto named_of(const SoupOptions& options, const SoupVisitor& visitor) {
+  const auto cgals = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
+                         .visitor(std::cref(visitor));
+  const std::span<const std::array<std::uint32_t, 2>> borders(options.borders);
+  const CGAL::Named_function_parameters<std::optional<CGAL::Bbox_3>, parameters::bounding_box_t,
+                                        decltype(cgals)>
+      boxed(bounding_box_of(options), cgals);
+  const auto shared = parameters::vertex_is_shared_map(SharedPoints{&options.shared},
+                                                       parameters::border_edges(borders, boxed));
+  const auto weighed =
+      parameters::vertex_importance_map(PointImportances{&options.importance}, shared);
+  return parameters::face_is_selected_map(
+      SelectedTriangles{&options.selected},
+      parameters::vertex_tolerance_map(PointTolerances{&options.tolerance}, weighed));
+}
+
 /// By policies that the options say; `more` are labels and channels, if there are any.
 template <class Cost, class... More>
 Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
@@ -197,14 +153,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
   const SoupOptions& options = run.options;
   const SoupVisitor visitor{options.proceed};
   SoupRecorder recorder = options.recorder;
-  const auto named = parameters::face_is_selected_map(
-      SelectedTriangles{&options.selected},
-      parameters::vertex_tolerance_map(
-          PointTolerances{&options.tolerance},
-          parameters::vertex_importance_map(
-              PointImportances{&options.importance},
-              CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
-                  .visitor(std::cref(visitor)))));
+  const auto named = named_of(options, visitor);
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,

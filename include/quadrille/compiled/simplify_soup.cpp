@@ -38,6 +38,7 @@ void validate(const SoupView& soup, const SoupOptions& options) {
   if (!options.tolerance.empty() && (options.error || options.relative_error))
     refuse(
         "there are both an error and a tolerance of points: give the lower of both as tolerance");
+  require_count("shared", options.shared.size(), soup.points.size(), "points");
   require_count("selected", options.selected.size(), soup.triangles.size(), "triangles");
   require_count("labels", soup.labels.size(), soup.triangles.size(), "triangles");
   for (std::size_t i = 0; i < soup.channels.size(); ++i)

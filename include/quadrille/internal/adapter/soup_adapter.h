@@ -82,6 +82,9 @@ public:
       visit(v, get(map, static_cast<std::size_t>(v)), v);
   }
 
+  /// The input index of a point.
+  Index vertex_of(std::size_t point) const { return static_cast<Index>(point); }
+
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
   /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
   /// soup stays as it was. Calls tell as Teller says.

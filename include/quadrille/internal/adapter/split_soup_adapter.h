@@ -80,6 +80,9 @@ public:
       visit(vertex_of_[i], get(map, i), i);
   }
 
+  /// The input index of a point.
+  Index vertex_of(std::size_t point) const { return vertex_of_[point]; }
+
   /// Rewrites points, triangles and channels; the soup stays as it was if anything throws.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {

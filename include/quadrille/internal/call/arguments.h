@@ -187,6 +187,14 @@ constexpr void check_placement() {
                 "simplify<EdgeLength, MidpointPlacement>(mesh).");
 }
 
+template <class Stop, class Cost>
+constexpr void check_stop() {
+  static_assert(
+      !asks_for_cost<Stop> || has_cost_in_mesh_units<Cost>,
+      "The stop policy asks what contractions cost in the mesh's units, and this ScaleFree "
+      "cost does not tell: give it a member degree(), see <quadrille/concepts.h>.");
+}
+
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
@@ -201,6 +209,7 @@ auto pick_policies(const Arguments&... arguments) {
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
   const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  check_stop<std::remove_const_t<decltype(stop)>, Cost>();
   validate_all(cost, placement, pairs, stop);
   validate(order);
   const auto intersection = pick<Kind::intersection, Cost, AnyIntersection>(arguments...);

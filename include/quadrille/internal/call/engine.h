@@ -4,6 +4,7 @@
 #include <quadrille/internal/contraction/enclosed_volume.h>
 #include <quadrille/internal/contraction/result.h>
 #include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/input/given_box.h>
 #include <quadrille/internal/input/spatial_order.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/order/greedy_loop.h>
@@ -69,9 +70,10 @@ std::optional<FinishedSurface<typename Policies::Cost>>
 contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
                bool keeps_memories, Report& report, StopWatch& watch) {
   check_tolerances(input, policies.stop);
-  const auto box = input.box();
+  const auto own_box = input.box();
+  const auto box = box_of_units(input, own_box);
   if (policies.pairs.ignores_indices())
-    SpatialOrder::apply(input, box, policies.threads);
+    SpatialOrder::apply(input, own_box, policies.threads);
   WorkingSurface<Policies> surface(std::move(input), box, policies);
   const EnclosedVolume volume(surface, box);
   report.volume_before = volume(surface);

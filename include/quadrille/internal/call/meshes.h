@@ -10,6 +10,7 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/call/piece_parameters.h>
 #include <quadrille/internal/call/run.h>
 #include <quadrille/internal/call/teller.h>
 #include <quadrille/internal/cost/vertex_importance.h>
@@ -157,7 +158,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
   check_named<Cost, NamedParameters>(
       Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
             np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
-            parameters::edge_is_crease_t, parameters::vertex_image_t,
+            parameters::edge_is_crease_t, parameters::edge_is_border_t, parameters::vertex_image_t,
             parameters::duplicate_output_t>());
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
@@ -177,6 +178,9 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
     weigh_vertices(reader, input, named);
     select_faces(faces(mesh), input, named);
     name_edges<Cost>(reader, input, named);
+    share_vertices(reader, input, named);
+    name_borders(reader, input, named);
+    give_named_box(input, named);
     if constexpr (Carried::has_labels)
       input.labels = numbers_of_labels(carried.labels.map, faces(mesh), workspace);
     reader.release();
@@ -211,12 +215,15 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   using Point = ElementOf<Points>;
   const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
   const auto creases = get_parameter(named, parameters::edge_is_crease);
-  static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)>,
+  const auto borders = get_parameter(named, parameters::edge_is_border);
+  static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)> &&
+                    !is_given<decltype(borders)>,
                 "quadrille::simplify: a soup has no edges for a map: pass "
-                "vertex_is_constrained_map, or simplify a mesh");
+                "vertex_is_constrained_map, or simplify a mesh; for borders pass border_edges");
   namespace np = CGAL::internal_np;
   check_named<Cost, NamedParameters>(
       Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+            parameters::edge_is_border_t, parameters::border_edges_t,
             parameters::vertex_image_t>());
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<Point>());
@@ -232,6 +239,9 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
     weigh_vertices(reader, input, named);
     const auto indices = boost::irange(std::size_t{0}, std::ranges::size(triangles));
     select_faces(indices, input, named);
+    share_vertices(reader, input, named);
+    list_borders(reader, std::ranges::size(points), input, named);
+    give_named_box(input, named);
     if constexpr (Carried::has_labels)
       input.labels = numbers_of_labels(carried.labels.map, indices, workspace);
     return input;

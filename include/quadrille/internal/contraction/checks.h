@@ -15,6 +15,7 @@
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/surface/shared_vertices.h>
 #include <quadrille/report.h>
 
 #include <cmath>
@@ -36,11 +37,11 @@ public:
 
   Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
          const Numbering& numbering, const Geometry<dimension>& geometry,
-         const LinkCondition& link_condition, const SeamGraph& seams,
+         const SharedVertices& shared, const LinkCondition& link_condition, const SeamGraph& seams,
          const ChannelsOf<Policies>& channels, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
-        geometry_(geometry), link_condition_(link_condition), seams_(seams), channels_(channels),
-        is_topology_kept_(is_topology_kept),
+        geometry_(geometry), shared_(shared), link_condition_(link_condition), seams_(seams),
+        channels_(channels), is_topology_kept_(is_topology_kept),
         optional_(policies, complex, geometry, is_topology_kept) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
@@ -54,8 +55,9 @@ public:
     const Index a = contraction.first(), b = contraction.second();
     if (seams_.is_changed_by(star, a, b))
       return Rejection::seam;
-    if ((stays(star, a) && stays(star, b)) || takes_a_fixed_vertex_away(star, a, b))
-      return Rejection::constraint;
+    if (geometry_.is_any_fixed()) [[unlikely]]
+      if (const auto cause = refusal_beside_fixed(star, a, b))
+        return cause;
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
@@ -72,9 +74,17 @@ private:
   bool is_fixed(Index v) const { return geometry_.is_fixed(v); }
   bool stays(const PairStar& star, Index end) const { return is_fixed(end) || star.hub == end; }
 
-  bool takes_a_fixed_vertex_away(const PairStar& star, Index a, Index b) const {
-    return geometry_.is_any_fixed() && !is_topology_kept_ &&
-           internal::takes_a_fixed_vertex_away(star, a, b, [this](Index v) { return is_fixed(v); });
+  // Why what is fixed or shared refuses a contraction, if it does.
+  QUADRILLE_NOINLINE std::optional<Rejection> refusal_beside_fixed(const PairStar& star, Index a,
+                                                                   Index b) const {
+    if (stays(star, a) && stays(star, b))
+      return Rejection::constraint;
+    const auto is_fixed = [this](Index v) { return geometry_.is_fixed(v); };
+    if (!is_topology_kept_ && takes_a_fixed_vertex_away(star, a, b, is_fixed))
+      return Rejection::constraint;
+    if (shared_.makes_chord(star, a, b))
+      return Rejection::chord;
+    return std::nullopt;
   }
 
   // Why a filter refuses a target, if one does.
@@ -132,6 +142,7 @@ private:
   const TriangleComplex& complex_;
   const Numbering& numbering_;
   const Geometry<dimension>& geometry_;
+  const SharedVertices& shared_;
   const LinkCondition& link_condition_;
   const SeamGraph& seams_;
   const ChannelsOf<Policies>& channels_;

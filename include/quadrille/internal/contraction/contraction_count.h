@@ -29,7 +29,7 @@ public:
       after.faces -= (std::min)(after.faces, faces_each() * contractions);
       after.vertices -= contractions;
       after.contractions += contractions;
-      after.next_error = 0;
+      after.next_error = after.next_cost = 0;
       return after;
     };
     std::size_t allowed = 0; // the first `allowed` are, `refused` are not

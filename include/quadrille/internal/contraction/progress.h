@@ -57,9 +57,11 @@ public:
     tally = {};
   }
 
-  /// Tells the error of the contraction that comes next, and the distance to which it would lead.
+  /// Tells the error of the contraction that comes next, the distance to which it would lead, and
+  /// its cost.
   void announce(double error) { status_.next_error = error; }
   void announce_distance(double distance) { status_.next_distance = distance; }
+  void announce_cost(double cost) { status_.next_cost = cost; }
   /// The same of the distance from the input to the surface.
   void announce_distance_back(double distance) { status_.next_distance_back = distance; }
   /// And of the part of its tolerance that a point will have used.

@@ -83,6 +83,9 @@ public:
     return channel->origin(number);
   }
 
+  /// What a vertex remembers, in the engine's units, about the vertex; if memories are kept.
+  const typename Cost::Memory& memory(Index v) const { return surface_.memories[vertices_[v]]; }
+
   /// As vertex_quadric_map tells it.
   auto mean_quadric(Index v) const {
     static_assert(std::same_as<typename Cost::Memory, QuadricForm<Cost::dimension>>,

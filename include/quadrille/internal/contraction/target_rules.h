@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 
 #include <quadrille/internal/appearance/seam_graph.h>
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
@@ -32,16 +33,9 @@ public:
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
-    const Backs& backs = complex_.backs();
-    if (link_condition_.is_closed() && backs.is_empty())
+    if (link_condition_.is_closed() && complex_.backs().is_empty())
       return false; // each contraction takes two faces
-    const PairStar& star = contraction.star();
-    if (is_topology_kept_)
-      return is_passed_without({backs.count_all(star.shared), 1}, status);
-    return is_passed_without(most_loss(star, backs), status) &&
-           is_passed_without(
-               Cleanup(complex_, contraction.scratch(), seams_.labels()).loss(contraction.second()),
-               status);
+    return is_passed_after(contraction, status);
   }
 
   /// Does the surface lie beyond the target of the stop policy, once it has lost that?
@@ -71,6 +65,17 @@ public:
   }
 
 private:
+  QUADRILLE_NOINLINE bool is_passed_after(const Contraction& contraction, const Status& status) {
+    const Backs& backs = complex_.backs();
+    const PairStar& star = contraction.star();
+    if (is_topology_kept_)
+      return is_passed_without({backs.count_all(star.shared), 1}, status);
+    return is_passed_without(most_loss(star, backs), status) &&
+           is_passed_without(
+               Cleanup(complex_, contraction.scratch(), seams_.labels()).loss(contraction.second()),
+               status);
+  }
+
   const Policies& policies_;
   const Scale<Cost::dimension>& scale_;
   TriangleComplex& complex_;

@@ -11,6 +11,7 @@
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
+#include <quadrille/internal/contraction/counted_costs.h>
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
@@ -37,6 +38,7 @@
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/surface/shared_vertices.h>
 #include <quadrille/report.h>
 
 #include <cstddef>
@@ -69,21 +71,22 @@ public:
                    has_passes(policies.order)),
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
+        shared_(std::move(input.is_shared), std::move(input.borders), numbering_),
         moved_(geometry_, complex_.workspace()), memories_(complex_.workspace()),
-        terms_(policies.cost, geometry_, complex_, link_condition_),
+        terms_(policies.cost, geometry_, complex_, link_condition_, shared_),
         importance_(relative_importances(input.importances)),
         appearance_(policies, complex_, geometry_, memories_),
         recording_({policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
                     scratches_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, appearance_.channels(),
                    importance_),
-        checks_(policies, scale_, complex_, numbering_, geometry_, link_condition_,
+        checks_(policies, scale_, complex_, numbering_, geometry_, shared_, link_condition_,
                 appearance_.seams(), appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
         target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
                       is_topology_kept_),
-        progress_(policies) {
+        costs_(policies.optional.costs, complex_), progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally);
     if (policies.topology == Topology::parts_may_vanish)
@@ -97,6 +100,8 @@ public:
     if (!progress_.proceed())
       return;
     remember();
+    if (policies.optional.memories)
+      memories_.take_given(*policies.optional.memories, numbering_.vertices);
     QUADRILLE_ASSERT(have_rows(followers(*this), complex_.vertex_capacity()));
     if (recording())
       recording()->begin(back_channels_);
@@ -112,9 +117,9 @@ public:
   /// has it follows that it is told, packed, prefetched, and given memory: see ContractionEvent,
   /// tell_vanished() and columns.h.
   static auto followers(auto& self) {
-    return std::tie(self.recording_, self.bounds_, self.appearance_.channels(),
+    return std::tie(self.recording_, self.costs_, self.bounds_, self.appearance_.channels(),
                     self.appearance_.seams(), self.pairs_, self.numbering_, self.moved_,
-                    self.memories_, self.geometry_, self.link_condition_, self.terms_,
+                    self.memories_, self.geometry_, self.shared_, self.link_condition_, self.terms_,
                     self.importance_, self.parts_, self.checks_.optional());
   }
 
@@ -240,7 +245,7 @@ private:
     const auto is_interior = [this](Index v) { return link_condition_.is_interior(v); };
     VertexLabels& labels = scratch().labels;
     memories_.remember(with_engine_lengths(policies_.cost, scale_), geometry_.positions(), complex_,
-                       labels, creases_.left(numbering_), is_interior, policies_.threads);
+                       labels, creases_.left(numbering_), shared_, is_interior, policies_.threads);
     appearance_.remember();
     terms_.sum_up(labels);
   }
@@ -290,6 +295,7 @@ private:
   NamedCreases creases_;
   Numbering numbering_;
   Geometry<dimension> geometry_;
+  SharedVertices shared_;
   MovedVertices<dimension> moved_;
   Parts<dimension> parts_;
   VertexMemories<Cost> memories_;
@@ -301,6 +307,7 @@ private:
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;
   TargetRules<Policies> target_rules_;
+  CountedCosts costs_;
   Progress<Policies> progress_;
   std::size_t initial_components_ = 0;
   std::vector<std::size_t> back_channels_; // see BackValues

@@ -7,6 +7,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/surface/shared_vertices.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ public:
   static void compute(UninitializedArray<Memory>& result, const Cost& cost,
                       const Array<Position>& positions, TriangleComplex& complex,
                       VertexLabels& labels, const std::vector<Edge>& creases,
-                      IsInterior is_interior, Threads threads) {
+                      const SharedVertices& shared, IsInterior is_interior, Threads threads) {
     result.resize(positions.size());
     InitialMemories memories(cost, positions, complex, result);
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
@@ -41,7 +42,7 @@ public:
       memories.add_vertices(range);
     });
     if constexpr (has_boundaries || has_creases)
-      memories.add_edges(labels, is_interior);
+      memories.add_edges(labels, shared, is_interior);
     add_creases(result, cost, positions, complex, creases);
   }
 
@@ -118,14 +119,14 @@ private:
 
   // Each end of a boundary edge meets it once; of a crease, the lower end takes care.
   template <class IsInterior>
-  void add_edges(VertexLabels& labels, IsInterior is_interior) {
+  void add_edges(VertexLabels& labels, const SharedVertices& shared, IsInterior is_interior) {
     EdgeStar star;
     for (Index v = 0; v < positions_.size(); ++v) {
       if (!finds_creases() && is_interior(v))
         continue;
       for (const EdgeAt& edge : star.gather(complex_, v, labels)) {
         if constexpr (has_boundaries)
-          if (edge.faces == 1)
+          if (edge.faces == 1 && !shared.is_seam(v, edge.other))
             memories_[v] +=
                 cost_.boundary(positions_[v], positions_[edge.other], positions_[edge.opposite[0]]);
         if constexpr (has_creases)

@@ -11,6 +11,7 @@
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/shared_vertices.h>
 
 #include <cstddef>
 #include <tuple>
@@ -26,9 +27,9 @@ public:
   using Current = typename Cost::Current;
 
   LocalTerms(const Cost& cost, const Geometry& geometry, TriangleComplex& complex,
-             const LinkCondition& link_condition)
+             const LinkCondition& link_condition, const SharedVertices& shared)
       : cost_(cost), geometry_(geometry), complex_(complex), link_condition_(link_condition),
-        terms_(complex.workspace()), on_boundary_(complex.workspace()) {}
+        shared_(shared), terms_(complex.workspace()), on_boundary_(complex.workspace()) {}
 
   const Current& operator[](Index v) const { return terms_[v]; }
 
@@ -255,7 +256,7 @@ private:
     const auto& positions = geometry_.positions();
     bool has_any = false;
     for (const EdgeAt& edge : edges_.gather(complex_, v, labels))
-      if (edge.faces == 1) {
+      if (edge.faces == 1 && !shared_.is_seam(v, edge.other)) {
         terms_[v] += cost_.current_boundary(positions[v], positions[edge.other],
                                             positions[edge.opposite[0]]);
         has_any = true;
@@ -267,6 +268,7 @@ private:
   const Geometry& geometry_;
   TriangleComplex& complex_;
   const LinkCondition& link_condition_;
+  const SharedVertices& shared_;
   Array<Current> terms_;
   Array<unsigned char> on_boundary_; // may a vertex be? Where the link condition does not tell
   LocalStar<Cost> last_star_;
@@ -276,7 +278,8 @@ private:
 /// For a cost that does not ask.
 struct NoLocalTerms {
   template <class Cost, class Geometry>
-  NoLocalTerms(const Cost&, const Geometry&, const TriangleComplex&, const LinkCondition&) {}
+  NoLocalTerms(const Cost&, const Geometry&, const TriangleComplex&, const LinkCondition&,
+               const SharedVertices&) {}
   double unevenness(Index) const { return 0; }
   void sum_up(VertexLabels&) {}
   void sum_up(Index, VertexLabels&) {}

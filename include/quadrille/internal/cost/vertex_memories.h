@@ -4,7 +4,9 @@
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/initial_memories.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/policy/given_memories.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/numbering.h>
 #include <quadrille/vector.h>
 
 #include <array>
@@ -31,8 +33,8 @@ public:
   template <class IsInterior>
   void remember(const Cost& cost, const Positions& positions, TriangleComplex& complex,
                 VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
-                IsInterior is_interior, Threads threads) {
-    InitialMemories<Cost>::compute(memories_, cost, positions, complex, labels, creases,
+                const SharedVertices& shared, IsInterior is_interior, Threads threads) {
+    InitialMemories<Cost>::compute(memories_, cost, positions, complex, labels, creases, shared,
                                    is_interior, threads);
   }
 
@@ -43,6 +45,13 @@ public:
     if constexpr (requires { cost.crease_weight; })
       cost.crease_weight = weight;
     InitialMemories<Cost>::add_creases(memories_, cost, positions, complex, creases);
+  }
+
+  /// Those vertices to which memories are given remember these and nothing else.
+  void take_given(const GivenMemories<Memory>& given, const InputIndices& input_vertices) {
+    for (Index v = 0; v < memories_.size(); ++v)
+      if (const Index input = input_vertices[v]; given.has(input))
+        memories_[v] = given.memories[input];
   }
 
   static auto vertex_columns(auto& self) { return std::tie(self.memories_); }

@@ -11,6 +11,7 @@
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/evaluation/candidate.h>
+#include <quadrille/internal/evaluation/cost_units.h>
 #include <quadrille/internal/evaluation/two_lanes.h>
 #include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
@@ -50,7 +51,8 @@ public:
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
                 const Terms& terms, const Channels& channels, const VertexImportance& importance)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        memories_(memories), terms_(terms), channels_(channels), importance_(importance) {}
+        memories_(memories), terms_(terms), channels_(channels), importance_(importance),
+        cost_of_key_(cost_of_key(policies.cost, scale)) {}
 
   const Cost& cost() const { return policies_.cost; }
   const Scale<Cost::dimension>& scale() const { return scale_; }
@@ -170,6 +172,9 @@ public:
                         static_cast<double>((std::numeric_limits<float>::max)()));
   }
 
+  /// A key as a cost in the mesh's units, for stop policies that ask for it.
+  double cost_of_mesh(double key) const { return key * cost_of_key_; }
+
 private:
   QUADRILLE_NOINLINE void weigh(Candidate& candidate) const {
     const double factor = importance_.of_pair(candidate.first, candidate.second);
@@ -183,7 +188,7 @@ private:
 
   // Of which importance they are does not count yet.
   QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
-                      VertexLabels& labels) const {
+                                              VertexLabels& labels) const {
     if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
                   (!counts_channels || remembers_forms<Cost>))
       if (is_optimal(policies_.placement)) {
@@ -251,6 +256,7 @@ private:
   const Terms& terms_;
   const Channels& channels_;
   const VertexImportance& importance_;
+  double cost_of_key_;
 };
 
 } // namespace quadrille::internal

@@ -37,9 +37,9 @@ public:
     permute(surface.positions, order, threads);
     if (!surface.tolerances.empty())
       permute(surface.tolerances, order, threads);
-    if (!surface.is_fixed.empty())
-      permute(surface.is_fixed, order,
-              Threads()); // of bits, which threads can't write side by side
+    for (auto* of_vertices : {&surface.is_fixed, &surface.is_shared})
+      if (!of_vertices->empty())
+        permute(*of_vertices, order, Threads()); // of bits, which threads can't write side by side
     if (!surface.importances.empty())
       permute(surface.importances, order, threads);
   }

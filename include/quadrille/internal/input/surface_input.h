@@ -12,8 +12,10 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -31,6 +33,11 @@ struct SurfaceInput {
   std::vector<bool> is_fixed;                ///< of each vertex; empty if none is
   std::vector<double> importances;           ///< of each vertex; empty if all count alike
   std::vector<std::array<Index, 2>> creases; ///< edges that the user named
+  std::vector<bool>
+      is_shared; ///< see SharedVertices; empty if none is; such vertices are fixed, too
+  std::vector<std::array<Index, 2>> borders; ///< see SharedVertices
+  /// What takes the place of the surface's own box where that decides about units. Empty: nothing.
+  std::optional<Box<N>> given_box;
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
   /// Of each input face: may it be changed? The corners of others are fixed. Empty if all may.
   std::vector<bool> is_selected;
@@ -72,6 +79,14 @@ struct SurfaceInput {
   void fix(Index v) {
     is_fixed.resize(positions.size(), false);
     is_fixed[v] = true;
+  }
+
+  /// Fixes the vertices that other pieces have as well.
+  void share(std::vector<bool> shared) {
+    is_shared = std::move(shared);
+    for (Index v = 0; v < is_shared.size(); ++v)
+      if (is_shared[v])
+        fix(v);
   }
 };
 

@@ -6,12 +6,14 @@
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/pair_updates.h>
+#include <quadrille/internal/order/place_at_end.h>
 #include <quadrille/internal/order/stamped_queue.h>
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/order/waiting_pairs.h>
@@ -42,8 +44,8 @@ public:
                    surface.pairs().count(surface.status().faces, surface.status().vertices),
                    surface.complex().vertex_capacity()),
                surface.complex().workspace()),
-        waiting_(surface.complex()), distance_stop_(surface), parts_(surface), hold_(surface),
-        updates_(surface, queue_, waiting_) {
+        waiting_(surface.complex()), distance_stop_(surface), cost_stop_(surface), parts_(surface),
+        hold_(surface), updates_(surface, queue_, waiting_) {
     fill_queue();
   }
 
@@ -89,9 +91,10 @@ private:
       }
       if (cause)
         refuse(*next, *cause);
-      else if (surface_.progress().is_enough())
-        return surface_.target_rules().reason_of_stop(surface_.status());
-      else if (destroys(contraction))
+      else if (cost_stop_.is_enough_at(contraction.key())) {
+        if (!others_may_cost_less(contraction, *next))
+          return surface_.target_rules().reason_of_stop(surface_.status());
+      } else if (destroys(contraction))
         refuse(*next, Rejection::destruction);
       else if (!is_last_resort_ && misses_target(contraction))
         deferred_.defer(*next, contraction.key());
@@ -109,20 +112,30 @@ private:
     return std::nullopt;
   }
 
-  // To the cheaper end of the pair that is not refused, if there is any.
-  QUADRILLE_NOINLINE bool moves_to_end(Contraction& contraction) {
-    const auto& geometry = surface_.evaluator().geometry();
-    if (contraction.star().hub != none || geometry.is_fixed(contraction.first()) ||
-        geometry.is_fixed(contraction.second()))
+  // Where a pair costs more than the stop policy allows: has it become more costly while it was in
+  // the queue? Or are there refused pairs that may have another turn once no pair is left?
+  bool others_may_cost_less(const Contraction& contraction, const QueuedPair& pair) {
+    if (is_last_resort_ || !cost_stop_.is_stop_by_cost())
       return false;
-    const Candidate wanted = contraction.candidate();
-    for (const Candidate& end : surface_.evaluator().at_ends(wanted)) {
-      contraction.replace(end);
-      if (!refusal(contraction))
-        return true;
-    }
-    contraction.replace(wanted);
-    return false;
+    cost_stop_.announce_none();
+    if (const auto key = static_cast<float>(contraction.key()); key > pair.cost)
+      queue_.push(pair.first, pair.second, key);
+    else if (have_another_turn())
+      queue_.push_again(pair);
+    else
+      return false;
+    return true;
+  }
+
+  // Refused pairs, once no others are left.
+  bool have_another_turn() {
+    return waiting_.release_rest(queue_.stamps().time(), push_again()) || may_try_ends() ||
+           may_have_way();
+  }
+
+  bool moves_to_end(Contraction& contraction) {
+    return internal::moves_to_end(surface_.evaluator(), contraction,
+                                  [this](Contraction& c) { return refusal(c); });
   }
 
   // Once no pair is left where vertices may go to the places of least cost: around a hub these are
@@ -185,9 +198,7 @@ private:
         surface_, [&](std::size_t ahead) { return queue_.peek(ahead); },
         [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA { waiting_.prefetch(w); });
     std::optional<QueuedPair> next = queue_.pop();
-    while (next ? has_isolated_end(*next)
-                : waiting_.release_rest(queue_.stamps().time(), push_again()) || may_try_ends() ||
-                      may_have_way())
+    while (next ? has_isolated_end(*next) : have_another_turn())
       next = queue_.pop();
     is_last_resort_ = !next;
     return next ? next : deferred_.take([this](const QueuedPair& pair) {
@@ -224,10 +235,10 @@ private:
   }
 
   // Is what is left free being destroyed, since most of the surface is held? A bound of the
-  // distance is rule enough where the stop policy asks for one.
+  // distance or the cost is rule enough where the stop policy asks for one.
   bool destroys(const Contraction& contraction) {
     return surface_.target_rules().is_destructive(contraction) && !distance_stop_.is_asking() &&
-           hold_.is_of_most(waiting_.held());
+           !cost_stop_.is_asking() && hold_.is_of_most(waiting_.held());
   }
 
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
@@ -240,6 +251,7 @@ private:
   StopReason final_reason() {
     if (surface_.progress().is_cancelled())
       return StopReason::cancelled;
+    cost_stop_.announce_end();
     if (distance_stop_.is_enough_without() || has_met_distance_ || parts_.has_met_distance())
       return surface_.target_rules().reason_of_stop(surface_.status());
     if (has_met_destruction_)
@@ -271,6 +283,7 @@ private:
   WaitingPairs waiting_;
   DeferredPairs deferred_;
   DistanceStop<Policies> distance_stop_;
+  CostStop<Policies> cost_stop_;
   VanishingParts<Policies> parts_;
   Hold<Policies> hold_;
   PairUpdates<Policies> updates_;

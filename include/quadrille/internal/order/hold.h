@@ -28,6 +28,7 @@ public:
     switch (cause) {
     case Rejection::topology:
     case Rejection::constraint:
+    case Rejection::chord:
     case Rejection::shape:
     case Rejection::degree:
     case Rejection::destruction:

@@ -17,11 +17,12 @@ struct PassPlan {
   float cost_limit = std::numeric_limits<float>::infinity();
   std::vector<std::size_t> quotas; // contractions, of each block
 
-  /// `share` of the pairs may be contracted, less when `quota` contractions are enough.
+  /// `share` of the pairs may be contracted, less when `quota` contractions are enough, and none
+  /// that costs more than `highest`.
   static PassPlan make(const std::vector<std::vector<float>>& samples, double share,
-                       std::size_t quota) {
+                       std::size_t quota, float highest = std::numeric_limits<float>::infinity()) {
     PassPlan plan;
-    plan.cost_limit = limit(samples, share, quota);
+    plan.cost_limit = (std::min)(limit(samples, share, quota), highest);
     plan.share_out(samples, quota);
     return plan;
   }

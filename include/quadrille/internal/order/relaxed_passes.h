@@ -8,7 +8,9 @@
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/block_stars.h>
+#include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/pass_plan.h>
+#include <quadrille/internal/order/pass_stop.h>
 #include <quadrille/internal/order/proposals.h>
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/policy/orders.h>
@@ -32,7 +34,7 @@ class RelaxedPasses {
 public:
   RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
       : surface_(surface), order_(order),
-        count_(surface.is_topology_kept(), surface.complex().backs()),
+        count_(surface.is_topology_kept(), surface.complex().backs()), cost_stop_(surface),
         stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())
@@ -81,7 +83,7 @@ private:
   // What a block needs is loaded once: it is contracted right after its costs are known.
   void pass(std::size_t quota) {
     divide();
-    const PassPlan plan = PassPlan::make(samples(), order_.share, quota);
+    const PassPlan plan = PassPlan::make(samples(), order_.share, quota, cost_stop_.limit());
     for (std::size_t i = 0; i < blocks_.size(); ++i)
       blocks_[i].quota = plan.quotas[i];
     for_each_block([&](Block& block, Worker& worker) {
@@ -113,6 +115,7 @@ private:
     VanishingParts<Policies> parts(surface_);
     while (parts.has_below(limit, false) && parts.vanish_next([](Index) {})) {
     }
+    cost_stop_.announce_none();
   }
 
   template <class Task>
@@ -259,8 +262,9 @@ private:
 
   bool is_left_to_greedy_order(Contraction& contraction) {
     TargetRules<Policies>& rules = surface_.target_rules();
-    return is_stop(contraction) || rules.overshoots(contraction, surface_.status()) ||
-           rules.is_destructive(contraction) || cuts_off_touched(contraction);
+    return is_stop_in_pass(surface_, contraction) ||
+           rules.overshoots(contraction, surface_.status()) || rules.is_destructive(contraction) ||
+           cuts_off_touched(contraction);
   }
 
   bool cuts_off_touched(const Contraction& contraction) const {
@@ -269,23 +273,10 @@ private:
                        [this](Index v) { return stars_.is_touched(v); });
   }
 
-  bool is_stop(Contraction& contraction) const {
-    Status status = surface_.status();
-    status.next_error = contraction.error();
-    const auto& stop = surface_.policies().stop;
-    if (!stop.is_asking_for_distance())
-      return stop(status);
-    status.next_distance = 0;
-    if (stop.is_asking_both_ways())
-      status.next_distance_back = 0;
-    if (stop.is_asking_for_tolerance())
-      status.next_tolerance = 0;
-    return stop(status) || surface_.distance_check().is_too_far(contraction, status);
-  }
-
   WorkingSurface<Policies>& surface_;
   const RelaxedOrder& order_;
   ContractionCount count_;
+  CostStop<Policies> cost_stop_;
   std::vector<Block> blocks_;
   BlockStars stars_;
   std::vector<Worker> workers_;

@@ -7,6 +7,7 @@
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/evaluation/part_price.h>
+#include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/part_lists.h>
@@ -34,7 +35,8 @@ class VanishingParts {
 public:
   /// In linear time.
   explicit VanishingParts(WorkingSurface<Policies>& surface)
-      : surface_(surface), price_(surface.evaluator()), distance_stop_(surface) {
+      : surface_(surface), price_(surface.evaluator()), distance_stop_(surface),
+        cost_stop_(surface) {
     if (parts().size() < 2)
       return;
     lists_ = PartLists(surface.complex(), parts(), surface.labels());
@@ -59,6 +61,7 @@ public:
   /// each of its vertices. False if the stop policy is satisfied without.
   template <class Gone>
   bool vanish_next(Gone gone) {
+    cost_stop_.announce(static_cast<double>(heap_.front().first));
     const Index part = take();
     waiting_price_.reset();
     surface_.progress().announce(parts()[part].radius);
@@ -142,6 +145,7 @@ private:
   WorkingSurface<Policies>& surface_;
   PartPrice<Policies> price_;
   DistanceStop<Policies> distance_stop_;
+  CostStop<Policies> cost_stop_;
   PartLists lists_;
   std::vector<Entry> heap_;
   std::optional<float> waiting_price_; // of a part that would go beyond the target

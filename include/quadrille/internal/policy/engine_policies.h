@@ -27,6 +27,9 @@ template <class Policies>
 struct DistanceCalls;
 template <std::size_t N>
 class Geometry;
+template <class Memory>
+struct GivenMemories;
+class CostHistogram;
 class IntersectionCheck;
 class NormalCheck;
 class TriangleComplex;
@@ -49,6 +52,10 @@ struct OptionalParts {
                                                     bool is_topology_kept,
                                                     double degrees) = nullptr;
   double normal_degrees = 180;
+  /// What vertices remember at the beginning instead of what their faces leave, if that is given.
+  const GivenMemories<typename Policies::Cost::Memory>* memories = nullptr;
+  /// Counts what contractions cost.
+  CostHistogram* costs = nullptr;
   /// Throws if a surface is no solid.
   void (*require_solid)(WorkingSurface<Policies>&, const Report&) = nullptr;
 };

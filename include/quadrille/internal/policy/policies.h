@@ -220,6 +220,30 @@ bool is_asking_for_tolerance(const Stop& stop) {
   return asks_for_tolerance<Stop>;
 }
 
+/// May a stop policy look at Status::next_cost?
+template <class Stop>
+inline constexpr bool asks_for_cost = requires {
+  requires Stop::asks_for_cost;
+};
+
+/// And does this one?
+template <class Stop>
+bool is_asking_for_cost(const Stop& stop) {
+  if constexpr (requires { stop.is_asking_for_cost(); })
+    return stop.is_asking_for_cost();
+  return asks_for_cost<Stop>;
+}
+
+/// By which power of lengths the values of a cost grow, if that is known.
+template <class Cost>
+concept TellsDegree = requires(const Cost& cost) {
+  { cost.degree() } -> std::convertible_to<double>;
+};
+
+/// Can the values of a cost be told in the mesh's units?
+template <class Cost>
+inline constexpr bool has_cost_in_mesh_units = !is_scale_free<Cost> || TellsDegree<Cost>;
+
 /// Is every edge a pair at any time, for this pair policy?
 template <class Pairs>
 inline constexpr bool includes_edges = requires {

@@ -21,6 +21,7 @@ public:
         rule.is_asking_ && asks_both_ways<Stop> && internal::is_asking_both_ways(stop);
     rule.is_asking_for_tolerance_ = rule.is_asking_both_ways_ && asks_for_tolerance<Stop> &&
                                     internal::is_asking_for_tolerance(stop);
+    rule.is_asking_for_cost_ = asks_for_cost<Stop> && internal::is_asking_for_cost(stop);
     rule.is_enough_ = [](const void* policy, const Status& status) -> bool {
       return (*static_cast<const Stop*>(policy))(status);
     };
@@ -41,6 +42,8 @@ public:
   bool is_asking_both_ways() const { return is_asking_both_ways_; }
   /// And at Status::next_tolerance?
   bool is_asking_for_tolerance() const { return is_asking_for_tolerance_; }
+  /// Does it look at Status::next_cost?
+  bool is_asking_for_cost() const { return is_asking_for_cost_; }
 
 private:
   using Asked = bool (*)(const void*, const Status&);
@@ -50,6 +53,7 @@ private:
   std::shared_ptr<const void> policy_;
   Asked is_enough_ = nullptr, is_passed_ = nullptr;
   bool is_asking_ = false, is_asking_both_ways_ = false, is_asking_for_tolerance_ = false;
+  bool is_asking_for_cost_ = false;
 };
 
 } // namespace quadrille::internal

@@ -15,6 +15,9 @@ template <std::size_t N>
 struct Box {
   Vector<N> low, high;
 
+  Box() = default;
+  Box(const Vector<N>& least, const Vector<N>& greatest) : low(least), high(greatest) {}
+
   template <class Positions>
   explicit Box(const Positions& positions) : Box(positions, [](std::size_t) { return true; }) {}
 

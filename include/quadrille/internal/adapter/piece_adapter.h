@@ -1,0 +1,178 @@
+#ifndef QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
+#define QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
+
+#include <quadrille/internal/adapter/label_numbers.h>
+#include <quadrille/internal/adapter/soup_parts.h>
+#include <quadrille/internal/base/cost_histogram.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/memory/packing.h>
+#include <quadrille/internal/policy/given_memories.h>
+#include <quadrille/internal/surface/box.h>
+#include <quadrille/report.h>
+#include <quadrille/vector.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Part of a surface, which meets other parts at vertices that are shared: see SharedVertices.
+/// Vertices are named by their places in `positions`.
+template <class Cost>
+struct Piece {
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Memory = typename Cost::Memory;
+
+  std::vector<Vector<dimension>> positions; ///< in the mesh's units; attributes of the cost behind
+  std::vector<std::array<Index, 3>> triangles; ///< of positions
+  std::vector<bool> is_shared = {};            ///< of each position; empty: none is
+  std::vector<bool> is_fixed = {};             ///< of each position that stays for another reason
+  /// Edges of one face between shared vertices that are borders of the whole surface.
+  std::vector<std::array<Index, 2>> borders = {};
+  /// Of the whole surface, or larger: it decides about the units, and the weights of attributes.
+  Box<dimension> box = {};
+  /// What each position remembers, as PieceResult tells it, summed up over the pieces. Empty: all
+  /// memories are made of the faces of this piece. Of a cost that remembers nothing: empty.
+  std::vector<Memory> memories = {};
+  /// Of each position: is its memory there? Empty: all are, if any is.
+  std::vector<bool> has_memory = {};
+  /// Of each triangle, any numbers, of which the regions are kept as by `Labels`; empty: none.
+  std::vector<Index> labels = {};
+};
+
+/// What is left of a piece. Points and triangles keep their order.
+template <class Cost>
+struct PieceResult {
+  std::vector<Vector<Cost::dimension>> positions; ///< in the mesh's units; those fixed bit by bit
+  std::vector<Index> vertices;                    ///< which vertex of the piece each of them was
+  std::vector<std::array<Index, 3>> triangles;    ///< of `positions`
+  std::vector<Index> faces;                       ///< which triangle of the piece each of them was
+  /// What each position remembers, in the engine's units, about the position. Of a shared vertex
+  /// that had been given a memory: what has been added to that. So what a shared vertex remembers
+  /// then is what it was given, plus the sum over all pieces. Empty if the cost remembers nothing.
+  std::vector<typename Cost::Memory> memories;
+  CostHistogram costs; ///< of the contractions, by keys in the engine's unit
+  Report report;       ///< of the piece
+};
+
+/// Reads a piece, and writes its result, in linear time.
+template <class Cost>
+class PieceAdapter {
+public:
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Memory = typename Cost::Memory;
+
+  /// `given` are the memories of the piece.
+  PieceAdapter(Piece<Cost>& piece, const GivenMemories<Memory>& given, PieceResult<Cost>& result,
+               Workspace& workspace)
+      : workspace_(&workspace), piece_(piece), given_(given), result_(result) {}
+
+  /// Throws std::invalid_argument as a soup does, and for lists of the wrong length. Most of it is
+  /// no longer in the piece then.
+  SurfaceInput<dimension> read() {
+    TriangleComplex::check_size(piece_.positions.size(), piece_.triangles.size());
+    require_lengths();
+    SurfaceInput<dimension> input(workspace_);
+    input.has_duplicate_faces = input.may_have_backs = true;
+    input.reserve(piece_.positions.size(), piece_.triangles.size());
+    const std::size_t count = piece_.positions.size();
+    for (std::size_t v = 0; v < count; ++v) {
+      input.positions.push_back(piece_.positions[v]);
+      require_finite(input.positions.back(), v);
+    }
+    if constexpr (dimension == 3)
+      piece_.positions = {};
+    for (std::size_t face = 0; face < piece_.triangles.size(); ++face)
+      input.triangles.push_back(read_triangle(piece_.triangles[face], face, count));
+    piece_.triangles = {};
+    input.is_fixed = std::move(piece_.is_fixed);
+    input.share(piece_.is_shared);
+    input.borders = std::move(piece_.borders);
+    input.given_box = piece_.box;
+    if (!piece_.labels.empty())
+      number_labels(input);
+    return input;
+  }
+
+  template <class Result, class Tell>
+  std::size_t write(const Result& result, const Tell&) {
+    const Array<Index> inputs = result.input_vertices();
+    const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
+    const Array<Index> new_index = places(vertices, vertices.size());
+    for (Index v : vertices) {
+      result_.positions.push_back(position(result, v, inputs[v]));
+      result_.vertices.push_back(inputs[v]);
+      if constexpr (Tell::asks_for_memories)
+        result_.memories.push_back(gained(result.memory(v), inputs[v]));
+    }
+    const Array<Index> input_faces = result.input_faces();
+    for (Index face : in_order(input_faces, result.input_face_count())) {
+      const auto [p, q, r] = result.corners(face);
+      result_.triangles.push_back({new_index[p], new_index[q], new_index[r]});
+      result_.faces.push_back(input_faces[face]);
+    }
+    return 0;
+  }
+
+private:
+  void require_lengths() const {
+    const std::size_t points = piece_.positions.size();
+    const auto require = [](const char* name, const auto& list, std::size_t wanted) {
+      if (!list.empty() && list.size() != wanted)
+        throw std::invalid_argument("quadrille: a piece has " + std::to_string(list.size()) + " " +
+                                    name + ", not " + std::to_string(wanted));
+    };
+    require("values of is_shared", piece_.is_shared, points);
+    require("values of is_fixed", piece_.is_fixed, points);
+    require("values of has_memory", given_.is_given, points);
+    require("memories", given_.memories, points);
+    require("labels", piece_.labels, piece_.triangles.size());
+    for (const auto& edge : piece_.borders)
+      for (Index v : edge)
+        if (v >= points)
+          throw std::invalid_argument("quadrille: a border of a piece names point " +
+                                      std::to_string(v) + " of " + std::to_string(points));
+  }
+
+  // As it was, bit by bit, if it has not moved: of attributes, weights would round the numbers.
+  template <class Result>
+  Vector<dimension> position(const Result& result, Index v, [[maybe_unused]] Index input) const {
+    if constexpr (dimension > 3)
+      if (!result.is_moved(v))
+        return piece_.positions[input];
+    return result.position(v);
+  }
+
+  void number_labels(SurfaceInput<dimension>& input) {
+    std::vector<Index> faces(piece_.labels.size());
+    std::iota(faces.begin(), faces.end(), Index{0});
+    input.labels = numbers_of_labels(
+        boost::make_iterator_property_map(piece_.labels.begin(), boost::identity_property_map()),
+        faces, *workspace_);
+    piece_.labels = {};
+  }
+
+  Memory gained(Memory memory, Index vertex) const {
+    if (given_.has(vertex) && !piece_.is_shared.empty() && piece_.is_shared[vertex])
+      memory -= given_.memories[vertex];
+    return memory;
+  }
+
+  Workspace* workspace_;
+  Piece<Cost>& piece_;
+  const GivenMemories<Memory>& given_;
+  PieceResult<Cost>& result_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
