@@ -13,7 +13,7 @@ if [ "${1-}" = --built ]; then
   built=$2
   shift 2
 fi
-all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics time"
+all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics tolerance time"
 for name in "$@"; do
   case " $all " in
     *" $name "*) ;;
@@ -176,6 +176,17 @@ draw_quadrics() {
   figures 8
   drawn quadrics.png --size 560,480 --from 0,0.1,1 --up 0,1,0 \
     $out/8_bunny_1000.off='{} faces and their quadrics' --with $out/8_bunny_1000_ellipsoids.off
+}
+
+draw_tolerance() {
+  made tolerance "$models/bunny00.off" $out/field.ply
+  simplified $out/field.ply field_simplified.ply --tolerance allowed
+  for error in 0.02% 2%; do
+    simplified "$models/bunny00.off" within_$error.off --error $error --both-ways
+  done
+  drawn tolerance.png --size 320,300 --colours 160 --from -0.3,0.12,1 --up 0,1,0 --edges 0.5 \
+    $out/field.ply='Tolerances|0.02 % red, 2 % white' --edges 0.05 $out/field_simplified.ply='ToleranceLimit|{} faces' \
+    $out/within_0.02%.off='0.02 % everywhere|{} faces' --edges 0.25 $out/within_2%.off='2 % everywhere|{} faces'
 }
 
 # Of the first table of doc/benchmarks.md.

@@ -4,6 +4,7 @@
 #   models.py textured IN.off OUT.obj   six charts, one for each direction of a box, with OUT.mtl and
 #                                       OUT.png: in each chart a grid of letters in a colour of its own
 #   models.py regions IN.off OUT.ply [NAME]   eight regions as colours of faces, or as a property NAME
+#   models.py tolerance IN.off OUT.ply        a scalar of vertices, and its colours
 #   models.py painted IN.ply OUT.ply NAME     the property NAME of the faces as colours of these
 #   models.py debris IN.off OUT.off     with 40 small balls around it
 #   models.py sheet OUT.off             a dome with a wavy border
@@ -217,6 +218,27 @@ def painted(source, target, name):
     rows = np.frombuffer(data, [("size", "u1"), ("corners", "<u4", 3), ("value", "<i4")], faces,
                          end + points.nbytes)
     write_painted(target, points, rows["corners"], rows["value"])
+
+
+def tolerance(source, target):
+    """Vertices with the tolerance `allowed`: 0.0002 of the size at the bunny's head, 0.02 behind, and as colours."""
+    points, triangles = read_off(source)
+    low, span = points.min(axis=0), np.ptp(points, axis=0)
+    place = (points - low) / span
+    part = np.clip(2 * (place[:, 0] - place[:, 1]) + 1, 0, 1)  # of the way from the head
+    allowed = np.linalg.norm(span) * (0.0002 + part * (0.02 - 0.0002))
+    strict, loose = np.array([205, 80, 60]), np.array([226, 220, 205])
+    vertices = np.empty(len(points), [("p", "<f8", 3), ("colour", "u1", 3), ("allowed", "<f8")])
+    vertices["p"], vertices["allowed"] = points, allowed
+    vertices["colour"] = np.rint(strict + part[:, np.newaxis] * (loose - strict))
+    faces = np.empty(len(triangles), [("size", "u1"), ("corners", "<u4", 3)])
+    faces["size"], faces["corners"] = 3, triangles
+    properties = [f"property double {c}" for c in "xyz"] + [f"property uchar {c}" for c in ("red", "green", "blue")]
+    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}", *properties,
+              "property double allowed", f"element face {len(triangles)}", "property list uchar uint vertex_indices",
+              "end_header", ""]
+    with open(target, "wb") as file:
+        file.write("\n".join(header).encode() + vertices.tobytes() + faces.tobytes())
 
 
 # --- Parts and borders ---------------------------------------------------------------------------
