@@ -11,6 +11,7 @@
 #include <quadrille/calibrated.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>
+#include <quadrille/file.h>
 #include <quadrille/hull.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>

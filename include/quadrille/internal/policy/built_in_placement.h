@@ -20,6 +20,7 @@ public:
   explicit BuiltInPlacement(EndpointPlacement) : kind_(Kind::endpoint) {}
   explicit BuiltInPlacement(MidpointPlacement) : kind_(Kind::midpoint) {}
 
+  Kind kind() const { return kind_; }
   bool is_optimal() const { return kind_ == Kind::optimal; }
 
   template <class Cost, class Pair>

@@ -1,0 +1,201 @@
+#ifndef QUADRILLE_FILE_H
+#define QUADRILLE_FILE_H
+
+#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+
+#include <quadrille/file_report.h>
+#include <quadrille/internal/file/job_key.h>
+#include <quadrille/internal/file/job_watch.h>
+#include <quadrille/internal/file/limit_search.h>
+#include <quadrille/internal/file/part_runner.h>
+#include <quadrille/internal/file/parted_job.h>
+#include <quadrille/internal/file/surface_source.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric.h>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+/// \file
+/// Surfaces that do not fit into memory: from a file to a file, by parts.
+///
+/// The file is cut into parts by a kd-tree. Each part is simplified by itself, up to the same cost
+/// limit in all of them, while vertices that parts share stay. What is left is cut elsewhere, so
+/// that old borders lie inside of new parts, and simplified up to the limit of a lower count; and
+/// so on, until the whole fits into memory, which then is simplified to the target itself. For
+/// POSIX systems.
+
+namespace quadrille {
+
+/// The steps of simplify_file one by one, so that any driver may run parts: threads, processes of
+/// one computer, or of several that see the same folder.
+///
+/// ```cpp
+/// PartitionedSimplifier<Quadric, OptimalPlacement> job("in.ply", FaceCount{1000000}, options);
+/// job.partition();
+/// do
+///   for (std::size_t part = 0; part < job.parts(); ++part)
+///     job.simplify(part); // in any order, by any process
+/// while (job.close());
+/// FileReport report = job.sew("out.ply");
+/// ```
+///
+/// A process that runs parts only makes the same object, with OutOfCore::restart, and calls
+/// partition(), which takes up the phase that is at work. Each step writes its files as a whole or
+/// not at all, and is left out if they are there: so a job that was stopped anywhere goes on.
+/// partition(), close() and sew() are for one process at a time, the last two when all parts are
+/// simplified.
+///
+/// All functions throw std::runtime_error, with the name of the file, for one that can't be read or
+/// written, is not what it should be or has changed, and what `simplify` throws. What is done stays
+/// in the scratch folder then.
+template <class Cost = Quadric, class Placement = OptimalPlacement, class... Policies>
+class PartitionedSimplifier {
+public:
+  /// `stop` is a FaceCount or a FaceRatio; `policies` are what `simplify` takes beside, as it is
+  /// told to each part: filters, a Topology, an order. Throws std::invalid_argument for options
+  /// that make no sense.
+  template <class Stop>
+  PartitionedSimplifier(const std::filesystem::path& input, const Stop& stop,
+                        const OutOfCore& options, Cost cost = {}, Placement placement = {},
+                        Policies... policies)
+      : options_(options), source_(input, options.positions_only),
+        runner_(std::move(cost), std::move(placement), std::move(policies)...),
+        watch_(options.proceed), job_(made_job(internal::FileTarget(stop))) {
+    if (options.scratch.empty())
+      throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
+  }
+
+  /// Cuts the file into the parts of the first phase; or takes up the phase that is at work.
+  void partition() {
+    if (job_.folder().phase_at_work() > 0 && !options_.restart)
+      internal::fail_file(options_.scratch, "has a job in it: restart it, or remove the folder");
+    if (job_.take_up())
+      return;
+    const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
+    tell(0);
+    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2), limit(), tell);
+  }
+
+  unsigned phase() const { return job_.plan().phase; }                   ///< at work, from 1 on
+  std::size_t parts() const { return job_.plan().parts.size(); }         ///< of this phase
+  unsigned parts_in_flight() const { return job_.budget().in_flight(); } ///< that fit, as asked
+
+  /// Simplifies a part of the phase; nothing to do if that is done. Several threads may do so at a
+  /// time. False, with nothing done, if `is_cancelled`, which is asked now and then, says so.
+  template <class IsCancelled>
+  bool simplify(std::size_t part, const IsCancelled& is_cancelled) const {
+    return job_.is_done(part) || runner_.simplify(job_, part, is_cancelled);
+  }
+  /// The same to its end.
+  void simplify(std::size_t part) const {
+    simplify(part, [] { return false; });
+  }
+
+  /// Ends the phase, and begins the next one; false if it was the last, and what is left can be
+  /// sewn. Throws std::logic_error if parts are missing.
+  bool close() {
+    watch_.tell(job_, FileStage::regroup, 0);
+    return job_.end_phase(internal::PieceOfPart<Cost>::add_memory(), limit());
+  }
+
+  /// Writes what is left to a binary PLY file, with floats or doubles as the input has, and empties
+  /// the scratch folder. The file is there as a whole or not at all.
+  FileReport sew(const std::filesystem::path& output) {
+    watch_.tell(job_, FileStage::sew, 0);
+    FileReport report = this->report();
+    job_.add_last_phase(report);
+    job_.sew(output, report);
+    job_.folder().remove();
+    report.peak_memory = internal::MemoryBudget::peak();
+    return report;
+  }
+
+  /// All of it. If OutOfCore::proceed says so, it ends before: StopReason::cancelled.
+  FileReport operator()(const std::filesystem::path& output) {
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      partition();
+      do
+        watch_.run(job_, FileStage::simplify, parts(), [&](std::size_t part, const auto& ask) {
+          if (!simplify(part, ask))
+            throw internal::JobCancelled();
+        });
+      while (close());
+      FileReport report = sew(output);
+      report.seconds.contract =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      return report;
+    } catch (const internal::JobCancelled&) {
+      FileReport report = this->report();
+      report.stop = StopReason::cancelled;
+      return report;
+    }
+  }
+
+private:
+  internal::PartedJob made_job(const internal::FileTarget& target) const {
+    const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::memory_size);
+    internal::JobKey key;
+    key.add_number(source_.key());
+    target.tell(key);
+    runner_.tell(key);
+    budget.tell(key);
+    return {options_.scratch, budget, target, key.value()};
+  }
+
+  // What finds the limit of a phase that is about to begin.
+  auto limit() const {
+    return [this] { return internal::find_limit(job_, runner_, watch_); };
+  }
+
+  FileReport report() const {
+    FileReport report = job_.report();
+    report.dropped = source_.dropped();
+    return report;
+  }
+
+  OutOfCore options_;
+  internal::SurfaceSource source_;
+  internal::PartRunner<Cost, Placement, Policies...> runner_;
+  internal::JobWatch watch_;
+  internal::PartedJob job_;
+};
+
+/// Simplifies a surface from a file to another one, by parts, in no more memory than is told.
+///
+/// ```cpp
+/// FileReport report = simplify_file<MemorylessQuadric, OptimalPlacement>(
+///     "in.ply", "out.ply", FaceCount{10'000'000}, OutOfCore{.scratch = "/scratch/a"});
+/// ```
+///
+/// - input: binary PLY of triangles, little or big endian, float or double; or binary STL, of which
+///   corners at exactly the same place become one vertex
+/// - output: binary PLY, little endian, float or double as the input; vertices in the order of the
+///   input
+/// - stop: a FaceCount or a FaceRatio. The count is met exactly if what is left of some phase fits
+///   into memory (FileReport::is_count_exact); else it is near
+/// - policies: what `simplify` takes beside, as it is told to each part
+///
+/// The result depends on OutOfCore::memory (or part_faces), but not on how many parts are in
+/// flight, nor on interruptions. Topology is kept as `simplify` keeps it. What the file has beside
+/// positions and corners is refused, but with OutOfCore::positions_only.
+///
+/// Time O(n log n) for n faces, reading the file five times; memory as told, with two bytes for
+/// each vertex at least; on disk about 28 bytes for each face. Throws as PartitionedSimplifier.
+template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
+FileReport simplify_file(const std::filesystem::path& input, const std::filesystem::path& output,
+                         const Stop& stop, const OutOfCore& options, Cost cost = {},
+                         Placement placement = {}, Policies... policies) {
+  PartitionedSimplifier<Cost, Placement, Policies...> job(
+      input, stop, options, std::move(cost), std::move(placement), std::move(policies)...);
+  return job(output);
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_FILE_H

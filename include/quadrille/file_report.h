@@ -1,0 +1,93 @@
+#ifndef QUADRILLE_FILE_REPORT_H
+#define QUADRILLE_FILE_REPORT_H
+
+#include <quadrille/report.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quadrille {
+
+/// What simplify_file is at.
+enum class FileStage {
+  partition, ///< the file is read, and cut into parts
+  sample,    ///< pieces of parts are simplified, to learn up to which cost a phase goes
+  simplify,  ///< parts are simplified
+  regroup,   ///< what is left is cut into other parts
+  sew        ///< what is left is written
+};
+
+/// In words.
+constexpr std::string_view to_string(FileStage stage) {
+  constexpr std::string_view names[] = {"partition", "sample", "simplify", "regroup", "sew"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+/// How far simplify_file is.
+struct FileStatus {
+  FileStage stage = FileStage::partition;
+  unsigned phase = 0;         ///< from 1 on; 0 while the file is cut
+  unsigned phases = 0;        ///< how many there will be, about
+  std::size_t parts = 0;      ///< of the phase
+  std::size_t parts_done = 0; ///< of them
+  std::uint64_t faces = 0;    ///< of the input
+  double progress = 0;        ///< about which part of all work is done, from 0 to 1
+};
+
+/// How a file is simplified in parts.
+struct OutOfCore {
+  /// A folder for what lies on disk meanwhile, on a file system that all who run parts see. It is
+  /// made if it is not there, and is empty again at the end. About 28 bytes for each face of the
+  /// input.
+  std::filesystem::path scratch;
+  /// How many bytes the process shall take at most. It has to be at least two bytes for each vertex
+  /// of the input, beside 64 MB.
+  std::uint64_t memory = 4'000'000'000;
+  /// How many parts are simplified at a time; 0: one for each processor. There are never more than
+  /// fit into the memory. The result does not depend on it.
+  unsigned parts_in_flight = 0;
+  /// Go on with what is in the scratch folder. Without this a folder with a job is refused.
+  bool restart = false;
+  /// Faces of a part, about; 0: as the memory allows, 4,000,000 at most. The result depends on it.
+  std::uint64_t part_faces = 0;
+  /// How many faces may be left before the last phase, which simplifies the whole to the target
+  /// itself; 0: as many as fit into the memory. The result depends on it.
+  std::uint64_t whole_faces = 0;
+  /// Read over whatever the file has beside positions, corners and labels; else it is refused.
+  bool positions_only = false;
+  /// Called now and then by the thread that has called, and before each part; returning false ends
+  /// the run, which can be restarted.
+  std::function<bool(const FileStatus&)> proceed = {};
+};
+
+/// What simplify_file did. What Report says of topology is not known of a surface in parts; of the
+/// contractions and refusals it has those of all phases, but not those of parts that had been
+/// simplified before a restart in a phase that was over.
+struct FileReport : Report {
+  unsigned phases = 0;                        ///< in which parts were simplified
+  std::size_t parts = 0;                      ///< of the first phase
+  std::vector<std::uint64_t> faces_of_phases; ///< left by each
+  bool is_count_exact = false; ///< the last phase was a run over the whole, to the target itself
+  std::uint64_t bytes_read = 0, bytes_written = 0; ///< of files, about
+  double diagonal = 0;                             ///< of the input's bounding box
+  std::uint64_t shared_vertices = 0;               ///< in the first phase
+  std::uint64_t peak_memory = 0;    ///< of the process so far, in bytes, as the system counts it
+  std::vector<std::string> dropped; ///< elements and properties that were read over
+};
+
+/// Prints a report in one line, without an end of line.
+inline std::ostream& operator<<(std::ostream& out, const FileReport& report) {
+  out << static_cast<const Report&>(report) << "; " << report.phases << " phases, " << report.parts
+      << " parts, " << report.bytes_read << " bytes read, " << report.bytes_written
+      << " written, at most " << report.peak_memory << " bytes of memory";
+  return out;
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_FILE_REPORT_H

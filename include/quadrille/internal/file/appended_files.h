@@ -1,0 +1,93 @@
+#ifndef QUADRILLE_INTERNAL_FILE_APPENDED_FILES_H
+#define QUADRILLE_INTERNAL_FILE_APPENDED_FILES_H
+
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/file_checksum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What a file has to be, to be the one that was written.
+struct FileContent {
+  std::uint64_t size = 0, checksum = 0;
+
+  friend bool operator==(const FileContent&, const FileContent&) = default;
+};
+
+/// Files that grow at their ends by turns, one for each part. They are open only while a buffer
+/// goes to the disk, so there may be more than a process may have open.
+class AppendedFiles {
+public:
+  /// Files have to be missing. `memory` is for the buffers of all.
+  AppendedFiles(std::vector<std::filesystem::path> paths, std::uint64_t memory)
+      : paths_(std::move(paths)), states_(paths_.size()),
+        buffer_(static_cast<std::size_t>(std::clamp<std::uint64_t>(
+            memory / std::max<std::size_t>(paths_.size(), 1), 1 << 12, 1 << 20))) {}
+
+  void add(std::size_t file, const void* bytes, std::size_t size) {
+    std::vector<char>& buffer = states_[file].buffer;
+    if (buffer.capacity() == 0)
+      buffer.reserve(buffer_ + 256);
+    const char* const from = static_cast<const char*>(bytes);
+    buffer.insert(buffer.end(), from, from + size);
+    if (buffer.size() >= buffer_)
+      flush(file);
+  }
+
+  /// Writes what is left, synced; empty files, too. What each has to be.
+  std::vector<FileContent> finish() {
+    std::vector<FileContent> contents;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      flush(i);
+      sync_to_disk(paths_[i]);
+      contents.push_back({states_[i].size, states_[i].checksum.value()});
+      states_[i].buffer = {};
+    }
+    return contents;
+  }
+
+private:
+  struct State {
+    std::vector<char> buffer;
+    FileChecksum checksum;
+    std::uint64_t size = 0;
+  };
+
+  void flush(std::size_t file) {
+    State& state = states_[file];
+    append_to_file(paths_[file], state.buffer.data(), state.buffer.size());
+    state.checksum.add(state.buffer.data(), state.buffer.size());
+    state.size += state.buffer.size();
+    state.buffer.clear();
+  }
+
+  std::vector<std::filesystem::path> paths_;
+  std::vector<State> states_;
+  std::size_t buffer_;
+};
+
+/// All of a file, as it has to be; throws where it is not.
+template <class Row>
+std::vector<Row> read_rows(const std::filesystem::path& path, const FileContent& content) {
+  const InputFile file(path);
+  if (file.size() != content.size || content.size % sizeof(Row) != 0)
+    fail_file(path, "has " + std::to_string(file.size()) + " bytes and not the " +
+                        std::to_string(content.size) + " that were written");
+  std::vector<Row> rows(static_cast<std::size_t>(content.size / sizeof(Row)));
+  file.read(0, rows.data(), rows.size() * sizeof(Row));
+  FileChecksum checksum;
+  checksum.add(rows.data(), rows.size() * sizeof(Row));
+  if (checksum.value() != content.checksum)
+    fail_file(path, "is not what was written: its checksum is another one");
+  return rows;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_APPENDED_FILES_H

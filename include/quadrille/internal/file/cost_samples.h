@@ -1,0 +1,163 @@
+#ifndef QUADRILLE_INTERNAL_FILE_COST_SAMPLES_H
+#define QUADRILLE_INTERNAL_FILE_COST_SAMPLES_H
+
+#include <quadrille/internal/base/cost_histogram.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/loaded_part.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A connected piece of a part, of about so many vertices: again and again the half that lies on
+/// one side of the median along the longest extent, which side being told by the bits of `seed`.
+/// Its border is shared, since it must not move.
+class PartOfPart {
+public:
+  static LoadedPart of(const LoadedPart& part, std::size_t vertices, std::uint64_t seed,
+                       std::size_t memory_size) {
+    PartOfPart piece(part);
+    while (piece.order_.size() > vertices) {
+      piece.halve((seed & 1U) != 0);
+      seed >>= 1U;
+    }
+    return piece.extracted(memory_size);
+  }
+
+private:
+  explicit PartOfPart(const LoadedPart& part) : part_(part), order_(part.ids.size()) {
+    std::iota(order_.begin(), order_.end(), Index{0});
+  }
+
+  void halve(bool takes_upper) {
+    const std::size_t axis = longest_axis();
+    const auto middle = order_.begin() + static_cast<std::ptrdiff_t>(order_.size() / 2);
+    std::nth_element(order_.begin(), middle, order_.end(), [&](Index a, Index b) {
+      const double x = part_.positions[a][axis], y = part_.positions[b][axis];
+      return x != y ? x < y : a < b;
+    });
+    if (takes_upper)
+      order_.erase(order_.begin(), middle);
+    else
+      order_.erase(middle, order_.end());
+  }
+
+  std::size_t longest_axis() const {
+    FileBox box;
+    for (const Index v : order_)
+      box.add(part_.positions[v]);
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis])
+        axis = i;
+    return axis;
+  }
+
+  LoadedPart extracted(std::size_t memory_size) {
+    std::sort(order_.begin(), order_.end());
+    std::vector<Index> place(part_.ids.size(), none);
+    LoadedPart piece;
+    for (const Index v : order_) {
+      place[v] = static_cast<Index>(piece.ids.size());
+      piece.ids.push_back(part_.ids[v]);
+      piece.positions.push_back(part_.positions[v]);
+      piece.is_shared.push_back(part_.is_shared[v]);
+      const auto memory = part_.memories.begin() + static_cast<std::ptrdiff_t>(v * memory_size);
+      if (!part_.memories.empty())
+        piece.memories.insert(piece.memories.end(), memory,
+                              memory + static_cast<std::ptrdiff_t>(memory_size));
+    }
+    for (std::size_t f = 0; f < part_.triangles.size(); ++f) {
+      const std::array<Index, 3>& t = part_.triangles[f];
+      const std::array<Index, 3> corners{place[t[0]], place[t[1]], place[t[2]]};
+      const bool is_inside = corners[0] != none && corners[1] != none && corners[2] != none;
+      if (is_inside)
+        piece.triangles.push_back(corners);
+      if (is_inside && !part_.labels.empty())
+        piece.labels.push_back(part_.labels[f]);
+      for (const Index corner : corners)
+        if (!is_inside && corner != none)
+          piece.is_shared[corner] = true;
+    }
+    return piece;
+  }
+
+  const LoadedPart& part_;
+  std::vector<Index> order_; // those that are left
+};
+
+/// For how many faces a sample stands that can go: those of its vertices that are not shared.
+struct SampleCounts {
+  double free_faces = 0;
+
+  explicit SampleCounts(const LoadedPart& sample) {
+    std::size_t free = 0, used = 0;
+    std::vector<bool> has_face(sample.ids.size());
+    for (const std::array<Index, 3>& t : sample.triangles)
+      for (const Index v : t)
+        has_face[v] = true;
+    for (std::size_t v = 0; v < sample.ids.size(); ++v) {
+      used += has_face[v] ? 1 : 0;
+      free += has_face[v] && !sample.is_shared[v] ? 1 : 0;
+    }
+    if (used > 0)
+      free_faces = static_cast<double>(sample.triangles.size()) * static_cast<double>(free) /
+                   static_cast<double>(used);
+  }
+};
+
+/// What samples of a surface tell of the whole: up to which cost pairs have to be contracted so
+/// that so many faces are left. Each sample was simplified to its end.
+class CostSamples {
+public:
+  explicit CostSamples(std::uint64_t faces) : faces_(faces) {}
+
+  /// A sample that stands for so many faces, with what contractions in it took.
+  void add(std::uint64_t part_faces, const SampleCounts& counts, const CostHistogram& costs) {
+    if (counts.free_faces > 0)
+      samples_.push_back({part_faces, counts.free_faces, costs});
+  }
+
+  /// In the engine's unit. If nothing could be sampled it is infinite.
+  float limit(std::uint64_t faces_left) const {
+    double sampled = 0;
+    for (const Sample& s : samples_)
+      sampled += static_cast<double>(s.part_faces);
+    CostHistogram all;
+    for (const Sample& s : samples_) {
+      const double weight = static_cast<double>(s.part_faces) / s.free_faces *
+                            (static_cast<double>(faces_) / sampled);
+      const auto from = s.costs.counters();
+      for (std::size_t i = 0; i < CostHistogram::size; ++i)
+        all.counters()[i] +=
+            static_cast<std::uint64_t>(std::llround(unit * weight * static_cast<double>(from[i])));
+    }
+    const std::uint64_t wanted = unit * (faces_ - std::min(faces_left, faces_));
+    return samples_.empty() ? std::numeric_limits<float>::infinity()
+                            : all.cost_for(std::min(wanted, all.total()));
+  }
+
+private:
+  static constexpr std::uint64_t unit = 256; // of a face, in which they are counted
+
+  struct Sample {
+    std::uint64_t part_faces;
+    double free_faces;
+    CostHistogram costs;
+  };
+
+  std::uint64_t faces_; // of all
+  std::vector<Sample> samples_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_COST_SAMPLES_H

@@ -1,0 +1,177 @@
+#ifndef QUADRILLE_INTERNAL_FILE_DISK_FILE_H
+#define QUADRILLE_INTERNAL_FILE_DISK_FILE_H
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+/// \file
+/// Files by the calls of POSIX, whose errors become sentences that begin with the file's name.
+
+namespace quadrille::internal {
+
+[[noreturn]] inline void fail_file(const std::filesystem::path& path, const std::string& what) {
+  throw std::runtime_error(path.string() + ": " + what);
+}
+
+/// Owns an open file.
+class FileDescriptor {
+public:
+  FileDescriptor(const std::filesystem::path& path, int flags)
+      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0)
+      fail_file(path, std::string("cannot be opened: ") + std::strerror(errno));
+  }
+  FileDescriptor(FileDescriptor&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~FileDescriptor() { close(); }
+
+  int get() const { return descriptor_; }
+  /// False if something that was written did not reach the file.
+  bool close() { return descriptor_ < 0 || ::close(std::exchange(descriptor_, -1)) == 0; }
+
+private:
+  int descriptor_;
+};
+
+/// A file that is read at any place, by any number of threads.
+class InputFile {
+public:
+  explicit InputFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, O_RDONLY) {
+    struct ::stat status = {};
+    if (::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode))
+      fail_file(path_, "is no regular file, which to read it several times takes");
+    size_ = static_cast<std::uint64_t>(status.st_size);
+    changed_ = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec;
+  }
+
+  const std::filesystem::path& path() const { return path_; }
+  std::uint64_t size() const { return size_; }
+  /// When it was last written to, in nanoseconds.
+  std::int64_t changed() const { return changed_; }
+
+  /// Reads `size` bytes from `offset` on, or throws.
+  void read(std::uint64_t offset, void* to, std::size_t size) const {
+    if (read_some(offset, to, size) != size)
+      fail_file(path_, "ends at byte " + std::to_string(size_) + ", within what is to be read");
+  }
+  /// As many as there are.
+  std::size_t read_some(std::uint64_t offset, void* to, std::size_t size) const {
+    std::size_t done = 0;
+    while (done < size) {
+      const ::ssize_t got = ::pread(file_.get(), static_cast<char*>(to) + done, size - done,
+                                    static_cast<::off_t>(offset + done));
+      if (got < 0 && errno == EINTR)
+        continue;
+      if (got < 0)
+        fail_file(path_, std::string("cannot be read: ") + std::strerror(errno));
+      if (got == 0)
+        break;
+      done += static_cast<std::size_t>(got);
+    }
+    return done;
+  }
+
+private:
+  std::filesystem::path path_;
+  FileDescriptor file_;
+  std::uint64_t size_ = 0;
+  std::int64_t changed_ = 0;
+};
+
+/// Writes all bytes to an open file, or throws.
+inline void write_bytes(const FileDescriptor& file, const std::filesystem::path& path,
+                        const void* bytes, std::size_t size) {
+  const char* from = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ::ssize_t written = ::write(file.get(), from, size);
+    if (written < 0 && errno == EINTR)
+      continue;
+    if (written <= 0)
+      fail_file(path, std::string("cannot be written in full: ") + std::strerror(errno));
+    from += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+/// Adds to the end of a file, which is made if there is none.
+inline void append_to_file(const std::filesystem::path& path, const void* bytes, std::size_t size) {
+  FileDescriptor file(path, O_WRONLY | O_CREAT | O_APPEND);
+  write_bytes(file, path, bytes, size);
+  if (!file.close())
+    fail_file(path, std::string("cannot be written in full: ") + std::strerror(errno));
+}
+
+/// Makes what was written, or the names in a folder, last over a loss of power.
+inline void sync_to_disk(const std::filesystem::path& path) {
+  const FileDescriptor file(path, O_RDONLY);
+  if (::fsync(file.get()) != 0 && errno != EINVAL && errno != ENOTSUP)
+    fail_file(path, std::string("cannot be written in full: ") + std::strerror(errno));
+}
+
+/// A file that is there as a whole or not at all: written beside it, synced, renamed. One that was
+/// not finished, since the process was killed, is written over the next time.
+class WholeFile {
+public:
+  explicit WholeFile(std::filesystem::path path) : WholeFile(std::move(path), ".unfinished") {}
+
+  /// One that several processes may be writing.
+  static WholeFile by_any_process(std::filesystem::path path) {
+    return WholeFile(std::move(path), ".unfinished-" + std::to_string(std::random_device{}()));
+  }
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+  ~WholeFile() {
+    if (!is_done_)
+      ::unlink(beside_.c_str());
+  }
+
+  void write(const void* bytes, std::size_t size) {
+    write_bytes(file_, beside_, bytes, size);
+    written_ += size;
+  }
+  /// Writes over the beginning.
+  void write_at_begin(const void* bytes, std::size_t size) {
+    if (::pwrite(file_.get(), bytes, size, 0) != static_cast<::ssize_t>(size))
+      fail_file(beside_, std::string("cannot be written in full: ") + std::strerror(errno));
+  }
+  std::uint64_t written() const { return written_; }
+
+  /// Now it is there.
+  void finish() {
+    if ((::fsync(file_.get()) != 0 && errno != EINVAL && errno != ENOTSUP) || !file_.close())
+      fail_file(path_, std::string("cannot be written in full: ") + std::strerror(errno));
+    if (::rename(beside_.c_str(), path_.c_str()) != 0)
+      fail_file(path_, std::string("cannot be written: ") + std::strerror(errno));
+    is_done_ = true;
+    sync_to_disk(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
+  }
+
+private:
+  WholeFile(std::filesystem::path path, const std::string& suffix)
+      : path_(std::move(path)), beside_(path_.string() + suffix),
+        file_(beside_, O_WRONLY | O_CREAT | O_TRUNC) {}
+
+  std::filesystem::path path_, beside_;
+  FileDescriptor file_;
+  std::uint64_t written_ = 0;
+  bool is_done_ = false;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_DISK_FILE_H

@@ -1,0 +1,46 @@
+#ifndef QUADRILLE_INTERNAL_FILE_FILE_TARGET_H
+#define QUADRILLE_INTERNAL_FILE_FILE_TARGET_H
+
+#include <quadrille/internal/file/job_key.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/stop.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace quadrille::internal {
+
+/// The stop policies of a surface in parts: how many faces are to be left, of so many.
+class FileTarget {
+public:
+  template <class Stop>
+  explicit FileTarget(const Stop& stop) {
+    static_assert(std::is_same_v<Stop, FaceCount> || std::is_same_v<Stop, FaceRatio>,
+                  "quadrille: a file is simplified to a FaceCount or a FaceRatio: other stop "
+                  "policies are for surfaces in memory");
+    validate(stop);
+    if constexpr (std::is_same_v<Stop, FaceCount>)
+      faces_ = stop.faces;
+    else
+      ratio_ = stop.ratio;
+  }
+
+  std::uint64_t faces(std::uint64_t of) const {
+    return ratio_ < 0 ? faces_
+                      : static_cast<std::uint64_t>(std::llround(ratio_ * static_cast<double>(of)));
+  }
+  void tell(JobKey& key) const {
+    key.add_number(faces_);
+    key.add_number(ratio_);
+  }
+
+private:
+  std::uint64_t faces_ = 0;
+  double ratio_ = -1; // negative: a count
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_FILE_TARGET_H

@@ -1,0 +1,155 @@
+#ifndef QUADRILLE_INTERNAL_FILE_FIRST_PARTS_H
+#define QUADRILLE_INTERNAL_FILE_FIRST_PARTS_H
+
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/part_cut.h>
+#include <quadrille/internal/file/part_scatter.h>
+#include <quadrille/internal/file/ply_input.h>
+#include <quadrille/internal/file/rows.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How many cells a box has along its longest side, as a power of two, so that so many parts can be
+/// cut evenly: a surface meets about the square of that.
+inline unsigned cell_bits(std::uint64_t parts) {
+  unsigned bits = 5;
+  while (bits < 8 && (std::uint64_t{1} << (2 * bits)) < 256 * parts)
+    ++bits;
+  return bits;
+}
+
+/// From a file to the parts of the first phase. Reads vertices four times and faces once, all in
+/// the order of the file. Memory: two bytes for each vertex, six for each time that a vertex is in
+/// another part than it lies in, the cells, and `buffers`.
+class FirstParts {
+public:
+  FirstParts(const PlyInput& input, InputFacts& facts) : input_(input), facts_(facts) {
+    facts_.vertices = input.vertices();
+    facts_.faces = input.faces();
+    facts_.has_doubles = input.has_doubles();
+  }
+
+  /// Writes them to the folder. `tell(part)` is called with the part of the work that is done, from
+  /// 0 to 1, and may throw.
+  template <class Tell>
+  PartScatter write(const JobFolder& folder, std::uint64_t part_vertices, std::uint64_t buffers,
+                    Tell tell) {
+    const auto from = [&](double begin, double end, std::uint64_t count) {
+      return [=, &tell](std::uint64_t i) {
+        if (i % (1 << 18) == 0)
+          tell(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count));
+      };
+    };
+    measure(from(0, 0.15, facts_.vertices));
+    const PartCut cut = count(part_vertices, from(0.15, 0.3, facts_.vertices));
+    const std::vector<PartNumber> homes = find_homes(cut, from(0.3, 0.4, facts_.vertices));
+    LabelTable labels(input_.labels());
+    PartScatter scatter(folder, 1, cut.size(), facts_.vertices, buffers, has_labels());
+    give_faces(scatter, homes, labels, from(0.4, 0.7, facts_.faces));
+    give_vertices(scatter, homes, from(0.7, 1, facts_.vertices));
+    if (has_labels())
+      label_table_ = labels.write(folder.label_table());
+    return scatter;
+  }
+
+  /// What the labels are, once they have been written.
+  const FileContent& label_table() const { return label_table_; }
+
+private:
+  bool has_labels() const { return !input_.labels().empty(); }
+
+  template <class Tell>
+  void measure(Tell tell) {
+    checksum_ = input_.for_vertices([&](VertexId id, const Vector<3>& p) {
+      tell(id);
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+        fail_file(input_.file().path(), "vertex " + std::to_string(id) + " is not finite");
+      facts_.box.add(p);
+    });
+  }
+
+  template <class Tell>
+  PartCut count(std::uint64_t part_vertices, Tell tell) {
+    CellCounts cells(CellGridOfBox(facts_.box, cell_bits(facts_.vertices / part_vertices + 1)));
+    for_vertices([&](VertexId id, const Vector<3>& p) {
+      tell(id);
+      cells.add(p);
+    });
+    PartCut cut(cells, part_vertices, 0.5);
+    require_even(cut, part_vertices);
+    return cut;
+  }
+
+  void require_even(const PartCut& cut, std::uint64_t part_vertices) const {
+    for (const std::uint64_t size : cut.sizes())
+      if (size > 2 * part_vertices)
+        fail_file(input_.file().path(), "has " + std::to_string(size) +
+                                            " vertices within a 256th of its size, and a "
+                                            "part may have " +
+                                            std::to_string(part_vertices) +
+                                            ": more memory is needed");
+  }
+
+  template <class Tell>
+  std::vector<PartNumber> find_homes(const PartCut& cut, Tell tell) const {
+    std::vector<PartNumber> homes(static_cast<std::size_t>(facts_.vertices));
+    for_vertices([&](VertexId id, const Vector<3>& p) {
+      tell(id);
+      homes[id] = cut.part_of(p);
+    });
+    return homes;
+  }
+
+  template <class Tell>
+  void give_faces(PartScatter& scatter, const std::vector<PartNumber>& homes, LabelTable& labels,
+                  Tell tell) {
+    input_.for_faces([&](std::uint64_t face, const FaceRow& corners, const LabelValues& values) {
+      tell(face);
+      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+        return;
+      ++facts_.counted_faces;
+      scatter.add_face(corners, {homes[corners[0]], homes[corners[1]], homes[corners[2]]},
+                       has_labels() ? labels.number(values) : 0,
+                       [&](std::size_t i, PartNumber part) {
+                         requests_.add({corners[i], part});
+                       });
+    });
+    requests_.sort();
+    scatter.end_faces();
+  }
+
+  template <class Tell>
+  void give_vertices(PartScatter& scatter, const std::vector<PartNumber>& homes, Tell tell) {
+    for_vertices([&](VertexId id, const Vector<3>& p) {
+      tell(id);
+      const VertexRow row{id, 0, p};
+      scatter.add_vertex(homes[id], row, nullptr, 0);
+      requests_.for_parts(id, [&](PartNumber part) { scatter.add_vertex(part, row, nullptr, 0); });
+    });
+    scatter.end_vertices();
+  }
+
+  // Once more, and all is as it was.
+  template <class Take>
+  void for_vertices(Take take) const {
+    if (input_.for_vertices(take) != checksum_)
+      fail_file(input_.file().path(), "has changed while it was read");
+  }
+
+  const PlyInput& input_;
+  InputFacts& facts_;
+  std::uint64_t checksum_ = 0;
+  Requests requests_;
+  FileContent label_table_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_FIRST_PARTS_H

@@ -1,0 +1,67 @@
+#ifndef QUADRILLE_INTERNAL_FILE_JOB_KEY_H
+#define QUADRILLE_INTERNAL_FILE_JOB_KEY_H
+
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/file_checksum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <typeinfo>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A number that tells a job from others: of the input file as it is, and of all on which the
+/// result depends.
+class JobKey {
+public:
+  void add_number(std::uint64_t number) { checksum_.add(&number, sizeof(number)); }
+  void add_number(double number) { checksum_.add(&number, sizeof(number)); }
+
+  /// Size, time of the last change, beginning and end of a file.
+  void add_file(const InputFile& file) {
+    add_number(file.size());
+    add_number(static_cast<std::uint64_t>(file.changed()));
+    std::vector<char> bytes(std::size_t{1} << 16);
+    const std::uint64_t end = file.size() - std::min<std::uint64_t>(file.size(), bytes.size());
+    for (const std::uint64_t offset : {std::uint64_t{0}, end})
+      checksum_.add(bytes.data(), file.read_some(offset, bytes.data(), bytes.size()));
+  }
+
+  /// A policy by its type, the members of those in the library by which costs differ, and whatever
+  /// it is if it has no members that are rounded.
+  template <class Policy>
+  void add_policy(const Policy& policy) {
+    const char* const name = typeid(Policy).name();
+    checksum_.add(name, std::strlen(name));
+    const auto add_member = [&](auto member) {
+      if constexpr (std::is_invocable_v<decltype(member), const Policy&>)
+        add_number(static_cast<double>(member(policy)));
+    };
+    add_member([](const auto& p) -> decltype(p.boundary_weight) { return p.boundary_weight; });
+    add_member([](const auto& p) -> decltype(p.crease_weight) { return p.crease_weight; });
+    add_member([](const auto& p) -> decltype(p.crease_degrees) { return p.crease_degrees; });
+    add_member([](const auto& p) -> decltype(p.weighting) { return p.weighting; });
+    add_member([](const auto& p) -> decltype(p.line_weight) { return p.line_weight; });
+    add_member([](const auto& p) -> decltype(p.normal_noise) { return p.normal_noise; });
+    add_member([](const auto& p) -> decltype(p.position_noise) { return p.position_noise; });
+    add_member([](const auto& p) -> decltype(p.loss_weight) { return p.loss_weight; });
+    add_member([](const auto& p) -> decltype(p.loss_tolerance) { return p.loss_tolerance; });
+    add_member([](const auto& p) -> decltype(p.kind()) { return p.kind(); });
+    if constexpr (std::has_unique_object_representations_v<Policy> && !std::is_empty_v<Policy>)
+      checksum_.add(&policy, sizeof(policy));
+  }
+
+  std::uint64_t value() const { return checksum_.value(); }
+
+private:
+  FileChecksum checksum_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_JOB_KEY_H

@@ -1,0 +1,96 @@
+#ifndef QUADRILLE_INTERNAL_FILE_JOB_WATCH_H
+#define QUADRILLE_INTERNAL_FILE_JOB_WATCH_H
+
+#include <quadrille/file_report.h>
+#include <quadrille/internal/file/part_threads.h>
+#include <quadrille/internal/file/parted_job.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// Thrown where a run ends because the user's `proceed` said so.
+struct JobCancelled {};
+
+/// Tells the user how far a job is, and asks whether to go on.
+class JobWatch {
+public:
+  explicit JobWatch(std::function<bool(const FileStatus&)> proceed)
+      : proceed_(std::move(proceed)) {}
+
+  /// Throws JobCancelled if it shall not. `part` of the stage is done.
+  void tell(const PartedJob& job, FileStage stage, double part, std::size_t done = 0,
+            std::size_t parts = 0) const {
+    if (!proceed_)
+      return;
+    FileStatus status;
+    status.stage = stage;
+    status.phase = job.plan().phase;
+    status.phases = status.phase == 0 ? 0 : static_cast<unsigned>(job.schedule().size() + 1);
+    status.parts = parts;
+    status.parts_done = done;
+    status.faces = job.plan().input.faces;
+    status.progress = progress(job.plan(), stage, part);
+    if (!proceed_(status))
+      throw JobCancelled();
+  }
+
+  /// Runs task(i, is_cancelled) for i < n, by so many threads, where is_cancelled() is to be asked
+  /// now and then. Throws JobCancelled when all that were begun are over, if the user says so.
+  template <class Task>
+  void run(const PartedJob& job, FileStage stage, std::size_t n, const Task& task) const {
+    std::atomic<bool> is_cancelled = false;
+    std::atomic<std::size_t> done = 0;
+    const unsigned threads = job.budget().in_flight();
+    const auto look = [&] {
+      try {
+        tell(job, stage, static_cast<double>(done) / static_cast<double>(n), done, n);
+      } catch (...) {
+        is_cancelled = true;
+        throw;
+      }
+    };
+    const auto ask = [&] { // by the thread of the user, which is not the one that looks if there
+      if (std::min<std::size_t>(threads, n) <= 1) // are others
+        look();
+      return is_cancelled.load();
+    };
+    PartThreads::run(
+        n, threads,
+        [&](std::size_t i) {
+          if (ask())
+            throw JobCancelled();
+          task(i, ask);
+          ++done;
+        },
+        look);
+  }
+
+private:
+  // Cutting the file is about an eighth of the work; the rest is about as the faces with which
+  // phases begin.
+  static double progress(const PhasePlan& plan, FileStage stage, double part) {
+    if (stage == FileStage::partition)
+      return 0.1 * part;
+    const auto all = static_cast<double>((std::max<std::uint64_t>)(plan.input.counted_faces, 1));
+    double before = 0, begin = all;
+    for (const std::uint64_t left : plan.faces_after_phases)
+      before += std::exchange(begin, static_cast<double>(left));
+    const double whole = before + begin + begin / 3; // and what comes
+    const double now = stage == FileStage::sample     ? 0
+                       : stage == FileStage::simplify ? part * begin
+                                                      : begin;
+    return stage == FileStage::sew ? 0.98 : 0.12 + 0.86 * (before + now) / whole;
+  }
+
+  std::function<bool(const FileStatus&)> proceed_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_JOB_WATCH_H

@@ -1,0 +1,95 @@
+#ifndef QUADRILLE_INTERNAL_FILE_LOADED_PART_H
+#define QUADRILLE_INTERNAL_FILE_LOADED_PART_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/id_index.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/rows.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A part in memory: vertices in ascending order of their numbers, each once, and faces by their
+/// places.
+struct LoadedPart {
+  std::vector<VertexId> ids;
+  std::vector<Vector<3>> positions;
+  std::vector<bool> is_shared;
+  std::vector<char> memories; ///< of `memory_size` bytes each; empty in the first phase
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::uint32_t> labels;         ///< of the triangles, or none
+  std::vector<std::array<Index, 2>> borders; ///< see TrueBorders
+
+  /// Reads part `part` of a phase. Throws for files that are not what was written.
+  static LoadedPart read(const JobFolder& folder, const PhasePlan& plan, std::size_t part,
+                         std::size_t memory_size) {
+    LoadedPart loaded;
+    const PartFiles& files = plan.parts[part];
+    loaded.take_vertices(read_rows<char>(folder.vertices(plan.phase, part), files.vertices),
+                         sizeof(VertexRow) + (plan.phase > 1 ? memory_size : 0));
+    const IdIndex index(loaded.ids);
+    const auto path = folder.faces(plan.phase, part);
+    loaded.triangles = read_rows<FaceRow>(path, files.faces);
+    for (std::array<Index, 3>& corners : loaded.triangles)
+      for (Index& corner : corners) {
+        corner = static_cast<Index>(index.find(corner));
+        if (corner == loaded.ids.size())
+          fail_file(path, "has a corner that its part has not");
+      }
+    if (files.labels.size > 0)
+      loaded.labels = read_rows<std::uint32_t>(folder.labels(plan.phase, part), files.labels);
+    loaded.take_borders(read_rows<std::uint64_t>(folder.borders(plan.phase), plan.borders), index);
+    return loaded;
+  }
+
+private:
+  // A vertex that came from several parts comes once from each of them, with the same content.
+  void take_vertices(const std::vector<char>& rows, std::size_t row_size) {
+    const std::size_t count = rows.size() / row_size;
+    const auto row = [&](std::size_t i) {
+      VertexRow result;
+      std::memcpy(&result, rows.data() + i * row_size, sizeof(result));
+      return result;
+    };
+    std::vector<std::uint64_t> order(count); // the number, and the place
+    for (std::size_t i = 0; i < count; ++i)
+      order[i] = std::uint64_t{row(i).id} << 32 | i;
+    if (!std::is_sorted(order.begin(), order.end()))
+      std::sort(order.begin(), order.end());
+    const std::size_t memory_size = row_size - sizeof(VertexRow);
+    for (const std::uint64_t o : order) {
+      const std::size_t i = static_cast<std::size_t>(o & 0xFFFFFFFFU);
+      const VertexRow v = row(i);
+      if (!ids.empty() && ids.back() == v.id)
+        continue;
+      ids.push_back(v.id);
+      positions.push_back(v.position);
+      is_shared.push_back(v.is_shared != 0);
+      const char* const memory = rows.data() + i * row_size + sizeof(VertexRow);
+      memories.insert(memories.end(), memory, memory + memory_size);
+    }
+  }
+
+  void take_borders(const std::vector<std::uint64_t>& edges, const IdIndex& index) {
+    for (const std::uint64_t edge : edges) {
+      const std::size_t a = index.find(static_cast<VertexId>(edge >> 32));
+      const std::size_t b = index.find(static_cast<VertexId>(edge & 0xFFFFFFFFU));
+      if (a < ids.size() && b < ids.size())
+        borders.push_back({static_cast<Index>(a), static_cast<Index>(b)});
+    }
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_LOADED_PART_H

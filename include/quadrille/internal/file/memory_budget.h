@@ -1,0 +1,87 @@
+#ifndef QUADRILLE_INTERNAL_FILE_MEMORY_BUDGET_H
+#define QUADRILLE_INTERNAL_FILE_MEMORY_BUDGET_H
+
+#include <quadrille/file_report.h>
+#include <quadrille/internal/file/job_key.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace quadrille::internal {
+
+/// What fits into the memory that a run may take. How large a part is depends on the memory alone,
+/// and never on how many are simplified at a time.
+class MemoryBudget {
+public:
+  /// `per_vertex` are bytes of what a vertex remembers.
+  MemoryBudget(const OutOfCore& options, std::size_t per_vertex)
+      : memory_(options.memory), per_face_(bytes_of_engine + per_vertex / 2) {
+    if (memory_ < 2 * base)
+      throw std::invalid_argument("quadrille::OutOfCore: a memory of " + std::to_string(memory_) +
+                                  " bytes is too small; it has to be at least " +
+                                  std::to_string(2 * base));
+    part_faces_ = options.part_faces > 0
+                      ? options.part_faces
+                      : std::clamp<std::uint64_t>(most_faces() / 4, 1, most_part_faces);
+    part_faces_ = (std::min)(part_faces_, most_faces());
+    whole_faces_ =
+        options.whole_faces > 0 ? (std::min)(options.whole_faces, most_faces()) : most_faces();
+    const unsigned wanted = options.parts_in_flight > 0
+                                ? options.parts_in_flight
+                                : std::max(1U, std::thread::hardware_concurrency());
+    // Parts of later phases may have half as many faces again, since a vertex that is left is not
+    // always one of two faces.
+    in_flight_ =
+        static_cast<unsigned>(std::clamp<std::uint64_t>(most_faces() / part_faces_, 1, wanted));
+  }
+
+  /// Faces of a surface that can be simplified at once.
+  std::uint64_t most_faces() const { return (memory_ - base) / per_face_; }
+  /// Of the whole, when it is simplified to the target itself.
+  std::uint64_t whole_faces() const { return whole_faces_; }
+  std::uint64_t part_faces() const { return part_faces_; }
+  std::uint64_t part_vertices() const { return std::max<std::uint64_t>(part_faces_ / 2, 1); }
+  unsigned in_flight() const { return in_flight_; }
+  /// For the buffers of the files of all parts.
+  std::uint64_t buffers() const { return memory_ / 16; }
+
+  /// On what the result depends.
+  void tell(JobKey& key) const {
+    key.add_number(part_faces_);
+    key.add_number(whole_faces_);
+  }
+
+  /// Throws if tables of all vertices do not fit.
+  void require_tables(std::uint64_t vertices) const {
+    const std::uint64_t needed = 2 * vertices + vertices / 4 + base + buffers();
+    if (needed > memory_)
+      throw std::invalid_argument("quadrille::OutOfCore: to cut a surface of " +
+                                  std::to_string(vertices) + " vertices takes a memory of " +
+                                  std::to_string(needed * 16 / 15) + " bytes");
+  }
+
+  /// Of the process, in bytes, as the system counts it.
+  static std::uint64_t peak() {
+    struct ::rusage usage = {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  }
+
+private:
+  static constexpr std::uint64_t base = 64'000'000;           // program, cells, and what is small
+  static constexpr std::uint64_t bytes_of_engine = 200;       // with the part as it is read
+  static constexpr std::uint64_t most_part_faces = 4'000'000; // more gain nothing
+
+  std::uint64_t memory_, per_face_, part_faces_, whole_faces_;
+  unsigned in_flight_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_MEMORY_BUDGET_H

@@ -1,0 +1,214 @@
+#ifndef QUADRILLE_INTERNAL_FILE_NEXT_PARTS_H
+#define QUADRILLE_INTERNAL_FILE_NEXT_PARTS_H
+
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/first_parts.h>
+#include <quadrille/internal/file/id_index.h>
+#include <quadrille/internal/file/part_cut.h>
+#include <quadrille/internal/file/part_scatter.h>
+#include <quadrille/internal/file/survivors.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Adds what a vertex remembers, as bytes, to what it remembers.
+using AddMemory = void (*)(void* total, const void* gained);
+
+/// What vertices remember that several parts have had: what they had been given, and what they have
+/// gained in each of them, in ascending order of parts, so that the sum has the same bits however
+/// the parts were run.
+class SharedMemories {
+public:
+  SharedMemories(std::size_t size, AddMemory add) : size_(size), add_(add) {}
+
+  std::size_t size() const { return size_; } ///< of a memory, in bytes
+
+  /// From parts in ascending order.
+  void add(const Survivors& part) {
+    if (size_ == 0)
+      return;
+    std::size_t given = 0;
+    for (std::size_t v = 0; v < part.vertices.size(); ++v) {
+      while (given < part.given.size() && part.given[given] < v)
+        ++given;
+      if (part.vertices[v].is_shared == 0)
+        continue;
+      const bool is_given = given < part.given.size() && part.given[given] == v;
+      entries_.push_back({part.vertices[v].id, entries_.size(), is_given});
+      append(part.memories.data() + v * size_);
+      append(is_given ? part.given_memories.data() + given * size_ : zeros_.data());
+    }
+  }
+
+  void sum_up() {
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+      return std::pair(a.id, a.place) < std::pair(b.id, b.place);
+    });
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (ids_.empty() || ids_.back() != entries_[i].id)
+        begin_total(entries_[i]);
+      else
+        add_(totals_.data() + totals_.size() - size_, gained(entries_[i]));
+    }
+    index_.emplace_back(ids_);
+    entries_ = {};
+    bytes_ = {};
+  }
+
+  /// Of a vertex that is one of them.
+  const char* total(VertexId id) const { return totals_.data() + index_.front().find(id) * size_; }
+
+private:
+  struct Entry {
+    VertexId id;
+    std::size_t place;
+    bool is_given;
+  };
+
+  void append(const char* memory) { bytes_.insert(bytes_.end(), memory, memory + size_); }
+  const char* gained(const Entry& e) const { return bytes_.data() + 2 * e.place * size_; }
+
+  // All parts have been given the same, so that of the first is taken.
+  void begin_total(const Entry& e) {
+    ids_.push_back(e.id);
+    const char* const first = e.is_given ? gained(e) + size_ : gained(e);
+    totals_.insert(totals_.end(), first, first + size_);
+    if (e.is_given)
+      add_(totals_.data() + totals_.size() - size_, gained(e));
+  }
+
+  std::size_t size_;
+  AddMemory add_;
+  std::vector<Entry> entries_;
+  std::vector<char> bytes_; // of each entry, what it has gained, and what it had been given
+  std::vector<char> zeros_ = std::vector<char>(size_);
+  std::vector<VertexId> ids_;
+  std::vector<char> totals_;
+  std::vector<IdIndex> index_; // one, once there are ids
+};
+
+/// From what is left of the parts of a phase to the parts of the next. Each file is read three
+/// times, one after the other.
+class NextParts {
+public:
+  NextParts(const JobFolder& folder, unsigned phase, std::vector<SurvivorsHeader> old_parts,
+            AddMemory add)
+      : folder_(folder), phase_(phase), old_(std::move(old_parts)),
+        memories_(memory_size(old_), add) {}
+
+  /// Calls take(Survivors) for each of them, in ascending order.
+  template <class Take>
+  void for_survivors(Take take) const {
+    for (std::size_t i = 0; i < old_.size(); ++i)
+      take(Survivors::read(folder_.left(phase_, i), old_[i]));
+  }
+
+  std::uint64_t faces() const {
+    std::uint64_t sum = 0;
+    for (const SurvivorsHeader& h : old_)
+      sum += h.faces;
+    return sum;
+  }
+  std::uint64_t vertices() const {
+    std::uint64_t sum = 0;
+    for (const SurvivorsHeader& h : old_)
+      sum += h.vertices;
+    return sum;
+  }
+
+  /// Writes the parts of the next phase, cut at `fraction`.
+  PartScatter write(const FileBox& box, std::uint64_t ids, std::uint64_t part_vertices,
+                    double fraction, std::uint64_t buffers) {
+    CellCounts cells(CellGridOfBox(box, cell_bits(vertices() / part_vertices + 1)));
+    for_survivors([&](const Survivors& part) {
+      for (const VertexRow& v : part.vertices)
+        cells.add(v.position);
+      memories_.add(part);
+    });
+    memories_.sum_up();
+    const PartCut cut(cells, part_vertices, fraction);
+    PartScatter scatter(folder_, phase_ + 1, cut.size(), ids, buffers, has_labels());
+    for_survivors([&](const Survivors& part) { give_faces(scatter, part, cut); });
+    scatter.end_faces();
+    for_survivors([&](const Survivors& part) { give_vertices(scatter, part, cut); });
+    scatter.end_vertices();
+    return scatter;
+  }
+
+private:
+  bool has_labels() const {
+    return std::any_of(old_.begin(), old_.end(),
+                       [](const SurvivorsHeader& h) { return h.labels > 0; });
+  }
+
+  static std::size_t memory_size(const std::vector<SurvivorsHeader>& parts) {
+    std::uint64_t size = 0;
+    for (const SurvivorsHeader& h : parts)
+      size = std::max(size, h.memory_size);
+    return static_cast<std::size_t>(size);
+  }
+
+  // Calls take(corners, their places, their homes).
+  template <class Take>
+  static void for_faces(const Survivors& part, const PartCut& cut, Take take) {
+    std::vector<VertexId> ids;
+    std::vector<PartNumber> homes;
+    for (const VertexRow& v : part.vertices) {
+      ids.push_back(v.id);
+      homes.push_back(cut.part_of(v.position));
+    }
+    const IdIndex index(ids);
+    for (const FaceRow& corners : part.faces) {
+      std::array<std::size_t, 3> places;
+      std::array<PartNumber, 3> of_corners;
+      for (std::size_t i = 0; i < 3; ++i) {
+        places[i] = index.find(corners[i]);
+        of_corners[i] = homes[places[i]];
+      }
+      take(corners, places, of_corners);
+    }
+  }
+
+  static void give_faces(PartScatter& scatter, const Survivors& part, const PartCut& cut) {
+    std::size_t face = 0;
+    for_faces(part, cut, [&](const FaceRow& corners, const auto&, const auto& homes) {
+      const std::uint32_t label = part.labels.empty() ? 0 : part.labels[face++];
+      scatter.add_face(corners, homes, label, [](std::size_t, PartNumber) {});
+    });
+  }
+
+  void give_vertices(PartScatter& scatter, const Survivors& part, const PartCut& cut) const {
+    Requests requests;
+    for_faces(part, cut, [&](const FaceRow&, const auto& places, const auto& homes) {
+      const PartNumber to = std::min({homes[0], homes[1], homes[2]});
+      for (std::size_t i = 0; i < 3; ++i)
+        requests.add({static_cast<VertexId>(places[i]), to});
+    });
+    requests.sort();
+    const std::size_t size = memories_.size();
+    for (std::size_t v = 0; v < part.vertices.size(); ++v) {
+      const VertexRow& row = part.vertices[v];
+      const char* const memory = size == 0            ? nullptr
+                                 : row.is_shared != 0 ? memories_.total(row.id)
+                                                      : part.memories.data() + v * size;
+      requests.for_parts(static_cast<VertexId>(v),
+                         [&](PartNumber to) { scatter.add_vertex(to, row, memory, size); });
+    }
+  }
+
+  const JobFolder& folder_;
+  unsigned phase_; // that is over
+  std::vector<SurvivorsHeader> old_;
+  SharedMemories memories_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_NEXT_PARTS_H

@@ -1,0 +1,128 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PART_CUT_H
+#define QUADRILLE_INTERNAL_FILE_PART_CUT_H
+
+#include <quadrille/internal/file/cell_counts.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Number of a part, of at most 65,535.
+using PartNumber = std::uint16_t;
+inline constexpr std::size_t most_parts = 0xFFFF;
+
+/// Space cut into parts of about as many vertices each, by a kd-tree (Bentley 1975) over a
+/// histogram: all is decided by integers, so it is the same on any machine.
+///
+/// A box of cells is cut across its longest side, where the vertices on one side are closest to
+/// `fraction` of all, and again until each has at most `most` vertices. Where the next cut is made
+/// at another fraction, borders of the last one lie inside of parts, but where both cross.
+class PartCut {
+public:
+  PartCut(const CellCounts& cells, std::uint64_t most, double fraction)
+      : grid_(cells.grid), parts_(cells.counts.size()) {
+    Cut cut{cells, most, fraction, parts_};
+    cut.run({{0, 0, 0}, cells.grid.cells()});
+    sizes_ = std::move(cut.sizes);
+  }
+
+  std::size_t size() const { return sizes_.size(); }
+  /// Vertices of each part.
+  const std::vector<std::uint64_t>& sizes() const { return sizes_; }
+  PartNumber part_of(const Vector<3>& p) const { return parts_[grid_.index_of(p)]; }
+
+private:
+  using Cell = std::array<std::uint32_t, 3>;
+  struct Cells {
+    Cell begin, end;
+  };
+
+  struct Cut {
+    const CellCounts& cells;
+    std::uint64_t most;
+    double fraction;
+    std::vector<PartNumber>& parts;
+    std::vector<std::uint64_t> sizes = {};
+
+    // By turns the lower side and the upper one have the fraction, lest all corners of the box get
+    // the small parts.
+    void run(const Cells& box, bool is_mirrored = false) {
+      const std::size_t axis = longest(box);
+      const std::vector<std::uint64_t> counts = counts_along(box, axis);
+      std::uint64_t all = 0;
+      for (const std::uint64_t n : counts)
+        all += n;
+      if (all <= most || counts.size() < 2)
+        return give_number(box, all);
+      const std::uint32_t at = place(counts, all, is_mirrored ? 1 - fraction : fraction);
+      Cells lower = box, upper = box;
+      lower.end[axis] = upper.begin[axis] = box.begin[axis] + at;
+      run(lower, !is_mirrored);
+      run(upper, !is_mirrored);
+    }
+
+    static std::size_t longest(const Cells& box) {
+      std::size_t axis = 0;
+      for (std::size_t i = 1; i < 3; ++i)
+        if (box.end[i] - box.begin[i] > box.end[axis] - box.begin[axis])
+          axis = i;
+      return axis;
+    }
+
+    template <class Visit>
+    void for_cells(const Cells& box, Visit visit) const {
+      Cell c;
+      for (c[2] = box.begin[2]; c[2] < box.end[2]; ++c[2])
+        for (c[1] = box.begin[1]; c[1] < box.end[1]; ++c[1])
+          for (c[0] = box.begin[0]; c[0] < box.end[0]; ++c[0])
+            visit(c, cells.grid.index(c));
+    }
+
+    std::vector<std::uint64_t> counts_along(const Cells& box, std::size_t axis) const {
+      std::vector<std::uint64_t> counts(box.end[axis] - box.begin[axis]);
+      for_cells(box, [&](const Cell& c, std::size_t i) {
+        counts[c[axis] - box.begin[axis]] += cells.counts[i];
+      });
+      return counts;
+    }
+
+    // Behind how many layers.
+    static std::uint32_t place(const std::vector<std::uint64_t>& counts, std::uint64_t all,
+                               double fraction) {
+      const auto wanted = static_cast<std::uint64_t>(fraction * static_cast<double>(all));
+      std::uint64_t below = 0;
+      std::uint32_t at = 0;
+      while (at + 2 < counts.size() && below + counts[at] / 2 < wanted)
+        below += counts[at++];
+      return std::max(at, 1U);
+    }
+
+    void give_number(const Cells& box, std::uint64_t all) {
+      if (all == 0)
+        return; // nobody asks for its cells but points that have moved, which part 0 takes
+      for_cells(box, [&](const Cell&, std::size_t i) {
+        parts[i] = static_cast<PartNumber>(sizes.size());
+      });
+      sizes.push_back(all);
+      if (sizes.size() > most_parts)
+        throw std::invalid_argument("quadrille::OutOfCore: there would be more than " +
+                                    std::to_string(most_parts) +
+                                    " parts: they have to be larger, which takes more memory");
+    }
+  };
+
+  CellGridOfBox grid_;
+  std::vector<PartNumber> parts_; // of each cell
+  std::vector<std::uint64_t> sizes_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PART_CUT_H

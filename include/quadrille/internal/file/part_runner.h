@@ -1,0 +1,124 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
+#define QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
+
+#include <quadrille/internal/file/cost_samples.h>
+#include <quadrille/internal/file/job_key.h>
+#include <quadrille/internal/file/loaded_part.h>
+#include <quadrille/internal/file/parted_job.h>
+#include <quadrille/internal/file/piece_of_part.h>
+#include <quadrille/simplify.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What simplifies parts of a job: the engine with its policies.
+template <class Cost, class Placement, class... Policies>
+class PartRunner {
+public:
+  using Pieces = PieceOfPart<Cost>;
+
+  PartRunner(Cost cost, Placement placement, Policies... policies)
+      : cost_(std::move(cost)), placement_(std::move(placement)),
+        policies_(std::move(policies)...) {}
+
+  void tell(JobKey& key) const {
+    key.add_policy(cost_);
+    key.add_policy(placement_);
+    std::apply([&](const auto&... policy) { (key.add_policy(policy), ...); }, policies_);
+  }
+
+  /// Simplifies a part, and writes what is left; false, and nothing is written, if it is cancelled.
+  template <class IsCancelled>
+  bool simplify(const PartedJob& job, std::size_t part, const IsCancelled& is_cancelled) const {
+    const PhasePlan& plan = job.plan();
+    auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::memory_size);
+    const std::vector<VertexId> ids = std::move(loaded.ids);
+    const std::vector<bool> is_shared = loaded.is_shared;
+    const std::vector<std::uint32_t> labels = loaded.labels;
+    const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
+    auto piece = Pieces::piece(std::move(loaded), plan.input.box);
+    const auto result =
+        plan.is_last
+            ? run(std::move(piece), FaceCount{static_cast<std::size_t>(job.target())}, is_cancelled)
+            : run(std::move(piece), limit(plan, plan.limit), is_cancelled);
+    if (result.report.stop == StopReason::cancelled)
+      return false;
+    job.write(part, Pieces::survivors(result, ids, is_shared, given, labels),
+              PartTally::of(result.report));
+    return true;
+  }
+
+  /// What a connected piece of a part tells of its costs.
+  struct Sample {
+    SampleCounts counts;
+    CostHistogram costs;
+  };
+
+  /// Some pieces of a part, about a sixteenth of it together; of a small one, all of it.
+  template <class IsCancelled>
+  std::vector<Sample> samples(const PartedJob& job, std::size_t part, std::size_t pieces,
+                              const IsCancelled& is_cancelled) const {
+    const PhasePlan& plan = job.plan();
+    auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::memory_size);
+    const std::size_t vertices =
+        std::max<std::size_t>(loaded.ids.size() / 16 / pieces, least_sample);
+    if (vertices * pieces >= loaded.ids.size() / 2)
+      return {sample(std::move(loaded), plan, is_cancelled)};
+    std::vector<Sample> result;
+    for (std::size_t i = 0; i < pieces; ++i)
+      result.push_back(
+          sample(PartOfPart::of(loaded, vertices, i + part * 0x9E3779B1U, Pieces::memory_size),
+                 plan, is_cancelled));
+    return result;
+  }
+
+private:
+  static constexpr std::size_t least_sample = 8000; // vertices
+
+  CostLimit limit(const PhasePlan& plan, double engine_cost) const {
+    return cost_limit(cost_, Pieces::box(plan.input.box), engine_cost);
+  }
+
+  template <class IsCancelled>
+  Sample sample(LoadedPart part, const PhasePlan& plan, const IsCancelled& is_cancelled) const {
+    const SampleCounts counts(part);
+    auto piece = Pieces::piece(std::move(part), plan.input.box);
+    return {counts, run(std::move(piece), limit(plan, std::numeric_limits<double>::infinity()),
+                        is_cancelled)
+                        .costs};
+  }
+
+  template <class IsCancelled>
+  struct Watch {
+    const IsCancelled* is_cancelled;
+    bool proceed(const Status&) const { return !(*is_cancelled)(); }
+  };
+
+  template <class Stop, class IsCancelled>
+  PieceResult<Cost> run(Piece<Cost> piece, const Stop& stop,
+                        const IsCancelled& is_cancelled) const {
+    return std::apply(
+        [&](const auto&... policies) {
+          return simplify_piece<Cost, Placement>(
+              std::move(piece), cost_, placement_, stop, policies...,
+              CGAL::parameters::visitor(Watch<IsCancelled>{&is_cancelled}));
+        },
+        policies_);
+  }
+
+  Cost cost_;
+  Placement placement_;
+  std::tuple<Policies...> policies_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PART_RUNNER_H

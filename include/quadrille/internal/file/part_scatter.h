@@ -1,0 +1,132 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PART_SCATTER_H
+#define QUADRILLE_INTERNAL_FILE_PART_SCATTER_H
+
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/id_set.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/part_cut.h>
+#include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/rows.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Which parts, beside the one in which it lies, need a vertex.
+struct Request {
+  VertexId vertex; ///< by any numbering
+  PartNumber part;
+
+  friend auto operator<=>(const Request&, const Request&) = default;
+};
+
+/// A list of requests, each of them once.
+class Requests {
+public:
+  void add(Request request) {
+    if (!requests_.empty() && requests_.back() == request)
+      return;
+    requests_.push_back(request);
+    if (requests_.size() >= limit_) {
+      sort();
+      limit_ = std::max(limit_, 2 * requests_.size());
+    }
+  }
+  /// Calls take(part) for each that requests the vertex. Vertices have to come in ascending order,
+  /// after sort().
+  template <class Take>
+  void for_parts(VertexId vertex, Take take) {
+    for (; next_ < requests_.size() && requests_[next_].vertex <= vertex; ++next_)
+      if (requests_[next_].vertex == vertex)
+        take(requests_[next_].part);
+  }
+  void sort() {
+    std::sort(requests_.begin(), requests_.end());
+    requests_.erase(std::unique(requests_.begin(), requests_.end()), requests_.end());
+  }
+
+private:
+  std::vector<Request> requests_;
+  std::size_t limit_ = 1 << 20, next_ = 0;
+};
+
+/// Gives faces and vertices to the files of the parts of a phase. A face belongs to the least of
+/// the parts in which its corners lie; a vertex to that in which it lies, and to those of its
+/// faces. It is shared if one of its faces is in another part than it lies in.
+class PartScatter {
+public:
+  PartScatter(const JobFolder& folder, unsigned phase, std::size_t parts, std::uint64_t ids,
+              std::uint64_t memory, bool has_labels)
+      : folder_(folder), phase_(phase), faces_(paths(parts, &JobFolder::faces), memory),
+        vertices_(paths(parts, &JobFolder::vertices), memory),
+        labels_(paths(has_labels ? parts : 0, &JobFolder::labels), memory), shared_(ids),
+        parts_(parts), has_labels_(has_labels) {}
+
+  /// `homes` are the parts in which the corners lie; request(i, part) is called for a corner i that
+  /// another part has to be given.
+  template <class Ask>
+  void add_face(const FaceRow& corners, const std::array<PartNumber, 3>& homes, std::uint32_t label,
+                Ask request) {
+    const PartNumber part = std::min({homes[0], homes[1], homes[2]});
+    faces_.add(part, corners.data(), sizeof(corners));
+    if (has_labels_)
+      labels_.add(part, &label, sizeof(label));
+    for (std::size_t i = 0; i < 3; ++i)
+      if (homes[i] != part) {
+        shared_.add(corners[i]);
+        request(i, part);
+      }
+  }
+
+  /// When all faces are there.
+  void end_faces() {
+    const std::vector<FileContent> contents = faces_.finish();
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      parts_[p].faces = contents[p];
+    const std::vector<FileContent> labels = labels_.finish();
+    for (std::size_t p = 0; p < labels.size(); ++p)
+      parts_[p].labels = labels[p];
+  }
+
+  /// `memory` is what the vertex remembers, of `size` bytes.
+  void add_vertex(PartNumber part, VertexRow row, const void* memory, std::size_t size) {
+    row.is_shared = shared_.has(row.id) ? 1 : 0;
+    vertices_.add(part, &row, sizeof(row));
+    if (size > 0)
+      vertices_.add(part, memory, size);
+  }
+
+  void end_vertices() {
+    const std::vector<FileContent> contents = vertices_.finish();
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      parts_[p].vertices = contents[p];
+  }
+
+  const IdSet& shared() const { return shared_; }
+  std::uint64_t shared_count() const { return IdRanks(shared_).size(); }
+  const std::vector<PartFiles>& parts() const { return parts_; }
+
+private:
+  std::vector<std::filesystem::path>
+  paths(std::size_t parts, std::filesystem::path (JobFolder::*name)(unsigned, std::size_t) const) {
+    std::vector<std::filesystem::path> result;
+    for (std::size_t p = 0; p < parts; ++p)
+      result.push_back((folder_.*name)(phase_, p));
+    return result;
+  }
+
+  const JobFolder& folder_;
+  unsigned phase_;
+  AppendedFiles faces_, vertices_, labels_;
+  IdSet shared_;
+  std::vector<PartFiles> parts_;
+  bool has_labels_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PART_SCATTER_H

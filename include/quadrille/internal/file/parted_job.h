@@ -1,0 +1,241 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PARTED_JOB_H
+#define QUADRILLE_INTERNAL_FILE_PARTED_JOB_H
+
+#include <quadrille/file_report.h>
+#include <quadrille/internal/file/file_target.h>
+#include <quadrille/internal/file/first_parts.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/memory_budget.h>
+#include <quadrille/internal/file/next_parts.h>
+#include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/schedule.h>
+#include <quadrille/internal/file/sewing.h>
+#include <quadrille/internal/file/survivors.h>
+#include <quadrille/internal/file/true_borders.h>
+#include <quadrille/internal/surface/box.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The files of a job and its phases: all but what simplifies a part.
+class PartedJob {
+public:
+  PartedJob(const std::filesystem::path& scratch, const MemoryBudget& budget,
+            const FileTarget& target, std::uint64_t key)
+      : folder_(scratch), budget_(budget), target_(target), key_(key) {}
+
+  const JobFolder& folder() const { return folder_; }
+  const MemoryBudget& budget() const { return budget_; }
+  const PhasePlan& plan() const { return plan_; }
+  std::uint64_t target() const { return target_.faces(plan_.input.counted_faces); }
+  Schedule schedule() const {
+    return {plan_.input.counted_faces, target(), budget_.part_vertices()};
+  }
+
+  /// Takes up the phase that is at work in the folder. False if there is none. Throws
+  /// std::runtime_error if it is that of another job.
+  bool take_up() {
+    const unsigned phase = folder_.phase_at_work();
+    if (phase == 0)
+      return false;
+    plan_ = PhasePlan::read(folder_.plan(phase));
+    if (plan_.key != key_)
+      fail_file(folder_.path(), "has parts of another file, or of another target, cost or size of "
+                                "parts; remove it, or give another folder");
+    if (phase > 1)
+      folder_.remove_phase(phase - 1); // it was over
+    return true;
+  }
+
+  /// Cuts a file into the parts of the first phase; `limit()` finds the limit of its costs.
+  template <class Limit, class Tell>
+  void cut_file(const PlyInput& input, Limit limit, Tell tell) {
+    budget_.require_tables(input.vertices());
+    if (input.faces() == 0 || input.vertices() == 0)
+      fail_file(input.file().path(), "nothing to simplify: it has no faces");
+    folder_.begin_phase(1);
+    PhasePlan plan;
+    plan.key = key_;
+    plan.phase = 1;
+    const bool is_whole = input.faces() <= std::min(budget_.part_faces(), budget_.whole_faces());
+    FirstParts parts(input, plan.input);
+    const PartScatter scatter = parts.write(
+        folder_, is_whole ? input.vertices() : part_vertices(input), budget_.buffers(), tell);
+    if (plan.input.counted_faces == 0)
+      fail_file(input.file().path(), "nothing to simplify: no face of three different vertices");
+    plan.is_last = is_whole || plan.input.counted_faces <= target_.faces(plan.input.counted_faces);
+    plan.label_table = parts.label_table();
+    plan.bytes_read = 4 * 24 * plan.input.vertices + input.file().size();
+    begin(std::move(plan), scatter, limit);
+  }
+
+  /// Is that part simplified? Its file is read as a whole, so that it is sure.
+  bool is_done(std::size_t part) const {
+    const auto path = folder_.left(plan_.phase, part);
+    const auto header = Survivors::header(path, key_, plan_.phase, part);
+    if (!header)
+      return false;
+    try {
+      Survivors::read(path, *header);
+      return true;
+    } catch (const std::runtime_error&) {
+      return false; // it is done again
+    }
+  }
+
+  void write(std::size_t part, const Survivors& survivors, const PartTally& tally) const {
+    SurvivorsHeader header;
+    header.key = key_;
+    header.phase = plan_.phase;
+    header.part = part;
+    header.tally = tally;
+    survivors.write(folder_.left(plan_.phase, part), header);
+  }
+
+  /// Ends a phase of which all parts are done, and begins the next one. False if it was the last.
+  template <class Limit>
+  bool end_phase(AddMemory add, Limit limit) {
+    NextParts next(folder_, plan_.phase, headers(), add);
+    PhasePlan plan = plan_;
+    ++plan.phase;
+    ++plan.step;
+    plan.faces_after_phases.push_back(next.faces());
+    tally(plan);
+    const bool fits = next.faces() <= budget_.whole_faces();
+    const std::vector<std::uint64_t>& left = plan_.faces_after_phases;
+    const std::uint64_t before = left.empty() ? plan_.input.counted_faces : left.back();
+    if (plan_.is_last ||
+        (!fits && schedule().is_enough(plan_.step, before, next.faces(), target())))
+      return false;
+    plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target());
+    folder_.begin_phase(plan.phase);
+    const std::uint64_t most = plan.is_last ? next.vertices() : budget_.part_vertices();
+    const PartScatter scatter = next.write(plan.input.box, plan.input.vertices, most,
+                                           Schedule::fraction(plan.phase), budget_.buffers());
+    begin(std::move(plan), scatter, limit);
+    folder_.remove_phase(plan_.phase - 1);
+    return true;
+  }
+
+  /// What has been done in phases that are over.
+  FileReport report() const {
+    FileReport report;
+    report.faces_before = static_cast<std::size_t>(plan_.input.faces);
+    report.counted_faces = static_cast<std::size_t>(plan_.input.counted_faces);
+    report.vertices_before = static_cast<std::size_t>(plan_.input.vertices);
+    report.phases = plan_.phase;
+    report.parts = static_cast<std::size_t>(plan_.first_parts);
+    report.shared_vertices = plan_.first_shared;
+    report.faces_of_phases = plan_.faces_after_phases;
+    report.is_count_exact = plan_.is_last;
+    report.diagonal = Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal();
+    report.peak_memory = MemoryBudget::peak();
+    add_tally(plan_, report);
+    return report;
+  }
+
+  /// Adds what the phase at work has done, which is over.
+  void add_last_phase(FileReport& report) const {
+    PhasePlan plan = plan_;
+    tally(plan);
+    add_tally(plan, report);
+    const std::vector<SurvivorsHeader> parts = headers();
+    std::uint64_t left = 0;
+    for (const SurvivorsHeader& h : parts)
+      left += h.faces;
+    report.faces_of_phases.push_back(left);
+    report.stop =
+        plan_.is_last ? static_cast<StopReason>(parts.front().tally.stop) : StopReason::target_met;
+  }
+
+  /// What is left becomes a file.
+  void sew(const std::filesystem::path& output, FileReport& report) const {
+    const std::vector<SurvivorsHeader> parts = headers();
+    const Sewing sewing(folder_, plan_, parts);
+    report.bytes_written += sewing.write(output, plan_.input.has_doubles);
+    report.faces_after = static_cast<std::size_t>(sewing.faces());
+    report.vertices_after = static_cast<std::size_t>(sewing.vertices());
+  }
+
+  /// Of the parts of the phase. Throws std::logic_error if one is not done.
+  std::vector<SurvivorsHeader> headers() const {
+    std::vector<SurvivorsHeader> result;
+    for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
+      const auto header = Survivors::header(folder_.left(plan_.phase, p), key_, plan_.phase, p);
+      if (!header)
+        throw std::logic_error("quadrille::PartitionedSimplifier: part " + std::to_string(p) +
+                               " of phase " + std::to_string(plan_.phase) +
+                               " has not been simplified");
+      result.push_back(*header);
+    }
+    return result;
+  }
+
+private:
+  static void add_tally(const PhasePlan& plan, FileReport& report) {
+    report.contractions = static_cast<std::size_t>(plan.contractions);
+    report.error = plan.error;
+    for (std::size_t i = 0; i < rejection_causes; ++i)
+      report.rejections[i] = static_cast<std::size_t>(plan.rejections[i]);
+    report.bytes_read = plan.bytes_read;
+    report.bytes_written = plan.bytes_written;
+  }
+
+  // As many as there are for faces that fit.
+  std::uint64_t part_vertices(const PlyInput& input) const {
+    const double per_face =
+        static_cast<double>(input.vertices()) / static_cast<double>(input.faces());
+    const double count = static_cast<double>(budget_.part_faces()) * std::min(per_face, 1.0);
+    return std::max<std::uint64_t>(static_cast<std::uint64_t>(count), 1);
+  }
+
+  // What the phase that is over has done.
+  void tally(PhasePlan& plan) const {
+    for (const SurvivorsHeader& h : headers()) {
+      plan.contractions += h.tally.contractions;
+      plan.error = std::max(plan.error, h.tally.error);
+      for (std::size_t i = 0; i < rejection_causes; ++i)
+        plan.rejections[i] += h.tally.rejections[i];
+      plan.bytes_written += h.content_size();
+    }
+    for (const PartFiles& p : plan_.parts)
+      plan.bytes_read += p.vertices.size + p.faces.size;
+  }
+
+  template <class Limit>
+  void begin(PhasePlan plan, const PartScatter& scatter, Limit limit) {
+    plan.parts = scatter.parts();
+    if (plan.phase == 1) {
+      plan.first_parts = plan.parts.size();
+      plan.first_shared = scatter.shared_count();
+    }
+    plan.borders = TrueBorders::write(folder_, plan.phase, plan.parts.size(), scatter.shared());
+    for (const PartFiles& p : plan.parts) {
+      plan.bytes_written += p.vertices.size + p.faces.size;
+      plan.bytes_read += p.faces.size;
+    }
+    plan_ = plan;
+    plan_.faces_wanted = schedule().wanted(plan.step, target());
+    if (!plan.is_last)
+      plan_.limit = limit();
+    plan_.write(folder_.plan(plan.phase));
+    folder_.remove_welded();
+  }
+
+  JobFolder folder_;
+  MemoryBudget budget_;
+  FileTarget target_;
+  std::uint64_t key_;
+  PhasePlan plan_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PARTED_JOB_H

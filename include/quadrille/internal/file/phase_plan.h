@@ -1,0 +1,143 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PHASE_PLAN_H
+#define QUADRILLE_INTERNAL_FILE_PHASE_PLAN_H
+
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/report.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <ios>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What a part of a phase is read from.
+struct PartFiles {
+  FileContent vertices, faces;
+  FileContent labels = {}; ///< of the faces; empty if there are none
+};
+
+/// What the input is, and what has been found out about it.
+struct InputFacts {
+  std::uint64_t vertices = 0, faces = 0; ///< of the file
+  std::uint64_t counted_faces = 0;       ///< those with three different corners
+  bool has_doubles = false;
+  FileBox box;
+};
+
+/// A phase that may begin: each of its parts is there, and what becomes of it depends on nothing
+/// else. It is written as a whole when all else of the phase has been.
+struct PhasePlan {
+  std::uint64_t key = 0;          ///< of the job: see JobKey
+  unsigned phase = 0;             ///< from 1 on
+  unsigned step = 0;              ///< of the schedule
+  bool is_last = false;           ///< one part, which is simplified to the target itself
+  double limit = 0;               ///< up to which cost, in the engine's unit, if it is not the last
+  std::uint64_t faces_wanted = 0; ///< at which the limit is aimed
+  InputFacts input;
+  std::vector<PartFiles> parts;
+  FileContent borders;
+  FileContent label_table;                                  ///< empty if there are no labels
+  std::uint64_t first_parts = 0;                            ///< of the first phase
+  std::uint64_t first_shared = 0;                           ///< vertices that several of them had
+  std::uint64_t bytes_read = 0, bytes_written = 0;          ///< so far
+  std::uint64_t contractions = 0;                           ///< of the phases that are over
+  double error = 0;                                         ///< the largest of these
+  std::array<std::uint64_t, rejection_causes> rejections{}; ///< of them
+  std::vector<std::uint64_t> faces_after_phases = {};       ///< those that are over
+
+  void write(const std::filesystem::path& path) const {
+    std::ostringstream text;
+    text << magic << std::hex;
+    for_numbers(*this, [&](auto number) {
+      if constexpr (std::is_same_v<decltype(number), double>)
+        text << ' ' << std::bit_cast<std::uint64_t>(number);
+      else
+        text << ' ' << static_cast<std::uint64_t>(number);
+    });
+    text << '\n';
+    const std::string content = text.str();
+    const std::string end = end_of(content);
+    WholeFile file(path);
+    file.write(content.data(), content.size());
+    file.write(end.data(), end.size());
+    file.finish();
+  }
+
+  static PhasePlan read(const std::filesystem::path& path) {
+    const InputFile file(path);
+    std::string content(static_cast<std::size_t>(file.size()), '\0');
+    file.read(0, content.data(), content.size());
+    const std::size_t end = content.rfind("end ");
+    if (end == std::string::npos || content.compare(0, magic.size(), magic) != 0 ||
+        content.substr(end) != end_of(content.substr(0, end)))
+      fail_file(path, "is not what was written: its checksum is another one");
+    std::istringstream text(content.substr(magic.size(), end - magic.size()));
+    PhasePlan plan;
+    text >> std::hex;
+    for_numbers(plan, [&]<class Number>(Number& number) {
+      std::uint64_t value = 0;
+      text >> value;
+      if constexpr (std::is_same_v<Number, double>)
+        number = std::bit_cast<double>(value);
+      else
+        number = static_cast<Number>(value);
+    });
+    return plan;
+  }
+
+private:
+  static inline const std::string magic = "quadrille phase 1";
+
+  static std::string end_of(const std::string& content) {
+    FileChecksum checksum;
+    checksum.add(content.data(), content.size());
+    std::ostringstream text;
+    text << "end " << std::hex << checksum.value() << '\n';
+    return text.str();
+  }
+
+  // Calls pass(x) for all numbers of a plan; when it is read, lists get the length that is read.
+  template <class Plan, class Pass>
+  static void for_numbers(Plan& plan, Pass pass) {
+    const auto pass_all = [&](auto&... numbers) { (pass(numbers), ...); };
+    const auto pass_list = [&](auto& list, auto pass_item) {
+      std::uint64_t size = list.size();
+      pass(size);
+      if constexpr (!std::is_const_v<Plan>)
+        list.resize(static_cast<std::size_t>(size));
+      for (auto& item : list)
+        pass_item(item);
+    };
+    const auto pass_content = [&](auto& file) { pass_all(file.size, file.checksum); };
+    pass_all(plan.key, plan.phase, plan.step, plan.is_last, plan.limit, plan.faces_wanted,
+             plan.first_parts, plan.first_shared, plan.bytes_read, plan.bytes_written,
+             plan.contractions, plan.error);
+    for (auto& number : plan.rejections)
+      pass(number);
+    auto& input = plan.input;
+    pass_all(input.vertices, input.faces, input.counted_faces, input.has_doubles);
+    for (std::size_t i = 0; i < 3; ++i)
+      pass_all(input.box.low.coordinates[i], input.box.high.coordinates[i]);
+    pass_content(plan.borders);
+    pass_content(plan.label_table);
+    pass_list(plan.parts, [&](auto& part) {
+      pass_content(part.vertices);
+      pass_content(part.faces);
+      pass_content(part.labels);
+    });
+    pass_list(plan.faces_after_phases, pass);
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PHASE_PLAN_H

@@ -1,0 +1,102 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PIECE_OF_PART_H
+#define QUADRILLE_INTERNAL_FILE_PIECE_OF_PART_H
+
+#include <quadrille/internal/call/piece.h>
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/loaded_part.h>
+#include <quadrille/internal/file/next_parts.h>
+#include <quadrille/internal/file/survivors.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Between parts as files have them and pieces as the engine has them.
+template <class Cost>
+struct PieceOfPart {
+  using Memory = typename Cost::Memory;
+  static constexpr bool has_memory = !std::is_empty_v<Memory>;
+  static constexpr std::size_t memory_size = has_memory ? sizeof(Memory) : 0;
+  static_assert(Cost::dimension == 3, "quadrille: a file is simplified with a cost in space");
+  static_assert(std::is_trivially_copyable_v<Memory>,
+                "quadrille: what a vertex remembers is written to files, so it has to be bytes");
+
+  /// The box of the surface, and room for vertices that move out of it.
+  static Box<3> box(const FileBox& box) {
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = (std::max)(longest, box.high[i] - box.low[i]);
+    Box<3> result(box.low, box.high);
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.low[i] -= longest / 16;
+      result.high[i] += longest / 16;
+    }
+    return result;
+  }
+
+  static Piece<Cost> piece(LoadedPart part, const FileBox& of_file) {
+    Piece<Cost> piece;
+    piece.positions = std::move(part.positions);
+    piece.triangles = std::move(part.triangles);
+    piece.is_shared = std::move(part.is_shared);
+    piece.borders = std::move(part.borders);
+    piece.labels = std::move(part.labels);
+    piece.box = box(of_file);
+    if constexpr (has_memory) {
+      piece.memories.resize(part.memories.size() / memory_size);
+      std::memcpy(piece.memories.data(), part.memories.data(), part.memories.size());
+    }
+    return piece;
+  }
+
+  /// By the numbers of the input. `given` are memories of the part, if it had any.
+  static Survivors survivors(const PieceResult<Cost>& result, const std::vector<VertexId>& ids,
+                             const std::vector<bool>& is_shared, const std::vector<char>& given,
+                             const std::vector<std::uint32_t>& labels) {
+    Survivors s;
+    s.vertices.reserve(result.positions.size());
+    for (std::size_t i = 0; i < result.positions.size(); ++i) {
+      const Index v = result.vertices[i];
+      s.vertices.push_back({ids[v], is_shared[v] ? 1U : 0U, result.positions[i]});
+      if (has_memory && is_shared[v] && !given.empty()) {
+        s.given.push_back(i);
+        const auto from = given.begin() + static_cast<std::ptrdiff_t>(v * memory_size);
+        s.given_memories.insert(s.given_memories.end(), from,
+                                from + static_cast<std::ptrdiff_t>(memory_size));
+      }
+    }
+    s.faces.reserve(result.triangles.size());
+    for (const std::array<Index, 3>& t : result.triangles)
+      s.faces.push_back({s.vertices[t[0]].id, s.vertices[t[1]].id, s.vertices[t[2]].id});
+    if (!labels.empty())
+      for (const Index face : result.faces)
+        s.labels.push_back(labels[face]);
+    if constexpr (has_memory) {
+      s.memories.resize(result.memories.size() * memory_size);
+      std::memcpy(s.memories.data(), result.memories.data(), s.memories.size());
+    }
+    return s;
+  }
+
+  static AddMemory add_memory() {
+    if constexpr (has_memory)
+      return [](void* total, const void* gained) {
+        Memory sum, more;
+        std::memcpy(&sum, total, sizeof(Memory));
+        std::memcpy(&more, gained, sizeof(Memory));
+        sum += more;
+        std::memcpy(total, &sum, sizeof(Memory));
+      };
+    else
+      return nullptr;
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PIECE_OF_PART_H

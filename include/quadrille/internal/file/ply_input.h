@@ -1,0 +1,239 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PLY_INPUT_H
+#define QUADRILLE_INTERNAL_FILE_PLY_INPUT_H
+
+#include <quadrille/internal/file/byte_stream.h>
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/label_table.h>
+#include <quadrille/internal/file/ply_header.h>
+#include <quadrille/internal/file/rows.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A binary PLY file of triangles whose vertices and faces are read one after the other, as often
+/// as is wanted. It is never in memory as a whole.
+///
+/// Beside positions and corners it may have whatever is told by dropped(). Functions throw
+/// std::runtime_error with the file's name and the number of the item.
+class PlyInput {
+public:
+  explicit PlyInput(const std::filesystem::path& path)
+      : file_(path), header_(PlyHeaderReader::read(file_)) {
+    place_elements();
+    place_coordinates();
+    place_corners();
+  }
+  PlyInput(const PlyInput&) = delete;
+  PlyInput& operator=(const PlyInput&) = delete;
+
+  const InputFile& file() const { return file_; }
+  std::uint64_t vertices() const { return vertices_->count; }
+  std::uint64_t faces() const { return faces_->count; }
+  bool has_doubles() const { return coordinates_[0].type.size == 8; }
+  /// Integers of faces, which are their labels; not the flags of MeshLab's.
+  const std::vector<PlyProperty>& labels() const { return labels_; }
+  /// Properties and elements that are read over.
+  const std::vector<std::string>& dropped() const { return dropped_; }
+
+  /// Calls take(id, position) for each vertex in turn. Returns a checksum of all that was read,
+  /// which is the same the next time if the file is.
+  template <class Take>
+  std::uint64_t for_vertices(Take take) const {
+    return header_.is_swapped() ? for_vertices_as<true>(take) : for_vertices_as<false>(take);
+  }
+
+  /// Calls take(number, corners, values of labels) for each face in turn.
+  template <class Take>
+  std::uint64_t for_faces(Take take) const {
+    return header_.is_swapped() ? for_faces_as<true>(take) : for_faces_as<false>(take);
+  }
+
+private:
+  struct Placed {
+    PlyType type;
+    std::size_t offset = 0; // in the row
+  };
+
+  void place_elements() {
+    std::uint64_t offset = header_.size;
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex" && !vertices_) {
+        vertices_ = &element;
+        vertices_begin_ = offset;
+      } else if (element.name == "face" && !faces_) {
+        faces_ = &element;
+        faces_begin_ = offset;
+      } else if (element.count > 0) {
+        dropped_.push_back("element " + element.name);
+      }
+      if (vertices_ && faces_)
+        continue;
+      if (!element.row_size())
+        fail_file(file_.path(), "element '" + element.name +
+                                    "' has lists and stands before "
+                                    "what is to be read");
+      offset += element.count * *element.row_size();
+    }
+    if (!vertices_ || !faces_)
+      fail_file(file_.path(), "has no elements 'vertex' and 'face'");
+    if (!vertices_->row_size())
+      fail_file(file_.path(), "its vertices have lists");
+    if (vertices_->count > most_vertices)
+      fail_file(file_.path(), "has " + std::to_string(vertices_->count) +
+                                  " vertices, more than corners of faces can name");
+    require_size();
+  }
+
+  // What is missing for certain is told at once and not after hours.
+  void require_size() const {
+    const std::uint64_t vertices_end = vertices_begin_ + vertices_->count * *vertices_->row_size();
+    const std::uint64_t least = std::max(vertices_end, faces_begin_ + faces_->count);
+    if (file_.size() < least)
+      fail_file(file_.path(), "ends at byte " + std::to_string(file_.size()) + "; with " +
+                                  std::to_string(vertices_->count) + " vertices and " +
+                                  std::to_string(faces_->count) +
+                                  " faces it would have more than " + std::to_string(least));
+  }
+
+  void place_coordinates() {
+    std::size_t offset = 0;
+    std::size_t found = 0;
+    for (const PlyProperty& p : vertices_->properties) {
+      const bool is_coordinate = p.name == "x" || p.name == "y" || p.name == "z";
+      if (is_coordinate) {
+        coordinates_[static_cast<std::size_t>(p.name[0] - 'x')] = {p.type, offset};
+        ++found;
+      } else {
+        dropped_.push_back("property " + p.name + " of vertices");
+      }
+      offset += p.type.size;
+    }
+    if (found != 3)
+      fail_file(file_.path(), "its vertices have no x, y and z");
+    for (const Placed& c : coordinates_)
+      if (c.type.is_integer || !(c.type == coordinates_[0].type))
+        fail_file(file_.path(), "coordinates are not all floats, nor all doubles");
+  }
+
+  void place_corners() {
+    std::size_t number = 0;
+    corners_ = faces_->properties.size();
+    for (const PlyProperty& p : faces_->properties) {
+      if ((p.name == "vertex_indices" || p.name == "vertex_index") && p.is_list())
+        corners_ = number;
+      else if (is_label(p))
+        labels_.push_back(p);
+      else
+        dropped_.push_back("property " + p.name + " of faces");
+      ++number;
+    }
+    if (corners_ == faces_->properties.size())
+      fail_file(file_.path(), "its faces have no list vertex_indices");
+    if (!faces_->properties[corners_].type.is_integer)
+      fail_file(file_.path(), "its vertex_indices are no integers");
+  }
+
+  static bool is_label(const PlyProperty& p) {
+    return !p.is_list() && p.type.is_integer && p.name != "flags";
+  }
+
+  template <bool is_swapped, class Take>
+  std::uint64_t for_vertices_as(Take& take) const {
+    ByteStream stream(file_, vertices_begin_);
+    const std::size_t size = *vertices_->row_size();
+    for (std::uint64_t v = 0; v < vertices_->count; ++v) {
+      const char* const row = stream.next(size);
+      if (!row)
+        fail_short("vertex", v, *vertices_);
+      Vector<3> position;
+      for (std::size_t i = 0; i < 3; ++i)
+        position[i] = ply_number<is_swapped>(coordinates_[i].type, row + coordinates_[i].offset);
+      take(static_cast<VertexId>(v), position);
+    }
+    return stream.checksum().value();
+  }
+
+  template <bool is_swapped, class Take>
+  std::uint64_t for_faces_as(Take& take) const {
+    ByteStream stream(file_, faces_begin_);
+    FaceRow corners{};
+    LabelValues labels;
+    for (std::uint64_t f = 0; f < faces_->count; ++f) {
+      labels.clear();
+      for (std::size_t p = 0; p < faces_->properties.size(); ++p)
+        read_property<is_swapped>(stream, f, p, corners, labels);
+      take(f, corners, labels);
+    }
+    return stream.checksum().value();
+  }
+
+  template <bool is_swapped>
+  void read_property(ByteStream& stream, std::uint64_t face, std::size_t number, FaceRow& corners,
+                     LabelValues& labels) const {
+    const PlyProperty& property = faces_->properties[number];
+    std::size_t count = 1;
+    if (property.is_list()) {
+      const char* const bytes = taken(stream, property.count_type->size, face);
+      const double told = ply_number<is_swapped>(*property.count_type, bytes);
+      if (number == corners_ ? told != 3 : told < 0)
+        fail_file(file_.path(), "face " + std::to_string(face) + " has " +
+                                    std::to_string(static_cast<std::int64_t>(told)) +
+                                    (number == corners_ ? " corners; a file that is read in parts "
+                                                          "has triangles only"
+                                                        : " values in '" + property.name + "'"));
+      count = static_cast<std::size_t>(told);
+    }
+    if (number != corners_) {
+      for (; count > 0; --count) {
+        const char* const bytes = taken(stream, property.type.size, face);
+        if (is_label(property))
+          labels.push_back(static_cast<std::int64_t>(ply_number<is_swapped>(property.type, bytes)));
+      }
+      return;
+    }
+    const char* const bytes = taken(stream, 3 * property.type.size, face);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double corner = ply_number<is_swapped>(property.type, bytes + i * property.type.size);
+      if (!(corner >= 0 && corner < static_cast<double>(vertices_->count)))
+        fail_file(file_.path(), "face " + std::to_string(face) + " has vertex " +
+                                    std::to_string(static_cast<std::int64_t>(corner)) + " of " +
+                                    std::to_string(vertices_->count));
+      corners[i] = static_cast<VertexId>(corner);
+    }
+  }
+
+  const char* taken(ByteStream& stream, std::size_t size, std::uint64_t face) const {
+    const char* const bytes = stream.next(size);
+    if (!bytes)
+      fail_short("face", face, *faces_);
+    return bytes;
+  }
+
+  [[noreturn]] void fail_short(const char* item, std::uint64_t number,
+                               const PlyElement& element) const {
+    fail_file(file_.path(), "ends at byte " + std::to_string(file_.size()) + ", within " + item +
+                                " " + std::to_string(number) + " of " +
+                                std::to_string(element.count));
+  }
+
+  InputFile file_;
+  PlyHeader header_;
+  const PlyElement* vertices_ = nullptr; // of header_
+  const PlyElement* faces_ = nullptr;
+  std::uint64_t vertices_begin_ = 0, faces_begin_ = 0;
+  std::array<Placed, 3> coordinates_;
+  std::size_t corners_ = 0; // the place of the property
+  std::vector<PlyProperty> labels_;
+  std::vector<std::string> dropped_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PLY_INPUT_H

@@ -1,0 +1,29 @@
+#ifndef QUADRILLE_INTERNAL_FILE_ROWS_H
+#define QUADRILLE_INTERNAL_FILE_ROWS_H
+
+#include <quadrille/vector.h>
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+namespace quadrille::internal {
+
+/// The number that a vertex has in the input, and keeps.
+using VertexId = std::uint32_t;
+inline constexpr std::uint64_t most_vertices = 0xFFFFFFFFU;
+
+/// A vertex as files of the scratch folder have it.
+struct VertexRow {
+  VertexId id;
+  std::uint32_t is_shared; ///< 1 if another part has the vertex, too; else 0
+  Vector<3> position;      ///< in the input's units
+};
+static_assert(sizeof(VertexRow) == 32 && std::is_trivially_copyable_v<VertexRow>);
+
+/// The corners of a face.
+using FaceRow = std::array<VertexId, 3>;
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_ROWS_H

@@ -1,0 +1,65 @@
+#ifndef QUADRILLE_INTERNAL_FILE_SCHEDULE_H
+#define QUADRILLE_INTERNAL_FILE_SCHEDULE_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How many faces each phase aims at, and at what fraction its parts are cut.
+///
+/// Vertices that parts share stay for a phase. A part of V vertices that keeps r of them has about
+/// 2 / (r √V) of those among what is left, since a compact patch has 4 √V around it; so no phase
+/// keeps less than 40 / √V, with 5 % of them. It ends with four and two times the target, then
+/// the whole or, where that does not fit into memory, the target itself several times.
+class Schedule {
+public:
+  Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t part_vertices) {
+    const double n = static_cast<double>(std::max<std::uint64_t>(target, 1));
+    const double least_part = std::min(
+        0.25, 40 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(part_vertices, 1))));
+    double count = static_cast<double>(faces);
+    while (count * least_part > 4 * n)
+      add(count *= least_part);
+    if (count > 5.6 * n)
+      add(count = 4 * n);
+    if (count > 2.8 * n)
+      add(2 * n);
+  }
+
+  /// What phases come before the target itself.
+  std::size_t size() const { return wanted_.size(); }
+  /// At phase `step`, from 0 on; from size() on it is the target.
+  std::uint64_t wanted(std::size_t step, std::uint64_t target) const {
+    return step < wanted_.size() ? wanted_[step] : target;
+  }
+  /// Where the whole does not fit into memory: is it enough after phase `step`, which has begun
+  /// with `before` faces and has left `after`? The target itself is aimed at twice and, as long as
+  /// that takes more than two in a hundred, up to four times.
+  bool is_enough(std::size_t step, std::uint64_t before, std::uint64_t after,
+                 std::uint64_t target) const {
+    if (step < wanted_.size())
+      return false;
+    const std::size_t times = step - wanted_.size() + 1;
+    return after <= target || times >= 4 || (times >= 2 && after > before - before / 50);
+  }
+
+  /// Where the parts of phase k, from 1 on, are cut.
+  static double fraction(unsigned k) {
+    constexpr std::array fractions{0.5, 0.36, 0.62, 0.44, 0.56, 0.4};
+    return fractions[(k - 1) % fractions.size()];
+  }
+
+private:
+  void add(double count) { wanted_.push_back(static_cast<std::uint64_t>(count)); }
+
+  std::vector<std::uint64_t> wanted_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_SCHEDULE_H

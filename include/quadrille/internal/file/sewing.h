@@ -1,0 +1,203 @@
+#ifndef QUADRILLE_INTERNAL_FILE_SEWING_H
+#define QUADRILLE_INTERNAL_FILE_SEWING_H
+
+#include <quadrille/internal/file/byte_stream.h>
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/id_set.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/label_table.h>
+#include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/survivors.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Bytes on the way to a file, little-endian.
+class PlyBytes {
+public:
+  explicit PlyBytes(WholeFile& file) : file_(file) {}
+
+  void put_text(const std::string& text) {
+    buffer_.insert(buffer_.end(), text.begin(), text.end());
+  }
+  template <class Number>
+  void put(Number number) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if constexpr (std::endian::native == std::endian::big)
+      std::reverse(bytes.begin(), bytes.end());
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    if (buffer_.size() >= (1 << 20))
+      flush();
+  }
+  void flush() {
+    file_.write(buffer_.data(), buffer_.size());
+    buffer_.clear();
+  }
+
+private:
+  WholeFile& file_;
+  std::vector<char> buffer_;
+};
+
+/// What is left of the parts of a phase becomes one surface. All parts agree on the numbers and on
+/// the places of their vertices, so nothing has to be matched. Vertices are in the order of the
+/// input, faces in that of the parts. Memory: a bit and an eighth for each vertex of the input.
+class Sewing {
+public:
+  Sewing(const JobFolder& folder, const PhasePlan& plan, const std::vector<SurvivorsHeader>& parts)
+      : folder_(folder), phase_(plan.phase), parts_(parts),
+        labels_(plan.label_table.size > 0 ? LabelTable::read(folder.label_table(), plan.label_table)
+                                          : LabelTable({})),
+        ids_(find_ids(plan.input.vertices)), ranks_(ids_) {
+    for (const SurvivorsHeader& h : parts_)
+      faces_ += h.faces;
+  }
+
+  std::uint64_t vertices() const { return ranks_.size(); }
+  std::uint64_t faces() const { return faces_; }
+
+  /// Returns how many bytes were written.
+  std::uint64_t write(const std::filesystem::path& path, bool has_doubles) const {
+    WholeFile file(path);
+    PlyBytes bytes(file);
+    bytes.put_text(header(has_doubles));
+    if (has_doubles)
+      put_vertices<double>(bytes);
+    else
+      put_vertices<float>(bytes);
+    put_faces(bytes);
+    bytes.flush();
+    file.finish();
+    return file.written();
+  }
+
+private:
+  // Files of some parts are read at once, so a piece of each.
+  static constexpr std::size_t block = 1 << 16;
+
+  IdSet find_ids(std::uint64_t ids) const {
+    IdSet found(ids);
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      for (const VertexRow& v : Survivors::read(folder_.left(phase_, p), parts_[p]).vertices)
+        found.add(v.id);
+    return found;
+  }
+
+  std::string header(bool has_doubles) const {
+    const std::string number = has_doubles ? "double" : "float";
+    const std::string index = vertices() > 0x7FFFFFFFU ? "uint" : "int";
+    return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices()) +
+           "\nproperty " + number + " x\nproperty " + number + " y\nproperty " + number +
+           " z\nelement face " + std::to_string(faces_) + "\nproperty list uchar " + index +
+           " vertex_indices\n" + label_properties() + "end_header\n";
+  }
+
+  std::string label_properties() const {
+    std::string text;
+    for (const PlyProperty& p : labels_.properties())
+      text += "property " + p.type.name() + " " + p.name + "\n";
+    return text;
+  }
+
+  // The vertices of a part, one after the other.
+  struct Reader {
+    Reader(const std::filesystem::path& path, std::uint64_t vertices)
+        : file(path), stream(file, sizeof(SurvivorsHeader), block), left(vertices) {}
+
+    bool next() {
+      if (left-- == 0)
+        return false;
+      const char* const bytes = stream.next(sizeof(row));
+      if (!bytes)
+        fail_file(file.path(), "ends within what was written");
+      std::memcpy(&row, bytes, sizeof(row));
+      return true;
+    }
+
+    InputFile file;
+    ByteStream stream;
+    std::uint64_t left;
+    VertexRow row{};
+  };
+
+  // Merges the parts by the numbers of vertices, of which each part has some in ascending order.
+  template <class Number>
+  void put_vertices(PlyBytes& bytes) const {
+    std::vector<std::unique_ptr<Reader>> readers;
+    using Next = std::pair<VertexId, std::size_t>;
+    std::priority_queue<Next, std::vector<Next>, std::greater<>> queue;
+    const auto push = [&](std::size_t p) {
+      if (readers[p]->next())
+        queue.push({readers[p]->row.id, p});
+    };
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      readers.push_back(std::make_unique<Reader>(folder_.left(phase_, p), parts_[p].vertices));
+      push(p);
+    }
+    std::uint64_t last = most_vertices + 1;
+    while (!queue.empty()) {
+      const auto [id, part] = queue.top();
+      queue.pop();
+      if (id != last)
+        for (std::size_t i = 0; i < 3; ++i)
+          bytes.put(to_number<Number>(readers[part]->row.position[i]));
+      last = id;
+      push(part);
+    }
+  }
+
+  template <class Number>
+  static Number to_number(double x) {
+    return static_cast<Number>(x);
+  }
+
+  void put_faces(PlyBytes& bytes) const {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Survivors part = Survivors::read(folder_.left(phase_, p), parts_[p]);
+      for (std::size_t f = 0; f < part.faces.size(); ++f) {
+        bytes.put(static_cast<unsigned char>(3));
+        for (const VertexId corner : part.faces[f])
+          bytes.put(static_cast<std::uint32_t>(ranks_(corner)));
+        if (!part.labels.empty())
+          put_label(bytes, labels_.values(part.labels[f]));
+      }
+    }
+  }
+
+  void put_label(PlyBytes& bytes, const LabelValues& values) const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      switch (labels_.properties()[i].type.size) {
+      case 1:
+        bytes.put(static_cast<std::uint8_t>(values[i]));
+        break;
+      case 2:
+        bytes.put(static_cast<std::uint16_t>(values[i]));
+        break;
+      default:
+        bytes.put(static_cast<std::uint32_t>(values[i]));
+      }
+  }
+
+  const JobFolder& folder_;
+  unsigned phase_;
+  const std::vector<SurvivorsHeader>& parts_;
+  LabelTable labels_;
+  IdSet ids_;
+  IdRanks ranks_;
+  std::uint64_t faces_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_SEWING_H

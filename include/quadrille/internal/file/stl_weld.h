@@ -1,0 +1,266 @@
+#ifndef QUADRILLE_INTERNAL_FILE_STL_WELD_H
+#define QUADRILLE_INTERNAL_FILE_STL_WELD_H
+
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/byte_stream.h>
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/rows.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Makes corners of a binary STL file that lie at exactly the same place one vertex, and writes the
+/// surface as binary PLY, in the order of the file; vertices by their coordinates. By an external
+/// merge sort (Knuth, The Art of Computer Programming, volume 3, section 5.4): corners are sorted
+/// in runs that fit into memory, these are merged, and the number of each corner's vertex goes to
+/// the piece of the file that the corner is in. Time O(n log n); five times the file on the disk.
+class StlWeld {
+public:
+  /// `folder` is for files that are gone at the end; `memory` in bytes.
+  static void run(const std::filesystem::path& input, const std::filesystem::path& output,
+                  const std::filesystem::path& folder, std::uint64_t memory) {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    StlWeld weld(input, folder, memory);
+    weld.sort_runs();
+    WholeFile file(output);
+    weld.merge_runs(file);
+    weld.write_faces(file);
+    file.finish();
+    std::filesystem::remove_all(folder);
+  }
+
+  /// Throws std::runtime_error for a file that has not the size that its count of faces says.
+  static void require_readable(const std::filesystem::path& input) {
+    count_faces(InputFile(input));
+  }
+
+private:
+  struct Corner {
+    std::array<std::uint32_t, 3> place; // the bits of the coordinates, in an order of their own
+    std::uint32_t number_low, number_high;
+
+    std::uint64_t number() const { return std::uint64_t{number_high} << 32 | number_low; }
+    friend bool operator<(const Corner& a, const Corner& b) {
+      return a.place != b.place ? a.place < b.place : a.number() < b.number();
+    }
+  };
+  struct Named {
+    std::uint32_t corner; // of the piece
+    VertexId vertex;
+  };
+
+  StlWeld(const std::filesystem::path& input, std::filesystem::path folder, std::uint64_t memory)
+      : file_(input), folder_(std::move(folder)), memory_(memory), faces_(count_faces(file_)) {}
+
+  static std::uint64_t count_faces(const InputFile& file) {
+    std::array<char, 84> header{};
+    const std::size_t got = file.read_some(0, header.data(), header.size());
+    std::uint32_t count = 0;
+    std::memcpy(&count, header.data() + 80, 4);
+    const std::uint64_t faces = std::endian::native == std::endian::big ? swapped(count) : count;
+    if (got == header.size() && file.size() == 84 + 50 * faces)
+      return faces;
+    if (std::string(header.data(), 5) == "solid")
+      fail_file(file.path(), "is text; a file is read in parts if it is binary");
+    fail_file(file.path(), got < header.size()
+                               ? "ends within the 84 bytes that a binary STL file begins with"
+                               : "has " + std::to_string(file.size()) + " bytes; with " +
+                                     std::to_string(faces) + " faces it would have " +
+                                     std::to_string(84 + 50 * faces));
+  }
+
+  static std::uint32_t swapped(std::uint32_t x) {
+    return x >> 24 | (x >> 8 & 0xFF00U) | (x << 8 & 0xFF0000U) | x << 24;
+  }
+
+  void sort_runs() {
+    std::vector<Corner> run;
+    const auto most =
+        static_cast<std::size_t>(std::max<std::uint64_t>(memory_ / 2 / sizeof(Corner), 1000));
+    run.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, 3 * faces_)));
+    ByteStream stream(file_, 84);
+    for (std::uint64_t face = 0; face < faces_; ++face) {
+      const char* const row = stream.next(50);
+      if (!row)
+        fail_file(file_.path(), "ends within face " + std::to_string(face));
+      for (std::uint64_t i = 0; i < 3; ++i)
+        run.push_back(corner(row + 12 + 12 * i, 3 * face + i));
+      if (run.size() + 3 > most)
+        write_run(run);
+    }
+    write_run(run);
+  }
+
+  Corner corner(const char* bytes, std::uint64_t number) const {
+    Corner result{{}, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, bytes + 4 * i, 4);
+      if constexpr (std::endian::native == std::endian::big)
+        bits = swapped(bits);
+      const float x = std::bit_cast<float>(bits) + 0.0F; // −0 is 0
+      if (!std::isfinite(x))
+        fail_file(file_.path(), "face " + std::to_string(number / 3) +
+                                    " has a corner that is not "
+                                    "finite");
+      bits = std::bit_cast<std::uint32_t>(x);
+      result.place[i] = (bits & sign) != 0 ? ~bits : bits | sign;
+    }
+    return result;
+  }
+
+  static float coordinate(std::uint32_t place) {
+    return std::bit_cast<float>((place & sign) != 0 ? place & ~sign : ~place);
+  }
+
+  void write_run(std::vector<Corner>& run) {
+    std::sort(run.begin(), run.end());
+    append_to_file(folder_ / ("run-" + std::to_string(runs_++)), run.data(),
+                   run.size() * sizeof(Corner));
+    run.clear();
+  }
+
+  // --- Merging -------------------------------------------------------------------------------
+
+  struct Run {
+    Run(const std::filesystem::path& path, std::size_t block)
+        : file(path), stream(file, 0, block) {}
+
+    bool next() {
+      const char* const bytes = stream.next(sizeof(corner));
+      if (bytes)
+        std::memcpy(&corner, bytes, sizeof(corner));
+      return bytes != nullptr;
+    }
+
+    InputFile file;
+    ByteStream stream;
+    Corner corner{};
+  };
+
+  template <class Take>
+  void for_sorted(Take take) const {
+    std::vector<std::unique_ptr<Run>> runs;
+    const auto is_later = [&](std::size_t a, std::size_t b) {
+      return runs[b]->corner < runs[a]->corner;
+    };
+    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(is_later)> queue(is_later);
+    const auto block = static_cast<std::size_t>(
+        std::clamp<std::uint64_t>(memory_ / 4 / std::max(runs_, 1U), 1 << 14, 1 << 20));
+    for (unsigned r = 0; r < runs_; ++r) {
+      runs.push_back(std::make_unique<Run>(folder_ / ("run-" + std::to_string(r)), block));
+      if (runs[r]->next())
+        queue.push(r);
+    }
+    while (!queue.empty()) {
+      const std::size_t r = queue.top();
+      queue.pop();
+      take(runs[r]->corner);
+      if (runs[r]->next())
+        queue.push(r);
+    }
+  }
+
+  // Corners of a piece of the file, a multiple of three.
+  std::uint64_t piece() const { return std::max<std::uint64_t>(memory_ / 4 / 12, 100) * 3; }
+  std::filesystem::path piece_path(std::size_t i) const {
+    return folder_ / ("corners-" + std::to_string(i));
+  }
+
+  void merge_runs(WholeFile& file) {
+    std::vector<std::filesystem::path> paths;
+    for (std::uint64_t begin = 0; begin < 3 * faces_; begin += piece())
+      paths.push_back(piece_path(paths.size()));
+    AppendedFiles pieces(paths, memory_ / 4);
+    std::string text = header(0);
+    file.write(text.data(), text.size());
+    std::vector<char> buffer;
+    std::array<std::uint32_t, 3> last{};
+    for_sorted([&](const Corner& c) {
+      if (vertices_ == 0 || c.place != last)
+        put_vertex(buffer, c);
+      last = c.place;
+      const Named named{static_cast<std::uint32_t>(c.number() % piece()),
+                        static_cast<VertexId>(vertices_ - 1)};
+      pieces.add(static_cast<std::size_t>(c.number() / piece()), &named, sizeof(named));
+      if (buffer.size() >= (1 << 20))
+        flush(buffer, file);
+    });
+    flush(buffer, file);
+    contents_ = pieces.finish();
+    text = header(vertices_);
+    file.write_at_begin(text.data(), text.size());
+    for (unsigned r = 0; r < runs_; ++r)
+      std::filesystem::remove(folder_ / ("run-" + std::to_string(r)));
+  }
+
+  void put_vertex(std::vector<char>& buffer, const Corner& c) {
+    if (vertices_++ == most_vertices)
+      fail_file(file_.path(), "has more vertices than corners of faces can name");
+    for (const std::uint32_t place : c.place) {
+      const auto bytes = std::bit_cast<std::array<char, 4>>(coordinate(place));
+      buffer.insert(buffer.end(), bytes.begin(), bytes.end());
+    }
+  }
+
+  static void flush(std::vector<char>& buffer, WholeFile& file) {
+    file.write(buffer.data(), buffer.size());
+    buffer.clear();
+  }
+
+  // Of the same length for any number of vertices, in the order of bytes of this machine.
+  std::string header(std::uint64_t vertices) const {
+    const std::string digits = std::to_string(vertices);
+    const bool is_big = std::endian::native == std::endian::big;
+    return std::string("ply\nformat binary_") + (is_big ? "big" : "little") +
+           "_endian 1.0\nelement vertex " + std::string(12 - digits.size(), '0') + digits +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+           std::to_string(faces_) + "\nproperty list uchar uint vertex_indices\nend_header\n";
+  }
+
+  void write_faces(WholeFile& file) const {
+    std::vector<char> buffer;
+    for (std::size_t i = 0; i < contents_.size(); ++i) {
+      const auto named = read_rows<Named>(piece_path(i), contents_[i]);
+      std::vector<VertexId> vertices(named.size());
+      for (const Named& n : named)
+        vertices[n.corner] = n.vertex;
+      for (std::size_t c = 0; c < vertices.size(); c += 3) {
+        buffer.push_back(3);
+        const char* const corners = reinterpret_cast<const char*>(&vertices[c]);
+        buffer.insert(buffer.end(), corners, corners + 12);
+        if (buffer.size() >= (1 << 20))
+          flush(buffer, file);
+      }
+      std::filesystem::remove(piece_path(i));
+    }
+    flush(buffer, file);
+  }
+
+  static constexpr std::uint32_t sign = 0x80000000U;
+
+  InputFile file_;
+  std::filesystem::path folder_;
+  std::uint64_t memory_, faces_, vertices_ = 0;
+  unsigned runs_ = 0;
+  std::vector<FileContent> contents_; // of the pieces
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_STL_WELD_H

@@ -1,0 +1,148 @@
+#ifndef QUADRILLE_INTERNAL_FILE_SURVIVORS_H
+#define QUADRILLE_INTERNAL_FILE_SURVIVORS_H
+
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/file_checksum.h>
+#include <quadrille/internal/file/rows.h>
+#include <quadrille/report.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What all parts of a run add up to.
+struct PartTally {
+  std::uint64_t faces_before = 0, contractions = 0;
+  std::array<std::uint64_t, rejection_causes> rejections{};
+  double error = 0, seconds = 0;
+  std::uint32_t stop = 0; ///< a StopReason
+
+  static PartTally of(const Report& report) {
+    PartTally tally;
+    tally.faces_before = report.faces_before;
+    tally.contractions = report.contractions;
+    for (std::size_t i = 0; i < rejection_causes; ++i)
+      tally.rejections[i] = report.rejections[i];
+    tally.error = report.error;
+    tally.seconds = report.seconds.total();
+    tally.stop = static_cast<std::uint32_t>(report.stop);
+    return tally;
+  }
+};
+
+/// The beginning of a file of survivors. All zeros until it is finished.
+struct SurvivorsHeader {
+  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '1'};
+  std::uint64_t key = 0; ///< of the job
+  std::uint64_t phase = 0, part = 0;
+  std::uint64_t vertices = 0, faces = 0;
+  std::uint64_t memory_size = 0; ///< of a vertex, in bytes, behind the faces
+  std::uint64_t labels = 0;      ///< one for each face, or none
+  std::uint64_t given = 0;       ///< vertices whose memory before the phase is told, behind that
+  std::uint64_t checksum = 0;    ///< of all that follows
+  PartTally tally = {};
+
+  std::uint64_t content_size() const {
+    return vertices * (sizeof(VertexRow) + memory_size) + faces * sizeof(FaceRow) +
+           labels * sizeof(std::uint32_t) + given * (sizeof(std::uint64_t) + memory_size);
+  }
+};
+static_assert(std::is_trivially_copyable_v<SurvivorsHeader>);
+
+/// What is left of a part, by the numbers of the input: vertices in ascending order, then faces.
+/// Memories are bytes: those of each vertex, then pairs of a place among the vertices and the
+/// memory that it had been given.
+struct Survivors {
+  std::vector<VertexRow> vertices;
+  std::vector<FaceRow> faces;
+  std::vector<std::uint32_t> labels = {}; ///< of the faces, or none
+  std::vector<char> memories = {};
+  std::vector<std::uint64_t> given = {};
+  std::vector<char> given_memories = {};
+
+  /// `header` has key, phase, part and tally.
+  void write(const std::filesystem::path& path, SurvivorsHeader header) const {
+    header.vertices = vertices.size();
+    header.faces = faces.size();
+    header.labels = labels.size();
+    header.given = given.size();
+    header.memory_size = vertices.empty() ? 0 : memories.size() / vertices.size();
+    FileChecksum checksum;
+    for_content([&](const void* bytes, std::size_t size) { checksum.add(bytes, size); });
+    header.checksum = checksum.value();
+    WholeFile file = WholeFile::by_any_process(path);
+    file.write(&header, sizeof(header));
+    for_content([&](const void* bytes, std::size_t size) { file.write(bytes, size); });
+    file.finish();
+  }
+
+  /// Throws where a file is not what was written.
+  static Survivors read(const std::filesystem::path& path, const SurvivorsHeader& header) {
+    const InputFile file(path);
+    Survivors s;
+    s.vertices.resize(static_cast<std::size_t>(header.vertices));
+    s.faces.resize(static_cast<std::size_t>(header.faces));
+    s.labels.resize(static_cast<std::size_t>(header.labels));
+    s.memories.resize(static_cast<std::size_t>(header.vertices * header.memory_size));
+    s.given.resize(static_cast<std::size_t>(header.given));
+    s.given_memories.resize(static_cast<std::size_t>(header.given * header.memory_size));
+    FileChecksum checksum;
+    std::uint64_t offset = sizeof(header);
+    s.for_content([&](void* bytes, std::size_t size) {
+      file.read(offset, bytes, size);
+      checksum.add(bytes, size);
+      offset += size;
+    });
+    if (checksum.value() != header.checksum)
+      fail_file(path, "is not what was written: its checksum is another one");
+    return s;
+  }
+
+  /// The header, if the file is finished and of this part of this job; nothing if it is not there
+  /// or does not end where it should.
+  static std::optional<SurvivorsHeader> header(const std::filesystem::path& path, std::uint64_t key,
+                                               unsigned phase, std::size_t part) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+      return std::nullopt;
+    const InputFile file(path);
+    SurvivorsHeader header;
+    if (file.size() < sizeof(header))
+      return std::nullopt;
+    file.read(0, &header, sizeof(header));
+    const bool is_it = header.magic == SurvivorsHeader{}.magic && header.key == key &&
+                       header.phase == phase && header.part == part &&
+                       header.content_size() == file.size() - sizeof(header);
+    return is_it ? std::optional(header) : std::nullopt;
+  }
+
+private:
+  template <class Self, class Visit>
+  static void visit_content(Self& s, Visit visit) {
+    visit(s.vertices.data(), s.vertices.size() * sizeof(VertexRow));
+    visit(s.faces.data(), s.faces.size() * sizeof(FaceRow));
+    visit(s.labels.data(), s.labels.size() * sizeof(std::uint32_t));
+    visit(s.memories.data(), s.memories.size());
+    visit(s.given.data(), s.given.size() * sizeof(std::uint64_t));
+    visit(s.given_memories.data(), s.given_memories.size());
+  }
+  template <class Visit>
+  void for_content(Visit visit) const {
+    visit_content(*this, visit);
+  }
+  template <class Visit>
+  void for_content(Visit visit) {
+    visit_content(*this, visit);
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_SURVIVORS_H

@@ -1,0 +1,282 @@
+// What surfaces in parts are made with, by brute force.
+
+#include "folder.h"
+#include "soups.h"
+#include "surface_files.h"
+
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/cost_samples.h>
+#include <quadrille/internal/file/file_checksum.h>
+#include <quadrille/internal/file/id_index.h>
+#include <quadrille/internal/file/id_set.h>
+#include <quadrille/internal/file/next_parts.h>
+#include <quadrille/internal/file/part_cut.h>
+#include <quadrille/internal/file/part_scatter.h>
+#include <quadrille/internal/file/part_threads.h>
+#include <quadrille/internal/file/schedule.h>
+#include <quadrille/internal/file/stl_weld.h>
+#include <quadrille/internal/file/true_borders.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace quadrille::internal;
+using test::Folder;
+using test::Random;
+using test::Soup;
+
+TEST_CASE("a checksum does not depend on the blocks, and on each byte") {
+  Random random(1);
+  std::string bytes;
+  for (int i = 0; i < 1000; ++i)
+    bytes += static_cast<char>(random.below(256));
+  const auto checksum = [](const std::string& text, std::size_t block) {
+    FileChecksum sum;
+    for (std::size_t at = 0; at < text.size(); at += block)
+      sum.add(text.data() + at, std::min(block, text.size() - at));
+    return sum.value();
+  };
+  const std::uint64_t whole = checksum(bytes, bytes.size());
+  for (const std::size_t block : {1U, 3U, 8U, 13U, 64U})
+    CHECK(checksum(bytes, block) == whole);
+  std::set<std::uint64_t> sums{whole};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string changed = bytes;
+    changed[i] ^= 1;
+    sums.insert(checksum(changed, 64));
+    sums.insert(checksum(bytes.substr(0, i), 64));
+  }
+  CHECK(sums.size() == 2 * bytes.size() + 1);
+  CHECK(checksum(bytes + '\0', 64) != whole);
+}
+
+TEST_CASE("numbers are found, and ranked") {
+  Random random(2);
+  for (const std::size_t range : {10U, 1000U, 4'000'000'000U}) {
+    std::set<VertexId> ids;
+    for (int i = 0; i < 300; ++i)
+      ids.insert(random.below(range));
+    ids.insert(7);
+    const std::vector<VertexId> list(ids.begin(), ids.end());
+    const IdIndex index(list);
+    for (std::size_t i = 0; i < list.size(); ++i)
+      CHECK(index.find(list[i]) == i);
+    for (int i = 0; i < 300; ++i)
+      if (const VertexId id = random.below(range); ids.count(id) == 0)
+        CHECK(index.find(id) == list.size());
+  }
+  CHECK(IdIndex({}).find(3) == 0);
+  IdSet set(5000);
+  std::set<VertexId> plain;
+  for (int i = 0; i < 700; ++i) {
+    const VertexId id = random.below(5000);
+    set.add(id);
+    plain.insert(id);
+  }
+  const IdRanks ranks(set);
+  CHECK(ranks.size() == plain.size());
+  std::uint64_t rank = 0;
+  for (const VertexId id : plain)
+    CHECK(ranks(id) == rank++);
+}
+
+TEST_CASE("space is cut into parts of as many vertices") {
+  const Soup soup = test::with_noise(test::torus(200, 80), 3, 0.01);
+  FileBox box;
+  for (const test::Position& p : soup.points)
+    box.add(p);
+  CellCounts cells(CellGridOfBox(box, 6));
+  for (const test::Position& p : soup.points)
+    cells.add(p);
+  for (const double fraction : {0.5, 0.36, 0.62}) {
+    const PartCut cut(cells, 1500, fraction);
+    std::vector<std::uint64_t> sizes(cut.size());
+    for (const test::Position& p : soup.points)
+      ++sizes[cut.part_of(p)];
+    CHECK(sizes == cut.sizes());
+    CHECK(*std::max_element(sizes.begin(), sizes.end()) <= 1500);
+    CHECK(*std::min_element(sizes.begin(), sizes.end()) >= 400);
+  }
+  const PartCut whole(cells, 16'000, 0.5);
+  CHECK(whole.size() == 1);
+  CHECK(whole.part_of({{9, 9, 9}}) == 0);
+}
+
+TEST_CASE("requests come once each, by vertex") {
+  Random random(4);
+  Requests requests;
+  std::set<std::pair<VertexId, PartNumber>> plain;
+  for (int i = 0; i < 2000; ++i) {
+    const Request r{random.below(100), static_cast<PartNumber>(random.below(9))};
+    requests.add(r);
+    if (r.vertex % 3 != 0) // others are not asked for
+      plain.insert({r.vertex, r.part});
+  }
+  requests.sort();
+  std::set<std::pair<VertexId, PartNumber>> got;
+  std::size_t count = 0;
+  for (VertexId v = 0; v < 100; ++v)
+    if (v % 3 != 0)
+      requests.for_parts(v, [&](PartNumber part) {
+        got.insert({v, part});
+        ++count;
+      });
+  CHECK(got == plain);
+  CHECK(count == plain.size());
+}
+
+TEST_CASE("corners that lie at one place are made one, in whatever memory") {
+  const Folder folder;
+  Soup soup = test::as_floats(test::with_noise(test::sphere(4), 5, 0.01));
+  soup.points[3] = {{0, 0.5, -0.25}};
+  const std::string content = test::stl_of(test::shuffled(soup, 6));
+  std::string zero;
+  for (const float x : {0.0F, 0.5F, -0.25F})
+    test::put_number(zero, x);
+  std::string with_minus = content;
+  with_minus[with_minus.find(zero) + 3] = '\x80'; // −0 at one of its corners
+  const auto stl = folder.file("in.stl", with_minus);
+  for (const std::uint64_t memory : {1'000'000U, 4'000U}) { // in one run, and in many
+    StlWeld::run(stl, folder.path("out.ply"), folder.path("scratch"), memory);
+    const Soup welded = test::read_ply(folder.path("out.ply"));
+    const auto topology = test::topology_of(welded);
+    CHECK(topology.is_closed());
+    CHECK(topology.is_manifold);
+    CHECK(topology.is_oriented);
+    CHECK(welded.points.size() == soup.points.size());
+    CHECK(welded.triangles.size() == soup.triangles.size());
+    const bool is_the_same = test::stl_of(welded) == content;
+    CHECK(is_the_same);
+  }
+  CHECK(folder.size() == 2);
+}
+
+TEST_CASE("edges of one face, over all parts") {
+  const Folder folder;
+  const JobFolder job(folder.path("scratch"));
+  job.begin_phase(1);
+  IdSet shared(10);
+  for (const VertexId v : {1U, 2U, 3U, 4U})
+    shared.add(v);
+  const FaceRow faces[] = {{1, 2, 3}, {2, 1, 0}, {2, 4, 3}, {3, 4, 5}};
+  AppendedFiles files({job.faces(1, 0), job.faces(1, 1)}, 100);
+  for (std::size_t i = 0; i < 4; ++i)
+    files.add(i % 2, &faces[i], sizeof(FaceRow));
+  files.finish();
+  const FileContent content = TrueBorders::write(job, 1, 2, shared);
+  const auto edges = read_rows<std::uint64_t>(job.borders(1), content);
+  CHECK(edges ==
+        std::vector<std::uint64_t>{std::uint64_t{1} << 32 | 3, std::uint64_t{2} << 32 | 4});
+}
+
+/// Vertices with what they remember as doubles; what is given may be missing.
+Survivors remembering(const std::vector<VertexRow>& vertices, const std::vector<double>& memories,
+                      const std::vector<std::uint64_t>& given,
+                      const std::vector<double>& given_memories) {
+  Survivors s{vertices, {}};
+  s.given = given;
+  const auto put = [](std::vector<char>& bytes, const std::vector<double>& from) {
+    bytes.resize(from.size() * sizeof(double));
+    std::memcpy(bytes.data(), from.data(), bytes.size());
+  };
+  put(s.memories, memories);
+  put(s.given_memories, given_memories);
+  return s;
+}
+
+TEST_CASE(
+    "what shared vertices remember is what they were given, and what they gain in each part") {
+  const AddMemory add = [](void* total, const void* gained) {
+    double a = 0, b = 0;
+    std::memcpy(&a, total, sizeof(a));
+    std::memcpy(&b, gained, sizeof(b));
+    a += b;
+    std::memcpy(total, &a, sizeof(a));
+  };
+  SharedMemories memories(sizeof(double), add);
+  memories.add(remembering({{3, 1, {}}, {4, 0, {}}, {7, 1, {}}}, {1, 50, 2}, {0, 2}, {100, 200}));
+  memories.add(remembering({{3, 1, {}}, {8, 1, {}}}, {4, 8}, {0}, {100}));
+  memories.add(remembering({{3, 1, {}}, {7, 1, {}}, {8, 1, {}}}, {16, 32, 64}, {0, 1}, {100, 200}));
+  memories.sum_up();
+  const auto total = [&](VertexId id) {
+    double value = 0;
+    std::memcpy(&value, memories.total(id), sizeof(value));
+    return value;
+  };
+  CHECK(total(3) == 100 + 1 + 4 + 16);
+  CHECK(total(7) == 200 + 2 + 32);
+  CHECK(total(8) == 8 + 64); // after the first phase nobody has been given anything
+}
+
+TEST_CASE("phases aim at four and two times the target, by steps that are not too large") {
+  const auto counts = [](std::uint64_t faces, std::uint64_t target, std::uint64_t part) {
+    const Schedule schedule(faces, target, part);
+    std::vector<std::uint64_t> result;
+    for (std::size_t i = 0; i < schedule.size(); ++i)
+      result.push_back(schedule.wanted(i, target));
+    return result;
+  };
+  using Counts = std::vector<std::uint64_t>;
+  CHECK(counts(1000, 500, 100).empty());
+  CHECK(counts(1000, 250, 100) == Counts{500});
+  CHECK(counts(1000, 100, 100) == Counts{400, 200});
+  CHECK(counts(1'000'000'000, 10'000'000, 2'000'000) == Counts{40'000'000, 20'000'000});
+  CHECK(counts(64'000, 640, 500) == Counts{16'000, 4'000, 2'560, 1'280});
+  CHECK(Schedule(100, 0, 10).wanted(0, 0) <= 25);
+}
+
+TEST_CASE("tasks are run once each, and the first failure is told") {
+  for (const unsigned threads : {1U, 4U}) {
+    std::vector<std::atomic<int>> runs(50);
+    PartThreads::run(
+        50, threads, [&](std::size_t i) { ++runs[i]; }, [] {});
+    CHECK(std::all_of(runs.begin(), runs.end(), [](const auto& n) { return n == 1; }));
+    CHECK_THROWS_WITH(PartThreads::run(
+                          50, threads,
+                          [](std::size_t i) {
+                            if (i >= 7)
+                              throw std::runtime_error(std::to_string(i));
+                          },
+                          [] {}),
+                      "7");
+  }
+}
+
+TEST_CASE("a sample tells the cost at which as many faces are left") {
+  LoadedPart part;
+  part.ids.resize(40);
+  part.is_shared.resize(40);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    part.triangles.push_back({i, (i + 1) % 40, (i + 2) % 40});
+    part.triangles.push_back({i, (i + 3) % 40, (i + 2) % 40});
+  }
+  CHECK(SampleCounts(part).free_faces == 80);
+  for (std::size_t i = 0; i < 10; ++i)
+    part.is_shared[i] = true;
+  CHECK(SampleCounts(part).free_faces == 60);
+  CostHistogram costs;
+  for (int i = 0; i < 30; ++i)
+    costs.add(static_cast<float>(i + 1), 2); // all 60 of them
+  CostSamples samples(1000);
+  samples.add(1000, SampleCounts(part), costs);
+  CHECK(samples.limit(510) == Approx(15).epsilon(0.04));
+  CHECK(samples.limit(910) == Approx(3).epsilon(0.04));
+  CHECK(samples.limit(0) == Approx(30).epsilon(0.04));
+  CHECK(CostSamples(10).limit(5) > 1e30F);
+}
+
+} // namespace

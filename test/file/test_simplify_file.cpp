@@ -1,0 +1,503 @@
+// Surfaces in parts, from a file to a file: against what is simplified in memory.
+
+#include "soups.h"
+#include "surface_files.h"
+
+#include "folder.h"
+
+#include <quadrille/distance.h>
+#include <quadrille/file.h>
+
+#include <catch2/catch.hpp>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace quadrille;
+using test::content_of;
+using test::Folder;
+using test::ply_of;
+using test::read_ply;
+using test::Soup;
+using test::topology_of;
+
+constexpr std::uint64_t part_of_16 = 550;
+
+/// Closed, of genus 1, 8,000 faces.
+Soup surface() {
+  return test::as_floats(test::with_noise(test::torus(100, 40), 1, 0.004));
+}
+
+OutOfCore in_parts(const Folder& folder, std::uint64_t part_faces, unsigned in_flight = 1) {
+  OutOfCore options;
+  options.scratch = folder.path("scratch");
+  options.part_faces = part_faces;
+  options.parts_in_flight = in_flight;
+  return options;
+}
+
+template <class Cost = MemorylessQuadric>
+FileReport run(const Folder& folder, const OutOfCore& options, std::size_t faces = 800,
+               const std::string& input = "in.ply") {
+  return simplify_file<Cost, OptimalPlacement>(folder.path(input), folder.path("out.ply"),
+                                               FaceCount{faces}, options);
+}
+
+double rms(const Soup& a, const Soup& b) {
+  return surface_distance(a.points, a.triangles, b.points, b.triangles, {20'000, 0}).rms;
+}
+
+template <class Cost>
+double rms_in_memory(Soup soup, std::size_t faces) {
+  const Soup input = soup;
+  simplify<Cost, OptimalPlacement>(soup.points, soup.triangles, FaceCount{faces});
+  return rms(input, soup);
+}
+
+template <class Cost>
+void require_as_in_memory() {
+  const Folder folder;
+  const Soup input = surface();
+  folder.file("in.ply", ply_of(input));
+  const double in_memory = rms_in_memory<Cost>(input, 800);
+  for (const std::uint64_t part_faces : {8000U, 2200U, 550U, 140U}) {
+    INFO(part_faces << " faces a part");
+    const FileReport report = run<Cost>(folder, in_parts(folder, part_faces));
+    const Soup output = read_ply(folder.path("out.ply"));
+    const auto topology = topology_of(output);
+    CHECK(topology.is_manifold);
+    CHECK(topology.is_oriented);
+    CHECK(topology.is_closed());
+    CHECK(topology.genus() == 1);
+    CHECK(output.triangles.size() == 800);
+    CHECK(report.faces_after == 800);
+    CHECK(report.is_count_exact);
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(report.parts >= 7000 / part_faces);
+    CHECK(report.contractions == input.points.size() - output.points.size());
+    CHECK(rms(input, output) < (part_faces < 200 ? 1.04 : 1.02) * in_memory);
+    CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+  }
+}
+
+TEST_CASE("a surface in parts becomes what it becomes in memory") {
+  require_as_in_memory<MemorylessQuadric>();
+}
+
+TEST_CASE("costs that remember find in each phase what vertices remembered") {
+  require_as_in_memory<Quadric>();
+}
+
+TEST_CASE("in one part, all bytes are those of a run in memory") {
+  const Folder folder;
+  Soup soup = surface();
+  folder.file("in.ply", ply_of(soup));
+  run(folder, in_parts(folder, 8000));
+  simplify<MemorylessQuadric, OptimalPlacement>(soup.points, soup.triangles, FaceCount{800});
+  CHECK(test::is_identical(test::as_floats(soup), read_ply(folder.path("out.ply"))));
+}
+
+TEST_CASE("the output does not depend on how many parts are in flight") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  run(folder, in_parts(folder, part_of_16));
+  const std::string once = content_of(folder.path("out.ply"));
+  for (const unsigned in_flight : {2U, 5U}) {
+    run(folder, in_parts(folder, part_of_16, in_flight));
+    CHECK(content_of(folder.path("out.ply")) == once);
+  }
+}
+
+TEST_CASE("byte order and type of numbers change nothing") {
+  const Folder folder;
+  folder.file("little.ply", ply_of(surface()));
+  folder.file("big.ply", ply_of(surface(), true));
+  folder.file("double.ply", ply_of<double>(surface()));
+  folder.file("big_double.ply", ply_of<double>(surface(), true));
+  run(folder, in_parts(folder, part_of_16), 800, "little.ply");
+  const std::string little = content_of(folder.path("out.ply"));
+  run(folder, in_parts(folder, part_of_16), 800, "big.ply");
+  CHECK(content_of(folder.path("out.ply")) == little);
+  const Soup floats = read_ply(folder.path("out.ply"));
+  for (const char* const name : {"double.ply", "big_double.ply"}) {
+    run(folder, in_parts(folder, part_of_16), 800, name);
+    const Soup doubles = read_ply(folder.path("out.ply"));
+    CHECK(test::is_identical(test::as_floats(doubles), floats));
+    CHECK_FALSE(test::is_identical(doubles, floats));
+  }
+}
+
+TEST_CASE("corners of an STL file become vertices") {
+  const Folder folder;
+  folder.file("in.stl", test::stl_of(surface()));
+  run(folder, in_parts(folder, part_of_16), 800, "in.stl");
+  const auto topology = topology_of(read_ply(folder.path("out.ply")));
+  CHECK(topology.is_closed());
+  CHECK(topology.is_manifold);
+  CHECK(topology.genus() == 1);
+  CHECK(topology.faces == 800);
+}
+
+TEST_CASE("where the whole does not fit, a count is near") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  options.whole_faces = 100;
+  const FileReport report = run(folder, options);
+  CHECK_FALSE(report.is_count_exact);
+  const Soup output = read_ply(folder.path("out.ply"));
+  CHECK(output.triangles.size() == report.faces_after);
+  CHECK(output.triangles.size() > 700);
+  CHECK(output.triangles.size() < 900);
+  const auto topology = topology_of(output);
+  CHECK(topology.is_closed());
+  CHECK(topology.is_manifold);
+  CHECK(topology.genus() == 1);
+  CHECK(rms(surface(), output) <
+        1.1 * rms_in_memory<MemorylessQuadric>(surface(), output.triangles.size()));
+}
+
+TEST_CASE("borders that several parts have stay borders") {
+  const Folder folder;
+  const Soup input = test::as_floats(test::with_noise(test::grid(60, 60), 3, 0.002));
+  folder.file("in.ply", ply_of(input));
+  run(folder, in_parts(folder, 500), 720);
+  const Soup output = read_ply(folder.path("out.ply"));
+  const auto topology = topology_of(output);
+  CHECK(topology.is_manifold);
+  CHECK(topology.border_loops == 1);
+  CHECK(topology.euler() == 1);
+  CHECK(topology.faces == 720);
+  CHECK(rms(input, output) < 1.03 * rms_in_memory<MemorylessQuadric>(input, 720));
+}
+
+TEST_CASE("several pieces and vertices without a face") {
+  const Folder folder;
+  Soup input = test::joined(surface(), test::torus(20, 10), {{0.1, 3, 0}});
+  input.points.push_back({{9, 9, 9}});
+  input.triangles.push_back({3, 3, 5});
+  folder.file("in.ply", ply_of(input));
+  const FileReport report = run(folder, in_parts(folder, part_of_16), 1000);
+  const auto topology = topology_of(read_ply(folder.path("out.ply")));
+  CHECK(topology.components == 2);
+  CHECK(topology.genus() == 2);
+  CHECK(topology.is_closed());
+  CHECK(topology.faces == 1000);
+  CHECK(report.faces_before == 8401);
+  CHECK(report.counted_faces == 8400);
+}
+
+TEST_CASE("labels of faces go along, and their regions stay") {
+  const Folder folder;
+  const Soup input = surface();
+  const std::string plain = ply_of(input);
+  const std::size_t header = plain.find("end_header\n") + 11;
+  const std::size_t faces = header + 12 * input.points.size();
+  std::string ply = plain.substr(0, header - 11) +
+                    "property short region\nproperty uchar flags2\n" +
+                    plain.substr(header - 11, faces - header + 11);
+  const auto region_of = [](std::size_t f) {
+    return static_cast<std::int16_t>(f / 2000 * 300 - 1);
+  };
+  for (std::size_t f = 0; f < input.triangles.size(); ++f) {
+    ply += plain.substr(faces + 13 * f, 13);
+    test::put_number(ply, region_of(f));
+    ply += static_cast<char>(7);
+  }
+  folder.file("in.ply", ply);
+  run(folder, in_parts(folder, part_of_16));
+  const std::string output = content_of(folder.path("out.ply"));
+  const std::size_t begin = output.find("end_header\n") + 11;
+  CHECK(output.find("property short region\nproperty uchar flags2\n") < begin);
+  std::map<int, Soup> regions;
+  Soup whole;
+  const std::size_t vertices = (output.size() - begin - 800 * 16) / 12;
+  whole.points.resize(vertices);
+  for (std::size_t f = 0; f < 800; ++f) {
+    const char* const row = output.data() + begin + 12 * vertices + 16 * f;
+    test::Triangle t;
+    std::int16_t region = 0;
+    std::memcpy(t.data(), row + 1, 12);
+    std::memcpy(&region, row + 13, 2);
+    REQUIRE(row[15] == 7);
+    whole.triangles.push_back(t);
+    regions[region].points.resize(vertices);
+    regions[region].triangles.push_back(t);
+  }
+  CHECK(topology_of(whole).is_closed());
+  REQUIRE(regions.size() == 4);
+  for (const auto& [region, soup] : regions) { // each was a part of the ring: a tube
+    CHECK((region + 1) % 300 == 0);
+    const auto topology = topology_of(soup);
+    CHECK(topology.is_manifold);
+    CHECK(topology.components == 1);
+    CHECK(topology.border_loops == 2);
+    CHECK(topology.euler() == 0);
+    CHECK(soup.triangles.size() > 100);
+  }
+}
+
+TEST_CASE("a ratio of the faces") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  simplify_file<MemorylessQuadric, OptimalPlacement>(folder.path("in.ply"), folder.path("out.ply"),
+                                                     FaceRatio{0.1}, in_parts(folder, part_of_16));
+  CHECK(read_ply(folder.path("out.ply")).triangles.size() == 800);
+}
+
+// --- Interruptions -------------------------------------------------------------------------------
+
+/// Runs in a process of its own that ends at once, with nothing put in order, when it is told how
+/// far it is for the nth time. True if it came to its end.
+bool run_and_die(const Folder& folder, OutOfCore options, int n) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    options.proceed = [&](const FileStatus&) {
+      if (n-- == 0)
+        ::_exit(1);
+      return true;
+    };
+    try {
+      run(folder, options);
+    } catch (...) {
+      ::_exit(2);
+    }
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  REQUIRE(WEXITSTATUS(status) != 2);
+  return WEXITSTATUS(status) == 0;
+}
+
+TEST_CASE("a run that is killed anywhere goes on where it was") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  run(folder, options);
+  const std::string once = content_of(folder.path("out.ply"));
+  std::filesystem::remove(folder.path("out.ply"));
+  options.restart = true;
+  int kills = 0;
+  while (!run_and_die(folder, options, 7 + 60 * (kills % 8)))
+    REQUIRE(++kills < 100);
+  CHECK(kills > 2);
+  CHECK(content_of(folder.path("out.ply")) == once);
+  CHECK(folder.size() == 2); // the input and the output
+}
+
+TEST_CASE("a disk that is full ends in a sentence, and what is done stays") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  run(folder, options);
+  const std::string once = content_of(folder.path("out.ply"));
+  std::filesystem::remove(folder.path("out.ply"));
+  options.restart = true;
+  for (const ::rlim_t most : {5'000U, 12'000U, 19'000U}) { // bytes of a file
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::signal(SIGXFSZ, SIG_IGN);
+      const ::rlimit limit{most, most};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      try {
+        run(folder, options);
+      } catch (const std::exception& error) {
+        ::_exit(std::string(error.what()).find(": cannot be written in full: ") == std::string::npos
+                    ? 2
+                    : 1);
+      }
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 1);
+    CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
+  }
+  run(folder, options);
+  CHECK(content_of(folder.path("out.ply")) == once);
+}
+
+TEST_CASE("a run ends when the user says so, and goes on") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16, 2);
+  run(folder, options);
+  const std::string once = content_of(folder.path("out.ply"));
+  std::filesystem::remove(folder.path("out.ply"));
+  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
+  CHECK(run(folder, options).stop == StopReason::cancelled);
+  CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
+  options.proceed = {};
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("has a job in it"));
+  options.restart = true;
+  CHECK_THROWS_WITH(run(folder, options, 900), Catch::Contains("of another file, or of another"));
+  run(folder, options);
+  CHECK(content_of(folder.path("out.ply")) == once);
+}
+
+TEST_CASE("parts are run one by one, in any order, by any process") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  run(folder, options);
+  const std::string once = content_of(folder.path("out.ply"));
+  using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
+  Job(folder.path("in.ply"), FaceCount{800}, options).partition();
+  options.restart = true;
+  bool is_over = false;
+  while (!is_over) {
+    Job job(folder.path("in.ply"), FaceCount{800}, options);
+    job.partition();
+    for (std::size_t part = job.parts(); part-- > 1;)
+      job.simplify(part);
+    CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
+    Job other(folder.path("in.ply"), FaceCount{800}, options);
+    other.partition();
+    other.simplify(0);
+    is_over = !job.close();
+    if (is_over)
+      job.sew(folder.path("out.ply"));
+  }
+  CHECK(content_of(folder.path("out.ply")) == once);
+}
+
+// --- What is wrong -------------------------------------------------------------------------------
+
+void require_refusal(const std::string& name, const std::string& content,
+                     const std::string& message) {
+  const Folder folder;
+  folder.file(name, content);
+  INFO(message);
+  CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, name),
+                    Catch::Contains(folder.path(name).string() + ": ") && Catch::Contains(message));
+  CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST_CASE("bad files end in a sentence that names the place") {
+  const Soup soup = test::octahedron();
+  const std::string ply = ply_of(soup);
+  require_refusal("in.ply", "", "the header of a PLY file does not end");
+  require_refusal("in.ply", "OFF\n", "line 1: not a PLY file");
+  require_refusal("in.ply", replaced(ply, "binary_little_endian", "ascii"), "line 2: is text");
+  require_refusal("in.ply", replaced(ply, "float x", "floot x"), "line 4: unknown type 'floot'");
+  require_refusal("in.ply", replaced(ply, "float x", "float w"), "have no x, y and z");
+  require_refusal("in.ply", replaced(ply, "float x", "int x"), "not all floats, nor all doubles");
+  require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 6x"), "'6x' is no number");
+  require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 5000000000"),
+                  "more than corners of faces can name");
+  require_refusal("in.ply", ply.substr(0, ply.size() - 60), "ends at byte");
+  require_refusal("in.ply", ply.substr(0, ply.size() - 1), "within face 7 of 8");
+  std::string changed = ply;
+  changed[ply.size() - 13] = 4;
+  require_refusal("in.ply", changed, "face 7 has 4 corners");
+  changed = ply;
+  changed[ply.size() - 4] = 6;
+  require_refusal("in.ply", changed, "face 7 has vertex 6 of 6");
+  Soup infinite = soup;
+  infinite.points[2][1] = std::numeric_limits<double>::infinity();
+  require_refusal("in.ply", ply_of(infinite), "vertex 2 is not finite");
+  require_refusal("in.ply", ply_of({soup.points, {}}), "nothing to simplify");
+  require_refusal("in.ply", ply_of({soup.points, {{0, 1, 1}}}), "nothing to simplify");
+  const std::string stl = test::stl_of(soup);
+  require_refusal("in.stl", stl.substr(0, 50), "ends within the 84 bytes");
+  require_refusal("in.stl", stl.substr(0, stl.size() - 1),
+                  "483 bytes; with 8 faces it would have 484");
+  require_refusal("in.stl", "solid x\nendsolid\n", "is text");
+}
+
+TEST_CASE("what does not go along is refused, or told") {
+  const Folder folder;
+  const std::string ply = ply_of(test::octahedron());
+  const std::size_t header = ply.find("element face");
+  folder.file("in.ply", replaced(replaced(ply, "element face", "property uchar red\nelement face"),
+                                 "vertex 6", "vertex 0"));
+  CHECK(header > 0);
+  OutOfCore options = in_parts(folder, part_of_16);
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("has property red of vertices, which"));
+  std::string coloured = replaced(ply, "element face", "property uchar red\nelement face");
+  std::size_t at = coloured.find("end_header\n") + 11;
+  for (int v = 0; v < 6; ++v)
+    coloured.insert(at += 12, 1, '\7'), ++at;
+  folder.file("in.ply", coloured);
+  options.positions_only = true;
+  const FileReport report = run(folder, options);
+  CHECK(report.dropped == std::vector<std::string>{"property red of vertices"});
+  CHECK(read_ply(folder.path("out.ply")).triangles.size() == 8);
+}
+
+TEST_CASE("files of the scratch folder that have changed end in a sentence") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
+  Job job(folder.path("in.ply"), FaceCount{800}, options);
+  job.partition();
+  job.simplify(1);
+  const auto faces = folder.path("scratch") / "phase-1" / "faces-0";
+  const auto left = folder.path("scratch") / "phase-1" / "left-1";
+  std::string content = content_of(faces);
+  content[17] ^= 1;
+  folder.file("scratch/phase-1/faces-0", content);
+  CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: is not what was written"));
+  content[17] ^= 1;
+  folder.file("scratch/phase-1/faces-0", content.substr(0, content.size() - 12));
+  CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: has"));
+  folder.file("scratch/phase-1/faces-0", content);
+  const std::string good = content_of(left);
+  std::string bad = good;
+  bad[bad.size() - 3] ^= 1;
+  folder.file("scratch/phase-1/left-1", bad);
+  job.simplify(1); // is done again
+  CHECK(content_of(left).substr(300) == good.substr(300));
+  std::string plan = content_of(folder.path("scratch") / "phase-1" / "plan");
+  plan[40] ^= 1;
+  folder.file("scratch/phase-1/plan", plan);
+  options.restart = true;
+  CHECK_THROWS_WITH(Job(folder.path("in.ply"), FaceCount{800}, options).partition(),
+                    Catch::Contains("plan: is not what was written"));
+}
+
+TEST_CASE(
+    "a folder that can't be made, an output that can't be written, memory that is too small") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  options.scratch = folder.path("in.ply") / "scratch";
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("cannot be made"));
+  options.scratch.clear();
+  CHECK_THROWS_AS(run(folder, options), std::invalid_argument);
+  options = in_parts(folder, part_of_16);
+  options.memory = 1'000'000;
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("is too small"));
+  options = in_parts(folder, part_of_16);
+  std::filesystem::create_directory(folder.path("out.ply"));
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("out.ply: cannot be written"));
+  std::filesystem::remove(folder.path("out.ply"));
+  options.restart = true;
+  CHECK(run(folder, options).faces_after == 800); // what was done is there
+}
+
+} // namespace
