@@ -29,6 +29,8 @@ expect 'quadrille --order ' relaxed
 expect 'quadrille --seams ' priced
 expect 'quadrille --boundary l' lock
 expect 'quadrille --format ' glb
+expect 'quadrille --out-' --out-of-core
+expect 'quadrille --step c' close
 cd "$(mktemp -d)" || exit 1
 touch in.ply in.txt run.qlv
 expect 'quadrille in' in.ply

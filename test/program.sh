@@ -1127,6 +1127,60 @@ expect report.json '"doubled_faces": 800'
 run 0 doubled.obj out.obj --keep 10% --quiet
 expect_nothing stderr
 
+# Files by parts
+run 0 plain.off whole.ply --keep 100%
+run 0 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M --report report.json
+expect stdout '^whole.ply: 800 -> 100 faces \(12 %\), .*, by 1 parts in 1 phases, 0?\.[0-9]+ GB of memory$'
+expect report.json '"count_exact": true'
+expect report.json '"peak_memory": [0-9]+'
+[ ! -e scratch ] || fail "the folder is still there"
+run 0 out.ply out.off --keep 100%
+expect_faces out.off 100
+cp out.ply expected.ply
+by_steps='whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M --step'
+rm out.ply
+for step in cut 0 0 close; do
+  # shellcheck disable=SC2086
+  run 0 $by_steps $step
+  expect_nothing stderr
+  if [ $step = close ]; then expect stdout '^0$'; else expect stdout '^1$'; fi
+done
+expect_same out.ply expected.ply
+# shellcheck disable=SC2086
+run 0 $by_steps cut
+# shellcheck disable=SC2086
+run 2 $by_steps 1
+expect stderr '^--step 1: the phase has 1 parts, from 0 on$'
+run 2 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M
+expect stderr '^scratch: has a job in it: '
+run 2 whole.ply out.ply --faces 90 --out-of-core scratch --memory 128M --restart
+expect stderr '^scratch: has parts of another file, or of another target, '
+expect_same out.ply expected.ply
+for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--placement endpoint' '--topology free'; do
+  rm -rf scratch
+  # shellcheck disable=SC2086
+  run 0 whole.ply out.ply --keep 10% $option --out-of-core scratch
+  run 0 out.ply out.off --keep 100%
+  expect_ratio out.off 80
+done
+run 0 sheet.off coloured.ply --keep 100%
+run 2 coloured.ply out.ply --out-of-core scratch
+expect stderr '^coloured.ply: has property [a-z]+ of vertices, which can.t go along in parts; '
+run 0 coloured.ply out.ply --out-of-core scratch --positions-only
+expect stderr '^coloured.ply: left out: property [a-z]+ of vertices$'
+for bad in 'plain.off out.ply' 'whole.ply out.off' 'whole.ply -' 'whole.ply out.ply --cost color' \
+  'whole.ply out.ply --error 1' 'whole.ply out.ply --memory 1k' 'whole.ply out.ply --memory x' \
+  'whole.ply out.ply --step x' 'whole.ply out.ply --faces 1 --keep 1%'; do
+  # shellcheck disable=SC2086
+  run 2 $bad --out-of-core scratch
+  expect stderr .
+done
+run 2 whole.ply out.ply --memory 1G
+expect stderr '.*--out-of-core'
+(ulimit -v 2000000 && awk 'BEGIN { printf "ply\nformat binary_little_endian 1.0\nelement vertex 9000000\nproperty float x\nproperty float y\nproperty float z\nelement face 18000000\nproperty list uchar int vertex_indices\nend_header\n" }' >short.ply &&
+  truncate -s 130000000 short.ply && "$program" short.ply out.ply >stdout 2>stderr)
+expect stderr '^short.ply: its 18,000,000 faces take about 4.5 GB of memory, more than there are: --out-of-core'
+
 # The input may be the output
 run 0 plain.off plain.off
 expect_ratio plain.off 400

@@ -4,8 +4,10 @@
 /// \file
 /// From the words of the command line to options.
 
+#include "checked_words.h"
 #include "help_formatter.h"
 #include "options.h"
+#include "out_of_core_options.h"
 
 #include <quadrille/version.h>
 
@@ -23,50 +25,8 @@
 
 namespace quadrille_examples {
 
-/// A check of a word by what it complains of; CLI11's own let nan through, and -1 as a large count.
-template <class IsGood>
-CLI::Validator word_that(IsGood is_good, const std::string& what) {
-  const auto complaint = [=](const std::string& word) {
-    return is_good(word) ? "" : in_quotes(word) + " is not " + what;
-  };
-  return {complaint, ""};
-}
-
-inline CLI::Validator count() {
-  const auto is_count = [](const std::string& word) {
-    const std::optional<std::int64_t> value = parse_integer(word);
-    return value && *value >= 0;
-  };
-  return word_that(is_count, "a count; --keep takes a part of the faces");
-}
-
-inline CLI::Validator amount(const std::string& what,
-                             double most = std::numeric_limits<double>::infinity()) {
-  const auto is_good = [=](const std::string& word) {
-    const std::optional<Amount> value = parse_amount(word);
-    return value && value->value <= most;
-  };
-  return word_that(is_good, what);
-}
-
-inline CLI::Validator distance() {
-  return amount("a distance: a number in the units of IN, or 0.1% for a part of the diagonal");
-}
-
 inline constexpr const char* target_group =
     "Target: the first that is met ends the run; half of the faces without any";
-
-/// One of several words.
-inline CLI::Option* take_one_of(CLI::Option* option, const std::vector<std::string>& words) {
-  std::string type;
-  for (const std::string& word : words)
-    type += (type.empty() ? "" : "|") + word;
-  return option->check(CLI::IsMember(words).description(""))->type_name(type);
-}
-
-inline Amount amount_of(const std::string& word) {
-  return parse_amount(word).value();
-}
 
 inline void add_target(CLI::App& app, Options& options) {
   Target& target = options.target;
@@ -214,8 +174,8 @@ inline void add_order(CLI::App& app, Options& options) {
       ->group("Policies");
   app.add_option(
          "--threads", options.threads,
-         "how many threads passes use, with --order relaxed; the result is the same for any "
-         "number (default: all)")
+         "how many threads passes use, with --order relaxed, or parts, with --out-of-core; the "
+         "result is the same for any number (default: all)")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N")
       ->group("Policies");
@@ -315,7 +275,7 @@ inline void add_records(CLI::App& app, Options& options) {
 
 /// What does not go together, whatever the file.
 inline void require_consistency(const Options& options) {
-  const auto refuse_if = [](bool is_wrong, const char* message) {
+  const auto refuse_if = [](bool is_wrong, const std::string& message) {
     if (is_wrong)
       throw std::runtime_error(message);
   };
@@ -339,7 +299,10 @@ inline void require_consistency(const Options& options) {
                 !options.keeps_solid,
             "--verify needs something that is promised: --error, --no-self-intersection or "
             "--solid");
-  refuse_if(options.threads > 0 && !options.is_relaxed, "--threads needs --order relaxed");
+  refuse_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),
+            "--threads needs --order relaxed or --out-of-core");
+  refuse_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),
+            "--out-of-core knows positions only: it does not go with --cost " + options.cost);
   refuse_if(options.keeps_partial && (!options.levels.empty() || !options.record.empty()),
             "--keep-partial does not go with --levels or --record: they have several results");
 }
@@ -356,6 +319,7 @@ inline void add_options(CLI::App& app, Options& options) {
   add_files(app, options);
   add_figures(app, options);
   add_records(app, options);
+  add_out_of_core(app, options);
 }
 
 } // namespace quadrille_examples

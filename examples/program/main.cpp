@@ -73,6 +73,8 @@ bool run(Options options, ProgressLine& progress) {
                                               "and pages");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
+  if (!options.scratch.empty())
+    return run_out_of_core(options, progress);
   if (is_page(output_extension(options)))
     return run_page(options, progress);
   const bool writes_gltf = is_gltf(output_extension(options));
@@ -121,13 +123,15 @@ int main(int argc, char** argv) {
   try {
     return run(options, progress) ? done : target_not_reached;
   } catch (const Interrupted&) {
-    complain("interrupted: " + options.output + " is as it was");
+    complain("interrupted: " + options.output + " is as it was" +
+             (options.scratch.empty() ? "" : "; --restart goes on where it was"));
     return Interruption::exit_status();
   } catch (const BrokenPromise& broken) {
     complain(broken.what());
     return promise_broken;
   } catch (const std::bad_alloc&) {
-    complain(options.input + ": out of memory");
+    complain(options.input + ": out of memory" +
+             (options.scratch.empty() ? "; --out-of-core FOLDER takes less" : ""));
   } catch (const std::exception& error) {
     complain(error.what());
   }

@@ -15,6 +15,7 @@
 #include <quadrille/topology.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -47,7 +48,12 @@ struct Options {
   bool is_relaxed = false;            // the order
   unsigned threads = 0;               // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;
-  bool orients = false; // are faces wound alike first?
+  bool orients = false;                 // are faces wound alike first?
+  std::string scratch;                  // a folder for parts of what does not fit; empty: in memory
+  std::uint64_t memory = 4'000'000'000; // in bytes, for parts
+  std::string step;                     // of a run in parts, if it is not all of it
+  bool restarts = false;                // a run in parts
+  bool positions_only = false;          // in parts, leaving out what else there is
   bool measures = false, verifies = false;
   bool keeps_partial = false;
   bool is_forced = false;

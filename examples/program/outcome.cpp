@@ -71,6 +71,10 @@ std::string line(const Options& options, const Outcome& outcome) {
   if (report.used_tolerance)
     text += ", " + percent_text(rounded_up(report.used_tolerance->part)) + " of " +
             outcome.target.tolerance + " used";
+  if (outcome.parts)
+    text += ", by " + with_commas(outcome.parts->parts) + " parts in " +
+            std::to_string(outcome.parts->phases) + " phases, " +
+            two_digits(static_cast<double>(outcome.parts->peak_memory) / 1e9) + " GB of memory";
   if (outcome.measured)
     text += measured_text(*outcome.measured, outcome.diagonal);
   if (report.self_intersections)
@@ -133,6 +137,18 @@ Json json_of(const quadrille::Verdict& verdict) {
   return json;
 }
 
+Json json_of(const quadrille::FileReport& parts) {
+  return {{"phases", parts.phases},
+          {"parts", parts.parts},
+          {"faces_of_phases", parts.faces_of_phases},
+          {"count_exact", parts.is_count_exact},
+          {"shared_vertices", parts.shared_vertices},
+          {"bytes_read", parts.bytes_read},
+          {"bytes_written", parts.bytes_written},
+          {"peak_memory", parts.peak_memory},
+          {"left_out", parts.dropped}};
+}
+
 Json before_and_after(std::size_t before, std::size_t after) {
   return {{"before", before}, {"after", after}};
 }
@@ -187,6 +203,11 @@ Json json_of(const Outcome& outcome) {
     json["normal_bound_degrees"] = *report.normal_bound_degrees;
   if (outcome.measured)
     json["measured"] = json_of(*outcome.measured);
+  if (outcome.parts) {
+    json["out_of_core"] = json_of(*outcome.parts);
+    for (const char* const unknown : {"components", "non_manifold_edges", "non_manifold_vertices"})
+      json[unknown] = nullptr;
+  }
   if (outcome.verdict)
     json["verified"] = json_of(*outcome.verdict);
   return json;

@@ -8,6 +8,7 @@
 #include "measure.h"
 #include "options.h"
 
+#include <quadrille/file_report.h>
 #include <quadrille/report.h>
 #include <quadrille/verdict.h>
 
@@ -28,6 +29,7 @@ struct Outcome {
   double diagonal = 0; ///< of the input
   std::optional<Measurement> measured = {};
   std::optional<quadrille::Verdict> verdict = {};
+  std::optional<quadrille::FileReport> parts = {}; ///< of a run by parts
 
   bool is_target_met() const { return target.is_met(report.stop); }
 };

@@ -3,6 +3,7 @@
 
 #include "figures.h"
 
+#include <quadrille/file_report.h>
 #include <quadrille/report.h>
 
 #include <chrono>
@@ -44,6 +45,25 @@ public:
     const double passed = std::chrono::duration<double>(now - began_).count();
     std::string text = "simplifying: " + with_commas(status.faces) + " faces left";
     if (passed > 1 && status.progress < 1)
+      text +=
+          ", about " + duration_text(passed * (1 - status.progress) / status.progress) + " to go";
+    show(text, now);
+  }
+
+  /// While a file is simplified by parts.
+  void show(const quadrille::FileStatus& status) {
+    const Clock::time_point now = Clock::now();
+    if (!is_shown_ || now - last_ < std::chrono::milliseconds(100))
+      return;
+    if (began_ == Clock::time_point())
+      began_ = now;
+    const double passed = std::chrono::duration<double>(now - began_).count();
+    std::string text{to_string(status.stage)};
+    if (status.phase > 0)
+      text += ", phase " + std::to_string(status.phase) + " of " + std::to_string(status.phases);
+    if (status.parts > 0)
+      text += ", " + with_commas(status.parts_done) + " of " + with_commas(status.parts) + " parts";
+    if (passed > 5 && status.progress > 0.02 && status.progress < 1)
       text +=
           ", about " + duration_text(passed * (1 - status.progress) / status.progress) + " to go";
     show(text, now);

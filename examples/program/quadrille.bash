@@ -9,7 +9,9 @@ _quadrille() {
   case $prev in
     --record | --from) _filedir qlv ;;
     --report) _filedir json ;;
-    --faces | --keep | --ratio | --vertices | --error | --levels | --crease | --pairs | --threads) ;;
+    --out-of-core) _filedir -d ;;
+    --step) mapfile -t COMPREPLY < <(compgen -W 'cut close' -- "$cur") ;;
+    --faces | --keep | --ratio | --vertices | --error | --levels | --crease | --pairs | --threads | --memory) ;;
     --boundary) mapfile -t COMPREPLY < <(compgen -W lock -- "$cur") ;;
     *)
       if [[ $prev == --* && -n $choices ]]; then

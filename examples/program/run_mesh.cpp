@@ -122,6 +122,7 @@ public:
   }
 
   bool run() {
+    print_remark_of_memory(options_);
     progress_.show_stage("reading");
     IndexedMesh mesh = read_mesh(options_.input, format_of(options_.input, options_),
                                  options_.weld ? Weld::always : Weld::loose_faces,

@@ -29,6 +29,12 @@ bool run_gltf(const Options& options, ProgressLine& progress);
 /// A level of a record.
 bool run_from_record(const Options& options, ProgressLine& progress);
 
+/// Of a file that does not fit into memory, or a step of it.
+bool run_out_of_core(const Options& options, ProgressLine& progress);
+
+/// Remarks it if a file will hardly fit into the memory of this computer, or of this process.
+void print_remark_of_memory(const Options& options);
+
 /// Of any of these, to a page that shows all levels.
 bool run_page(const Options& options, ProgressLine& progress);
 

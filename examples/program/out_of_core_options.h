@@ -1,0 +1,87 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_OUT_OF_CORE_OPTIONS_H
+#define QUADRILLE_EXAMPLES_PROGRAM_OUT_OF_CORE_OPTIONS_H
+
+#include "checked_words.h"
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace quadrille_examples {
+
+/// Bytes: 4G, 500M, 1.5G.
+inline std::optional<std::uint64_t> parse_bytes(std::string word) {
+  double unit = 1;
+  const std::string units = "kMGT";
+  if (const std::size_t at = word.empty() ? std::string::npos : units.find(word.back());
+      at != std::string::npos) {
+    unit = std::pow(1000, static_cast<double>(at + 1));
+    word.pop_back();
+  }
+  const std::optional<Amount> value = parse_amount(word);
+  if (!value || value->is_percentage || !(value->value * unit < 1e18))
+    return std::nullopt;
+  return static_cast<std::uint64_t>(value->value * unit);
+}
+
+/// Files that do not fit into memory. Called after all options that do not go with it.
+inline void add_out_of_core(CLI::App& app, Options& options) {
+  const char* const group = "Files that do not fit into memory: binary PLY and STL, to PLY";
+  CLI::Option* const parts =
+      app.add_option("--out-of-core", options.scratch,
+                     "simplify IN by parts that lie in this folder meanwhile, about 28 bytes for "
+                     "each of its faces; the folder is made, and is gone at the end");
+  parts->type_name("FOLDER")->group(group);
+  const auto in_group = [&](CLI::Option* option) { return option->group(group)->needs(parts); };
+  in_group(app.add_option_function<std::string>(
+               "--memory",
+               [&](const std::string& word) { options.memory = parse_bytes(word).value(); },
+               "how many bytes to take at most; the result depends on it (default: 4G)"))
+      ->check(word_that([](const std::string& word) { return parse_bytes(word).has_value(); },
+                        "a number of bytes, as 4G or 500M"))
+      ->type_name("BYTES");
+  in_group(app.add_flag("--restart", options.restarts,
+                        "go on with what is in the folder, where a run was stopped"));
+  in_group(app.add_flag(
+      "--positions-only", options.positions_only,
+      "leave out what IN has beside positions, corners and labels; else it is refused"));
+  const auto is_step = [](const std::string& word) {
+    const std::optional<std::int64_t> part = parse_integer(word);
+    return word == "cut" || word == "close" || (part && *part >= 0);
+  };
+  in_group(app.add_option("--step", options.step,
+                          "do no more than a step, and print how many parts the phase has: cut IN, "
+                          "simplify part N, or close the phase, which prints 0 when OUT is there"))
+      ->check(word_that(is_step, "cut, the number of a part, nor close"))
+      ->type_name("cut|N|close");
+  for (const char* const name : {"--levels",
+                                 "--record",
+                                 "--from",
+                                 "--vertices",
+                                 "--error",
+                                 "--tolerance",
+                                 "--boundary",
+                                 "--crease",
+                                 "--pairs",
+                                 "--drop-parts",
+                                 "--no-self-intersection",
+                                 "--normals",
+                                 "--solid",
+                                 "--seams",
+                                 "--order",
+                                 "--weld",
+                                 "--orient",
+                                 "--keep-partial",
+                                 "--measure",
+                                 "--verify"})
+    parts->excludes(name);
+}
+
+} // namespace quadrille_examples
+
+#endif

@@ -1,0 +1,175 @@
+#include "outcome.h"
+#include "runs.h"
+
+#include "../mesh_io/replace_file.h"
+
+#include <quadrille/file.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace quadrille_examples {
+
+namespace {
+
+using quadrille::FileReport;
+using quadrille::internal::BuiltInPlacement;
+
+quadrille::OutOfCore out_of_core(const Options& options, ProgressLine& progress) {
+  quadrille::OutOfCore result;
+  result.scratch = options.scratch;
+  result.memory = options.memory;
+  result.parts_in_flight = options.threads;
+  result.restart = options.restarts || (!options.step.empty() && options.step != "cut");
+  result.positions_only = options.positions_only;
+  result.proceed = [&](const quadrille::FileStatus& status) {
+    progress.show(status);
+    return !Interruption::is_asked();
+  };
+  return result;
+}
+
+BuiltInPlacement placement(const Options& options, bool has_minimizer) {
+  using Kind = BuiltInPlacement::Kind;
+  if (options.placement == "endpoint")
+    return BuiltInPlacement(Kind::endpoint);
+  if (options.placement == "midpoint" || !has_minimizer)
+    return BuiltInPlacement(Kind::midpoint);
+  return BuiltInPlacement(Kind::optimal);
+}
+
+/// A run by parts, or a step of one.
+class PartsRun {
+public:
+  PartsRun(const Options& options, ProgressLine& progress)
+      : options_(options), progress_(progress) {
+    if (output_extension(options) != ".ply")
+      throw std::runtime_error(options.output + ": --out-of-core writes PLY only");
+    if (is_standard_input(options.input) || is_standard_output(options.output))
+      throw std::runtime_error(
+          "--out-of-core reads and writes files, not standard input or output");
+    require_replaceable(options.output, options.is_forced);
+  }
+
+  bool run() {
+    if (options_.cost == "memoryless")
+      return run_with<quadrille::MemorylessQuadric>();
+    if (options_.cost == "thin-features")
+      return run_with<quadrille::ThinFeatureQuadric>();
+    if (options_.cost == "length")
+      return run_with<quadrille::EdgeLength>();
+    return run_with<quadrille::Quadric>();
+  }
+
+private:
+  template <class Cost>
+  bool run_with() {
+    constexpr bool has_minimizer = quadrille::PlacementPolicy<quadrille::OptimalPlacement, Cost>;
+    const Target& target = options_.target;
+    const auto run_to = [&](const auto& stop) {
+      quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology> job(
+          options_.input, stop, out_of_core(options_, progress_), Cost(),
+          placement(options_, has_minimizer), topology(options_));
+      return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
+    };
+    if (target.faces && target.ratio)
+      throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
+    if (target.faces)
+      return run_to(quadrille::FaceCount{*target.faces});
+    return run_to(quadrille::FaceRatio{target.ratio.value_or(0.5)});
+  }
+
+  template <class Job>
+  bool step(Job& job) {
+    job.partition();
+    if (options_.step == "close" && !job.close()) {
+      progress_.clear();
+      const bool is_met = tell_of(job.sew(options_.output), true);
+      std::cout << 0 << std::endl;
+      return is_met;
+    }
+    if (options_.step != "cut" && options_.step != "close")
+      simplify(job, static_cast<std::size_t>(std::stoull(options_.step)));
+    progress_.clear();
+    std::cout << job.parts() << std::endl;
+    return true;
+  }
+
+  template <class Job>
+  void simplify(Job& job, std::size_t part) {
+    if (part >= job.parts())
+      throw std::runtime_error("--step " + options_.step + ": the phase has " +
+                               std::to_string(job.parts()) + " parts, from 0 on");
+    if (!job.simplify(part, [] { return Interruption::is_asked(); }))
+      throw Interrupted();
+  }
+
+  bool tell_of(const FileReport& report, bool is_step = false) {
+    progress_.clear();
+    if (report.stop == quadrille::StopReason::cancelled)
+      throw Interrupted();
+    for (const std::string& dropped : report.dropped)
+      print_remark(options_, "left out: " + dropped);
+    if (!report.is_count_exact)
+      print_remark(options_, "the count of faces is near and not exact, since " +
+                                 with_commas(report.faces_after) +
+                                 " faces do not fit into the memory");
+    Options options = options_;
+    options.is_quiet = options.is_quiet || is_step;
+    return tell(options,
+                {{options_.output, options_.target, report, report.diagonal, {}, {}, report}});
+  }
+
+  const Options& options_;
+  ProgressLine& progress_;
+};
+
+/// Faces of a file, if it is one that could be simplified by parts.
+std::optional<std::uint64_t> faces_of_file(const std::filesystem::path& path) {
+  try {
+    if (equal_ignoring_case(path.extension().string(), ".stl"))
+      return std::filesystem::file_size(path) / 50;
+    if (equal_ignoring_case(path.extension().string(), ".ply"))
+      return quadrille::internal::PlyInput(path).faces();
+  } catch (const std::exception&) { // reading it will tell
+  }
+  return std::nullopt;
+}
+
+/// Of this process at most, in bytes.
+double memory_there_is() {
+  double memory =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  struct ::rlimit limit = {};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    memory = std::min(memory, static_cast<double>(limit.rlim_cur));
+  return memory;
+}
+
+} // namespace
+
+bool run_out_of_core(const Options& options, ProgressLine& progress) {
+  return PartsRun(options, progress).run();
+}
+
+void print_remark_of_memory(const Options& options) {
+  constexpr double bytes_of_face = 250;
+  const std::optional<std::uint64_t> faces = faces_of_file(options.input);
+  const double needed = bytes_of_face * static_cast<double>(faces.value_or(0));
+  if (needed > memory_there_is())
+    print_remark(options,
+                 "its " + with_commas(*faces) + " faces take about " + two_digits(needed / 1e9) +
+                     " GB of memory, more than there are: " + "--out-of-core FOLDER takes less");
+}
+
+} // namespace quadrille_examples
