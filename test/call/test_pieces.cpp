@@ -299,6 +299,19 @@ TEST_CASE("A limit from a histogram leaves about as many faces") {
   }
 }
 
+TEST_CASE("The faces up to a cost are those that a run up to it takes") {
+  const Soup soup = test::with_noise(test::sphere(4), 6, 0.01);
+  const auto full =
+      simplify_piece(whole<Quadric>(soup), Quadric{}, OptimalPlacement{}, FaceCount{4});
+  for (const std::uint64_t faces : {200, 700, 1300, 1900}) {
+    const float key = full.costs.cost_for(faces);
+    const CostLimit limit =
+        internal::cost_limit(Quadric{}, Box<3>(soup.points), static_cast<double>(key));
+    const auto left = simplify_piece(whole<Quadric>(soup), Quadric{}, OptimalPlacement{}, limit);
+    CHECK(left.costs.total() == full.costs.up_to(key));
+  }
+}
+
 TEST_CASE("Points and faces of a piece's result tell what they were") {
   const Soup soup = terrain(3);
   auto pieces = cut(test::Sewn<Quadric>{soup, {}}, kd_parts(soup, 3, 0.5), Box<3>(soup.points));
@@ -323,6 +336,35 @@ TEST_CASE("Points and faces of a piece's result tell what they were") {
   REQUIRE(left.faces.size() == left.triangles.size());
   CHECK(std::is_sorted(left.faces.begin(), left.faces.end()));
   CHECK(piece.labels[left.faces.front()] != piece.labels[left.faces.back()]);
+}
+
+TEST_CASE("Channels of a piece go along, and stay at shared vertices") {
+  const Soup soup = terrain(6);
+  auto pieces = cut(test::Sewn<Quadric>{soup, {}}, kd_parts(soup, 2, 0.5), Box<3>(soup.points));
+  const Piece<Quadric>& piece = pieces[0].piece;
+  internal::PieceChannels channels{
+      {{2, {}, {.weights = {0.1, 0.1}}}, {1, {}, {.weights = {0.01}}}}};
+  for (const Position& p : piece.positions) {
+    channels.channels[0].values.insert(channels.channels[0].values.end(),
+                                       {p[0] + 2 * p[1], 3 - p[0]});
+    channels.channels[1].values.push_back(p[1]);
+  }
+  const auto left = simplify_piece(piece, Quadric{}, OptimalPlacement{}, FaceCount{200}, channels);
+  REQUIRE(left.channels.size() == 2);
+  REQUIRE(left.channels[0].size() == 2 * left.positions.size());
+  REQUIRE(left.channels[1].size() == left.positions.size());
+  for (std::size_t i = 0; i < left.positions.size(); ++i) {
+    const Position& p = left.positions[i];
+    CHECK(left.channels[0][2 * i] == Approx(p[0] + 2 * p[1]).margin(0.01));
+    CHECK(left.channels[0][2 * i + 1] == Approx(3 - p[0]).margin(0.01));
+    if (const auto v = left.vertices[i]; piece.is_shared[v]) {
+      CHECK(left.channels[0][2 * i] == channels.channels[0].values[2 * v]);
+      CHECK(left.channels[1][i] == channels.channels[1].values[v]);
+    }
+  }
+  channels.channels[1].values.pop_back();
+  CHECK_THROWS_WITH(simplify_piece(piece, Quadric{}, OptimalPlacement{}, FaceCount{200}, channels),
+                    Catch::Contains("a channel of a piece has"));
 }
 
 TEST_CASE("A piece that makes no sense is refused") {

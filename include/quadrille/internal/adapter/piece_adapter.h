@@ -1,8 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
 #define QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
 
+#include <quadrille/channels.h>
 #include <quadrille/internal/adapter/label_numbers.h>
 #include <quadrille/internal/adapter/soup_parts.h>
+#include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/cost_histogram.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/input/surface_input.h>
@@ -18,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,6 +52,24 @@ struct Piece {
   std::vector<Index> labels = {};
 };
 
+/// A channel of a piece, of one value a vertex: see Attributes.
+struct PieceChannel {
+  std::size_t components = 0; ///< at least 1
+  std::vector<double> values; ///< of each position, one component after the other, finite
+  /// How it counts. `weights` are given, so that it counts alike in all pieces: by default they
+  /// depend on what values there are.
+  ChannelOptions options = {};
+};
+
+/// The channels of a piece, as an argument of simplify_piece(); for costs in space.
+struct PieceChannels {
+  std::vector<PieceChannel> channels;
+
+  void validate() const {
+    for (const PieceChannel& channel : channels)
+      channel.options.validate();
+  }
+};
 /// What is left of a piece. Points and triangles keep their order.
 template <class Cost>
 struct PieceResult {
@@ -60,6 +81,8 @@ struct PieceResult {
   /// that had been given a memory: what has been added to that. So what a shared vertex remembers
   /// then is what it was given, plus the sum over all pieces. Empty if the cost remembers nothing.
   std::vector<typename Cost::Memory> memories;
+  /// Of each channel its values, by position; those of fixed vertices bit by bit.
+  std::vector<std::vector<double>> channels;
   CostHistogram costs; ///< of the contractions, by keys in the engine's unit
   Report report;       ///< of the piece
 };
@@ -71,10 +94,11 @@ public:
   static constexpr std::size_t dimension = Cost::dimension;
   using Memory = typename Cost::Memory;
 
-  /// `given` are the memories of the piece.
-  PieceAdapter(Piece<Cost>& piece, const GivenMemories<Memory>& given, PieceResult<Cost>& result,
-               Workspace& workspace)
-      : workspace_(&workspace), piece_(piece), given_(given), result_(result) {}
+  /// `given` are the memories of the piece, `channels` are null or what it carries.
+  PieceAdapter(Piece<Cost>& piece, const GivenMemories<Memory>& given,
+               const PieceChannels* channels, PieceResult<Cost>& result, Workspace& workspace)
+      : workspace_(&workspace), piece_(piece), given_(given), channels_(channels), result_(result) {
+  }
 
   /// Throws std::invalid_argument as a soup does, and for lists of the wrong length. Most of it is
   /// no longer in the piece then.
@@ -100,6 +124,8 @@ public:
     input.given_box = piece_.box;
     if (!piece_.labels.empty())
       number_labels(input);
+    if (channels_)
+      read_channels(count, input);
     return input;
   }
 
@@ -114,6 +140,7 @@ public:
       if constexpr (Tell::asks_for_memories)
         result_.memories.push_back(gained(result.memory(v), inputs[v]));
     }
+    write_channels(result, vertices);
     const Array<Index> input_faces = result.input_faces();
     for (Index face : in_order(input_faces, result.input_face_count())) {
       const auto [p, q, r] = result.corners(face);
@@ -152,6 +179,36 @@ private:
     return result.position(v);
   }
 
+  void read_channels(std::size_t points, SurfaceInput<dimension>& input) {
+    for (const PieceChannel& channel : channels_->channels) {
+      if (channel.components == 0 || channel.values.size() != points * channel.components)
+        throw std::invalid_argument("quadrille: a channel of a piece has " +
+                                    std::to_string(channel.values.size()) + " numbers for " +
+                                    std::to_string(points) + " values of " +
+                                    std::to_string(channel.components));
+      ChannelInput read(channel.options, channel.components, false, *workspace_);
+      read.values.assign(channel.values.begin(), channel.values.end());
+      read.require_finite();
+      read.as_written = [](std::span<double>, bool) { return true; };
+      input.channels.push_back(std::move(read));
+    }
+  }
+
+  // A value that no contraction has changed is that of a vertex of the input.
+  template <class Result>
+  void write_channels(const Result& result, const Array<Index>& vertices) {
+    for (std::size_t c = 0; channels_ && c < channels_->channels.size(); ++c) {
+      const PieceChannel& channel = channels_->channels[c];
+      std::vector<double>& values = result_.channels.emplace_back();
+      for (Index v : vertices) {
+        const Index wedge = result.first_wedge(v), origin = result.origin(c, wedge);
+        for (std::size_t k = 0; k < channel.components; ++k)
+          values.push_back(origin == none ? result.value(c, wedge, k)
+                                          : channel.values[origin * channel.components + k]);
+      }
+    }
+  }
+
   void number_labels(SurfaceInput<dimension>& input) {
     std::vector<Index> faces(piece_.labels.size());
     std::iota(faces.begin(), faces.end(), Index{0});
@@ -170,6 +227,7 @@ private:
   Workspace* workspace_;
   Piece<Cost>& piece_;
   const GivenMemories<Memory>& given_;
+  const PieceChannels* channels_;
   PieceResult<Cost>& result_;
 };
 

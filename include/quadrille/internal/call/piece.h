@@ -27,15 +27,31 @@ CostLimit cost_limit(const Cost& cost, const Box<Cost::dimension>& box, double k
   return CostLimit(key * cost_of_key(cost, Scale<Cost::dimension>(box, is_scale_free<Cost>)));
 }
 
+template <>
+inline constexpr bool is_channel<PieceChannels> = true;
+
+/// The channels among the arguments of a call, if there are any.
+inline const PieceChannels* channels_among() {
+  return nullptr;
+}
+template <class First, class... Rest>
+const PieceChannels* channels_among(const First& first, const Rest&... rest) {
+  if constexpr (std::is_same_v<First, PieceChannels>)
+    return &first;
+  else
+    return channels_among(rest...);
+}
+
 /// Asks for what is remembered, where that is anything.
 template <class Cost>
 struct PieceTeller {
   static constexpr bool asks_for_memories = !std::is_empty_v<typename Cost::Memory>;
 };
 
-/// Simplifies a piece by itself, with any policies that `simplify` takes beside cost and placement;
-/// of named parameters, a visitor. All is in the scale of the piece's box. Positions without faces
-/// go. If the visitor cancels before the first contraction, the result is empty.
+/// Simplifies a piece by itself, with any policies that `simplify` takes beside cost and placement,
+/// and PieceChannels; of named parameters, a visitor. All is in the scale of the piece's box.
+/// Positions without faces go. If the visitor cancels before the first contraction, the result is
+/// empty.
 ///
 /// Throws std::invalid_argument for a piece that makes no sense, and what `simplify` throws.
 template <class Cost, class Placement, class... Arguments>
@@ -53,7 +69,7 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   policies.optional.costs = &result.costs;
   Workspace workspace(memory_needs(policies, !piece.labels.empty(), piece.positions.size(),
                                    piece.triangles.size()));
-  PieceAdapter<Cost> adapter(piece, given, result, workspace);
+  PieceAdapter<Cost> adapter(piece, given, channels_among(arguments...), result, workspace);
   const auto read = [](auto& reader) { return reader.read(); };
   result.report = run(adapter, policies, read, PieceTeller<Cost>{});
   return result;
