@@ -51,7 +51,7 @@ struct Highest {
 };
 
 template <class... Policies>
-Report run(Soup& soup, const Policies&... policies) {
+Report reduce(Soup& soup, const Policies&... policies) {
   return simplify(soup.points, soup.triangles, policies...);
 }
 
@@ -59,7 +59,7 @@ Report run(Soup& soup, const Policies&... policies) {
 template <class... Policies>
 std::vector<double> costs_of(Soup soup, const Policies&... policies) {
   std::vector<double> costs;
-  const Report report = run(soup, Listen{&costs}, policies...);
+  const Report report = reduce(soup, Listen{&costs}, policies...);
   costs.resize(std::min(costs.size(), report.contractions));
   return costs;
 }
@@ -87,7 +87,8 @@ TEMPLATE_TEST_CASE("Greedy order ends where the next pair costs more than the li
       const double limit = costs[contractions];
       Soup left = soup;
       std::vector<double> seen;
-      const Report report = run(left, TestType{}, AllOf{CostLimit{limit}, CostLimit{0.9 * limit}});
+      const Report report =
+          reduce(left, TestType{}, AllOf{CostLimit{limit}, CostLimit{0.9 * limit}});
       const auto first_beyond =
           std::find_if(costs.begin(), costs.end(), [&](double cost) { return cost > limit; });
       // Costs that look at the surface as it is take a pair that has become a little more costly;
@@ -108,8 +109,8 @@ TEST_CASE("Of edge lengths, none is left below the limit") {
     AnyOrder order = GreedyOrder{};
     if (in_passes)
       order = RelaxedOrder{};
-    run(soup, EdgeLength{}, MidpointPlacement{}, CostLimit{0.25 * 0.25}, Topology::free,
-        NormalFlip{180}, order);
+    reduce(soup, EdgeLength{}, MidpointPlacement{}, CostLimit{0.25 * 0.25}, Topology::free,
+           NormalFlip{180}, order);
     double shortest = 1;
     for (const auto& t : soup.triangles)
       for (std::size_t i = 0; i < 3; ++i)
@@ -126,17 +127,17 @@ TEMPLATE_TEST_CASE("Passes contract what costs less than the limit, and nothing 
     const std::vector<double> costs = costs_of(soup, TestType{});
     const double limit = costs[costs.size() / 2];
     Soup greedy = soup;
-    run(greedy, TestType{}, CostLimit{limit});
+    reduce(greedy, TestType{}, CostLimit{limit});
     for (const RelaxedOrder& order : {RelaxedOrder{}, RelaxedOrder{.share = 1}}) {
       Soup left = soup;
-      const Report report = run(left, TestType{}, CostLimit{limit}, order);
+      const Report report = reduce(left, TestType{}, CostLimit{limit}, order);
       CHECK(static_cast<double>(left.triangles.size()) ==
             Approx(double(greedy.triangles.size())).epsilon(0.05));
       CHECK(report.stop == StopReason::target_met);
     }
     Soup left = soup; // whatever passes and the order behind them do
     double highest = 0;
-    run(left, TestType{}, Highest{limit, &highest}, RelaxedOrder{.share = 1});
+    reduce(left, TestType{}, Highest{limit, &highest}, RelaxedOrder{.share = 1});
     CHECK(highest <= limit);
     CHECK(highest > 0.9 * limit);
   }
@@ -146,7 +147,7 @@ TEST_CASE("Limits of cost are in the units of the mesh") {
   const Soup soup = model();
   const auto count = [&](double factor, const auto& cost, double limit) {
     Soup scaled = times(soup, factor);
-    run(scaled, cost, MidpointPlacement{}, CostLimit{limit});
+    reduce(scaled, cost, MidpointPlacement{}, CostLimit{limit});
     return scaled.triangles.size();
   };
   const auto check = [&](const auto& cost, double power) {
@@ -181,7 +182,7 @@ TEST_CASE("A limit of cost beside other stop policies") {
   const CostLimit half{costs[costs.size() / 2]}, tenth{costs[costs.size() / 10]};
   const auto faces = [&](const auto& stop, const auto&... rest) {
     Soup left = soup;
-    run(left, Quadric{}, stop, rest...);
+    reduce(left, Quadric{}, stop, rest...);
     return left.triangles.size();
   };
   CHECK(faces(AnyOf{half, FaceCount{1800}}) == 1800);
@@ -197,7 +198,7 @@ TEST_CASE("A limit of cost beside other stop policies") {
 
 TEST_CASE("A limit that all contractions are below is met when none is left") {
   Soup soup = model();
-  const Report report = run(soup, Quadric{}, CostLimit{1e9});
+  const Report report = reduce(soup, Quadric{}, CostLimit{1e9});
   CHECK(soup.triangles.size() == 4);
   CHECK(report.stop == StopReason::target_met);
 }
@@ -210,11 +211,11 @@ TEST_CASE("A part vanishes only if it costs less than the limit") {
     if (in_passes)
       order = RelaxedOrder{};
     Soup left = soup;
-    CHECK(run(left, Quadric{}, CostLimit{0}, Topology::parts_may_vanish, order).vanished_parts ==
+    CHECK(reduce(left, Quadric{}, CostLimit{0}, Topology::parts_may_vanish, order).vanished_parts ==
           0);
     left = soup;
-    CHECK(run(left, Quadric{}, CostLimit{1e-4}, Topology::parts_may_vanish, order).vanished_parts ==
-          1);
+    CHECK(reduce(left, Quadric{}, CostLimit{1e-4}, Topology::parts_may_vanish, order)
+              .vanished_parts == 1);
   }
 }
 
@@ -229,9 +230,9 @@ TEST_CASE("What costs is known only to a stop policy that asks") {
   };
   Soup soup = model();
   bool is_known = false;
-  run(soup, Quadric{}, NeverKnown{&is_known});
+  reduce(soup, Quadric{}, NeverKnown{&is_known});
   CHECK_FALSE(is_known);
-  CHECK_THROWS_AS(run(soup, CostLimit{-1}), std::invalid_argument);
-  CHECK_THROWS_AS(run(soup, CostLimit{std::nan("")}), std::invalid_argument);
+  CHECK_THROWS_AS(reduce(soup, CostLimit{-1}), std::invalid_argument);
+  CHECK_THROWS_AS(reduce(soup, CostLimit{std::nan("")}), std::invalid_argument);
   CHECK(CostLimit{3}.cost() == 3);
 }
