@@ -357,7 +357,7 @@ TEST_CASE("Labels and channels go along within a limit of both ways") {
                  Labels{CGAL::make_property_map(left)}, Colors{CGAL::make_property_map(colors)});
     check_bounds(input, {report, test::to_soup(soup)});
     CHECK(report.hausdorff_bound <= 0.05);
-    CHECK(report.contractions > 400);
+    CHECK(report.contractions > 200);
     CHECK(report.rejected(Rejection::distance) > 0);
   };
   const auto colors_of_input = colors;
