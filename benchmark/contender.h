@@ -69,6 +69,9 @@ std::vector<Contender> vtk_contenders();
 /// The faces and vertices of a mesh, renumbered without gaps.
 Soup to_soup(const Mesh& mesh);
 
+/// The mean length of its edges; 0 without any.
+double mean_edge_length(const Mesh& mesh);
+
 /// Makes `mesh` anew from triangles. A triangle that a Surface_mesh cannot take gets vertices of
 /// its own.
 void to_mesh(const Soup& soup, Mesh& mesh);

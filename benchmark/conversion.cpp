@@ -36,4 +36,12 @@ void to_mesh(const Soup& soup, Mesh& mesh) {
   }
 }
 
+double mean_edge_length(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto e : mesh.edges())
+    sum += std::sqrt(
+        CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return mesh.number_of_edges() == 0 ? 0 : sum / static_cast<double>(mesh.number_of_edges());
+}
+
 } // namespace bench

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <random>
 
 namespace {
 
@@ -38,14 +39,31 @@ Mesh read(const std::string& file) {
   return mesh;
 }
 
+/// The same with noise, of which Settings tells.
+Mesh with_noise(Mesh mesh, double edges) {
+  if (edges == 0)
+    return mesh;
+  const double amplitude = edges * mean_edge_length(mesh);
+  std::mt19937_64 generator(1);
+  const auto next = [&] {
+    return amplitude * (static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
+  };
+  for (const auto v : mesh.vertices()) {
+    const double x = next(), y = next(), z = next();
+    mesh.point(v) = mesh.point(v) + Kernel::Vector_3(x, y, z);
+  }
+  return mesh;
+}
+
 /// Round after round, so that a slow minute of the machine falls on all alike.
-Result compete(const std::string& model, const Mesh& mesh, const Settings& settings) {
+Result compete(const std::string& model, const Mesh& clean, const Settings& settings) {
+  const Mesh mesh = with_noise(clean, settings.noise);
   Result result{.model = model,
                 .input_faces = mesh.number_of_faces(),
                 .target_faces = settings.target(mesh.number_of_faces()),
                 .samples = settings.samples,
                 .rows = {}};
-  const Soup input = to_soup(mesh);
+  const Soup input = to_soup(clean);
   const std::vector<Contender> all = contenders(settings);
   for (const Contender& contender : all)
     result.rows.push_back({contender.name, contender.options, {}, {}});
@@ -82,7 +100,8 @@ bool benchmark(const std::string& file, const Settings& settings) {
     const Result result = compete(model, read(file), settings);
     write_markdown(result, std::cout);
     std::cout << std::endl;
-    const std::string name = model + "_" + std::to_string(result.target_faces);
+    const std::string name =
+        model + "_" + std::to_string(result.target_faces) + (settings.noise > 0 ? "_noisy" : "");
     settings.write_file(name + ".csv", [&](auto& out) { write_csv(result, out); });
     settings.write_file(name + ".md", [&](auto& out) { write_markdown(result, out); });
     return true;

@@ -100,6 +100,19 @@ std::size_t flipped_faces(const Soup& input, const Soup& answer, const std::vect
   return flipped;
 }
 
+/// The smallest angle of each face, ascending.
+std::vector<double> smallest_angles(const Soup& soup) {
+  std::vector<double> angles;
+  for (const Triangle& t : geometric_triangles(soup)) {
+    double smallest = 180;
+    for (int i = 0; i < 3; ++i)
+      smallest = std::min(smallest, CGAL::approximate_angle(t[i + 1], t[i], t[i + 2]));
+    angles.push_back(smallest);
+  }
+  std::ranges::sort(angles);
+  return angles;
+}
+
 quadrille::SurfaceDistance scaled(quadrille::SurfaceDistance d, double factor) {
   for (double* figure : {&d.rms, &d.hausdorff, &d.rms_a_to_b, &d.rms_b_to_a, &d.hausdorff_a_to_b,
                          &d.hausdorff_b_to_a})
@@ -120,11 +133,14 @@ Quality measure(const Soup& input, const Soup& answer, std::size_t samples) {
   });
   const auto distance = quadrille::surface_distance(input.points, input.triangles, answer.points,
                                                     answer.triangles, {.samples = samples});
+  const std::vector<double> angles = smallest_angles(answer);
   return {.faces = answer.triangles.size(),
           .distance = scaled(distance, 1 / quadrille::bounding_box_diagonal(input.points)),
           .flipped_faces = flipped_faces(input, answer, sides),
           .non_manifold_edges = non_manifold_edges,
-          .highest_degree = degree.empty() ? 0 : *std::ranges::max_element(degree)};
+          .highest_degree = degree.empty() ? 0 : *std::ranges::max_element(degree),
+          .smallest_angle = angles.empty() ? 0 : angles.front(),
+          .low_angle = angles.empty() ? 0 : angles[angles.size() / 100]};
 }
 
 } // namespace bench

@@ -17,6 +17,8 @@ struct Quality {
   std::size_t flipped_faces;           ///< see flipped_faces()
   std::size_t non_manifold_edges;      ///< edges of three faces or more
   std::size_t highest_degree;          ///< the most edges at one vertex
+  double smallest_angle;               ///< of a face, in degrees
+  double low_angle;                    ///< below which the smallest angle of 1 % of the faces is
 };
 
 Quality measure(const Soup& input, const Soup& answer, std::size_t samples);

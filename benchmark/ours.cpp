@@ -10,6 +10,10 @@
 namespace bench {
 namespace {
 
+using quadrille::FaceCount;
+using quadrille::Quadric;
+using quadrille::simplify; // CGAL has one too
+
 template <class Cost, class Order>
 auto simplify_in(const Order& order) {
   return [order](Mesh& mesh, std::size_t faces) {
@@ -19,6 +23,15 @@ auto simplify_in(const Order& order) {
     const auto& seconds = report.seconds; // of wall clock time
     const double own_part = (seconds.prepare + seconds.contract) / seconds.total();
     return Answer{.own_seconds = own_part * stopwatch.seconds(), .soup = {}};
+  };
+}
+
+/// By what vertices remember beside planes; `noise` is of places, in mean edge lengths.
+auto simplify_by(Quadric cost, double noise = 0) {
+  return [=](Mesh& mesh, std::size_t faces) mutable {
+    cost.position_noise = noise > 0 ? noise * mean_edge_length(mesh) : 0;
+    simplify(mesh, cost, FaceCount{faces});
+    return Answer{};
   };
 }
 
@@ -52,6 +65,18 @@ std::vector<Contender> our_contenders() {
           {"Quadrille relaxed refreshed",
            "Quadric, OptimalPlacement, RelaxedOrder{.share = 0.2, .refresh = true}, Surface_mesh",
            simplify_in<Quadric>(RelaxedOrder{.share = 0.2, .refresh = true})},
+          {"Quadrille lines 0.001", "Quadric{.line_weight = 0.001}, Surface_mesh",
+           simplify_by(Quadric{.line_weight = 0.001})},
+          {"Quadrille lines 0.01", "Quadric{.line_weight = 0.01}, Surface_mesh",
+           simplify_by(Quadric{.line_weight = 0.01})},
+          {"Quadrille noise of normals", "Quadric{.normal_noise = 0.05}, Surface_mesh",
+           simplify_by(Quadric{.normal_noise = 0.05})},
+          {"Quadrille noise of places",
+           "Quadric{.position_noise = 0.1 of the mean edge length}, Surface_mesh",
+           simplify_by(Quadric{}, 0.1)},
+          {"Quadrille triangle quadrics",
+           "Quadric{.weighting = Weighting::by_squared_area}, Surface_mesh",
+           simplify_by(Quadric{.weighting = Weighting::by_squared_area})},
           {"Quadrille clustering", "cluster_vertices, mean; double points",
            cluster_with(ClusterPlacement::mean)},
           {"Quadrille clustering quadrics", "cluster_vertices, quadric; double points",

@@ -47,13 +47,15 @@ std::vector<std::string> cells(const Result& result, const Row& row) {
           per_ten_thousand(q.distance.hausdorff_b_to_a),
           std::to_string(q.flipped_faces),
           std::to_string(q.non_manifold_edges),
-          std::to_string(q.highest_degree)};
+          std::to_string(q.highest_degree),
+          text(q.smallest_angle, 1),
+          text(q.low_angle, 1)};
 }
 
-const std::vector<std::string> headings{"contender",  "faces",      "ms",           "min-max ms",
-                                        "own ms",     "wall ms",    "speed",        "peak MB",
-                                        "RMS",        "RMS in>out", "RMS out>in",   "max in>out",
-                                        "max out>in", "flipped",    "non-manifold", "degree"};
+const std::vector<std::string> headings{
+    "contender",  "faces",   "ms",           "min-max ms", "own ms",     "wall ms",
+    "speed",      "peak MB", "RMS",          "RMS in>out", "RMS out>in", "max in>out",
+    "max out>in", "flipped", "non-manifold", "degree",     "angle",      "1% angle"};
 
 std::size_t run_count(const Result& result) {
   std::size_t count = 0;
@@ -68,7 +70,8 @@ void write_csv(const Result& result, std::ostream& out) {
   out << "model,input_faces,target_faces,contender,options,runs,faces,median_ms,min_ms,max_ms,"
          "own_median_ms,wall_median_ms,speed,peak_mb,rms,rms_in_out,rms_out_in,hausdorff,hausdorff_"
          "in_out,"
-         "hausdorff_out_in,flipped_faces,non_manifold_edges,highest_degree\n";
+         "hausdorff_out_in,flipped_faces,non_manifold_edges,highest_degree,smallest_angle,low_"
+         "angle\n";
   out.precision(6);
   for (const Row& row : result.rows) {
     if (!row.quality || row.runs.empty())
@@ -83,7 +86,8 @@ void write_csv(const Result& result, std::ostream& out) {
         << row.peak_megabytes << ',' << q.distance.rms << ',' << q.distance.rms_a_to_b << ','
         << q.distance.rms_b_to_a << ',' << q.distance.hausdorff << ','
         << q.distance.hausdorff_a_to_b << ',' << q.distance.hausdorff_b_to_a << ','
-        << q.flipped_faces << ',' << q.non_manifold_edges << ',' << q.highest_degree << '\n';
+        << q.flipped_faces << ',' << q.non_manifold_edges << ',' << q.highest_degree << ','
+        << q.smallest_angle << ',' << q.low_angle << '\n';
   }
 }
 
@@ -104,7 +108,9 @@ void write_markdown(const Result& result, std::ostream& out) {
       << "- `RMS`, and `max`, the Hausdorff distance: in 1e-4 of the bounding-box diagonal, from "
       << result.samples << " samples on each surface.\n"
       << "- `flipped`: faces folded over a neighbour and looking against the input. "
-      << "`non-manifold`: edges of three faces or more. `degree`: the highest of a vertex.\n\n"
+      << "`non-manifold`: edges of three faces or more. `degree`: the highest of a vertex.\n"
+      << "- `angle`: the smallest of all faces, in degrees; `1% angle`: 1 % of the faces have a "
+      << "smaller one.\n\n"
       << "What each ran with:\n\n";
   for (const Row& row : result.rows)
     out << "- " << row.contender << ": " << row.options << '\n';

@@ -26,6 +26,7 @@ struct Settings {
   double limit = 900;
   std::vector<std::string> only;
   std::size_t samples = 100'000;
+  double noise = 0;
   std::filesystem::path out = ".";
 
   void add_to(CLI::App& app) {
@@ -39,6 +40,10 @@ struct Settings {
         ->capture_default_str();
     app.add_option("--only", only, "Names of the contenders that take part");
     app.add_option("--samples", samples, "Samples on each surface, for the distances")
+        ->capture_default_str();
+    app.add_option("--noise", noise,
+                   "Moves each coordinate of the input by at most that many mean edge lengths; "
+                   "distances are still those to the surface without noise")
         ->capture_default_str();
     app.add_option("--out", out, "Folder for the results")->capture_default_str();
   }

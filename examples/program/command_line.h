@@ -117,6 +117,47 @@ inline void add_cost(CLI::App& app, Options& options) {
       ->group("Policies");
 }
 
+/// What quadrics have beside planes, and where more faces stay.
+inline void add_quadric(CLI::App& app, Options& options) {
+  const auto add = [&](const char* name, auto function, const char* help,
+                       const CLI::Validator& check, const char* type) {
+    app.add_option_function<std::string>(name, function, help)
+        ->check(check)
+        ->type_name(type)
+        ->group("Policies");
+  };
+  const auto is_weight = [](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && !value->is_percentage;
+  };
+  add(
+      "--lines", [&](const std::string& word) { options.line_weight = amount_of(word).value; },
+      "how firmly vertices keep to the lines along their normals: 0.001 gives better triangles for "
+      "a little more distance, 0.01 much better ones for more, with --cost quadric; 0 by default",
+      word_that(is_weight, "a weight"), "WEIGHT");
+  const auto is_angle = [](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && !value->is_percentage && value->value < 90;
+  };
+  add(
+      "--normal-noise",
+      [&](const std::string& word) { options.normal_noise = amount_of(word).value; },
+      "the normals of IN are wrong by so much, as a standard deviation, with --cost quadric",
+      word_that(is_angle, "an angle from 0 to less than 90 degrees"), "DEGREES");
+  add(
+      "--noise", [&](const std::string& word) { options.position_noise = amount_of(word); },
+      "so are the vertices of IN, in its units or, with %, in parts of the diagonal", distance(),
+      "D|P%");
+  app.add_flag("--squared-areas", options.weighs_squared_area,
+               "faces count as the squares of their areas, with --cost quadric")
+      ->group("Policies");
+  app.add_option("--importance", options.importance,
+                 "more faces stay where the vertices of IN have greater values of this scalar, "
+                 "which are at least 0: for 8 times the value about twice as many")
+      ->type_name("NAME")
+      ->group("Policies");
+}
+
 inline void add_topology(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },
@@ -241,27 +282,14 @@ inline void add_records(CLI::App& app, Options& options) {
   CLI::Option* const reads = app.add_option(
       "--from", options.from, "read the target's level from this record instead of IN");
   reads->type_name("FILE")->group("Files");
-  for (const char* const name : {"--record",
-                                 "--levels",
-                                 "--cost",
-                                 "--placement",
-                                 "--weld",
-                                 "--boundary",
-                                 "--crease",
-                                 "--pairs",
-                                 "--topology",
-                                 "--drop-parts",
-                                 "--no-self-intersection",
-                                 "--solid",
-                                 "--normals",
-                                 "--seams",
-                                 "--order",
-                                 "--threads",
-                                 "--measure",
-                                 "--verify",
-                                 "--keep-partial",
-                                 "--orient",
-                                 "--both-ways"})
+  for (const char* const name :
+       {"--record",       "--levels",   "--cost",          "--placement",
+        "--weld",         "--boundary", "--crease",        "--lines",
+        "--normal-noise", "--noise",    "--squared-areas", "--importance",
+        "--pairs",        "--topology", "--drop-parts",    "--no-self-intersection",
+        "--solid",        "--normals",  "--seams",         "--order",
+        "--threads",      "--measure",  "--verify",        "--keep-partial",
+        "--orient",       "--both-ways"})
     reads->excludes(name);
   app.callback([&] {
     if (!options.from.empty() && !options.output.empty())
@@ -287,6 +315,8 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.crease_degrees && (options.cost == "memoryless" || options.cost == "length" ||
                                        options.cost == "thin-features"),
             "--crease goes with --cost quadric, color and texture only");
+  refuse_if(options.has_lines_or_noise() && !options.cost.empty() && options.cost != "quadric",
+            "--lines, --normal-noise, --noise and --squared-areas go with --cost quadric only");
   refuse_if(options.forbids_intersections && options.is_relaxed,
             "--no-self-intersection does not go with --order relaxed: the blocks of a pass do not "
             "see each other");
@@ -314,6 +344,7 @@ inline void add_options(CLI::App& app, Options& options) {
   add_target(app, options);
   add_cost(app, options);
   add_boundary(app, options);
+  add_quadric(app, options);
   add_topology(app, options);
   add_order(app, options);
   add_files(app, options);

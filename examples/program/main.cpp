@@ -93,6 +93,9 @@ bool run(Options options, ProgressLine& progress) {
     return run_mesh(options, progress);
   if (!options.record.empty())
     throw std::runtime_error(options.input + ": --record is not for glTF");
+  if (!options.importance.empty())
+    throw std::runtime_error(options.input + ": --importance is for files whose vertices have " +
+                             "scalars with names (.ply), not for glTF");
   if (options.weld)
     throw std::runtime_error(options.input + ": --weld is not for glTF, of which vertices at " +
                              "exactly the same place are one anyway");

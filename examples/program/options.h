@@ -22,6 +22,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace quadrille_examples {
 
@@ -38,6 +39,12 @@ struct Options {
   double boundary_weight = quadrille::Quadric{}.boundary_weight;
   bool locks_boundaries = false;
   std::optional<double> crease_degrees;
+  double line_weight = 0;  // of quadrille::Quadric, as the next three
+  double normal_noise = 0; // in degrees
+  Amount position_noise;   // in the units of IN, or in parts of the diagonal
+  bool weighs_squared_area = false;
+  std::string importance;                // the name of a scalar of IN's vertices; empty: all alike
+  std::vector<double> importances;       // its values, once IN has been read
   Amount pairs;                          // closer than this; 0: edges only
   std::string topology;                  // empty: free if there are pairs that are no edges
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
@@ -60,6 +67,9 @@ struct Options {
   bool is_quiet = false, is_verbose = false;
   std::function<bool(const quadrille::Status&)> proceed; // asked now and then; false: no further
 
+  bool has_lines_or_noise() const {
+    return line_weight > 0 || normal_noise > 0 || position_noise.value > 0 || weighs_squared_area;
+  }
   bool joins_pairs() const { return pairs.value > 0; }
 };
 

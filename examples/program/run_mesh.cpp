@@ -30,6 +30,16 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
     refuse_without_faces(options, mesh.points.size());
 }
 
+std::vector<double> importances(const Options& options, const IndexedMesh& mesh) {
+  if (options.importance.empty())
+    return {};
+  try {
+    return vertex_numbers(mesh, options.importance);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.input + ": " + error.what());
+  }
+}
+
 void print_remarks(const Options& options, const IndexedMesh& mesh) {
   for (const std::string& remark : mesh.remarks)
     print_remark(options, remark);
@@ -128,6 +138,7 @@ public:
                                  options_.weld ? Weld::always : Weld::loose_faces,
                                  options_.weld.value_or(Amount{}));
     require_fit(options_, mesh);
+    options_.importances = importances(options_, mesh); // OUT may not hold them
     fit_to_format(mesh, format_);
     progress_.clear();
     print_remarks(options_, mesh);
@@ -208,7 +219,7 @@ private:
     progress_.clear();
   }
 
-  const Options& options_;
+  Options options_;
   ProgressLine& progress_;
   const MeshFormat& format_;
   std::vector<std::string> files_, contents_;

@@ -2,6 +2,8 @@
 
 #include <quadrille/attribute_quadric.h>
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,20 +26,8 @@ quadrille::SoupOptions::Cost cost(const Options& options) {
 /// Does a mesh take the way on which all of its attributes are channels? Attributes as further
 /// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
 bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
-  return options.is_relaxed || options.crease_degrees || needs_channels(mesh);
-}
-
-/// The numbers of vertices that have this name.
-const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name) {
-  std::string names;
-  for (const NamedNumbers& numbers : mesh.vertex_numbers) {
-    if (numbers.name == name)
-      return numbers.values;
-    names += (names.empty() ? "" : ", ") + in_quotes(numbers.name);
-  }
-  throw std::invalid_argument(
-      "the vertices of IN have no scalar " + in_quotes(name) +
-      (names.empty() ? ", nor any other: a PLY file can give them some" : ", but " + names));
+  return options.is_relaxed || options.crease_degrees || options.has_lines_or_noise() ||
+         !options.importances.empty() || needs_channels(mesh);
 }
 
 /// Without attributes that vary.
@@ -50,6 +40,18 @@ quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOpt
 
 } // namespace
 
+const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name) {
+  std::string names;
+  for (const NamedNumbers& numbers : mesh.vertex_numbers) {
+    if (numbers.name == name)
+      return numbers.values;
+    names += (names.empty() ? "" : ", ") + in_quotes(numbers.name);
+  }
+  throw std::invalid_argument(
+      "the vertices of IN have no scalar " + in_quotes(name) +
+      (names.empty() ? ", nor any other: a PLY file can give them some" : ", but " + names));
+}
+
 quadrille::SoupOptions soup_options(const Options& options) {
   using Soup = quadrille::SoupOptions;
   Soup result;
@@ -58,6 +60,11 @@ quadrille::SoupOptions soup_options(const Options& options) {
   result.boundary_weight = options.boundary_weight;
   if (options.crease_degrees)
     result.crease_degrees = *options.crease_degrees;
+  result.line_weight = options.line_weight;
+  result.normal_noise = std::tan(options.normal_noise * std::numbers::pi / 180);
+  if (options.weighs_squared_area)
+    result.weighting = quadrille::Weighting::by_squared_area;
+  result.importance = options.importances;
   if (options.placement == "endpoint")
     result.placement = Soup::Placement::endpoint;
   if (options.placement == "midpoint")

@@ -14,6 +14,8 @@
 #include <quadrille/report.h>
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace quadrille_examples {
 
@@ -26,6 +28,9 @@ quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
                                       const Options& options, const quadrille::SoupOptions& soup);
 
+/// The numbers of vertices that have this name. Throws std::invalid_argument where there are none.
+const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name);
+
 /// The options but for what depends on the soup.
 quadrille::SoupOptions soup_options(const Options& options);
 
@@ -35,6 +40,8 @@ quadrille::SoupOptions soup_options(const Options& options, const auto& points,
   quadrille::SoupOptions result = soup_options(options);
   if (options.joins_pairs())
     result.pairs_closer_than = length_of(options.pairs, diagonal(points, triangles));
+  if (options.position_noise.value > 0)
+    result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
   if (options.locks_boundaries)
     result.fixed = boundary_points(points.size(), triangles);
   return result;

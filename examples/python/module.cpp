@@ -97,6 +97,10 @@ void add_options(py::module_& m) {
       .def_readwrite("boundary_weight", &SoupOptions::boundary_weight)
       .def_readwrite("crease_weight", &SoupOptions::crease_weight)
       .def_readwrite("crease_degrees", &SoupOptions::crease_degrees)
+      .def_readwrite("weighting", &SoupOptions::weighting)
+      .def_readwrite("line_weight", &SoupOptions::line_weight)
+      .def_readwrite("normal_noise", &SoupOptions::normal_noise)
+      .def_readwrite("position_noise", &SoupOptions::position_noise)
       .def_readwrite("placement", &SoupOptions::placement)
       .def_readwrite("order", &SoupOptions::order)
       .def_readwrite("eager", &SoupOptions::eager)
@@ -110,6 +114,7 @@ void add_options(py::module_& m) {
       .def_readwrite("normal_deviation", &SoupOptions::normal_deviation)
       .def_readwrite("keep_solid", &SoupOptions::keep_solid)
       .def_readwrite("fixed", &SoupOptions::fixed)
+      .def_readwrite("importance", &SoupOptions::importance)
       .def_readwrite("selected", &SoupOptions::selected)
       .def_readwrite("label_border_weight", &SoupOptions::label_border_weight)
       .def_readwrite("split_vertices", &SoupOptions::split_vertices);
@@ -121,6 +126,10 @@ void add_choices(py::module_& m) {
       .value("memoryless_quadric", SoupOptions::Cost::memoryless_quadric)
       .value("thin_feature_quadric", SoupOptions::Cost::thin_feature_quadric)
       .value("edge_length", SoupOptions::Cost::edge_length);
+  py::enum_<Weighting>(m, "Weighting")
+      .value("by_area", Weighting::by_area)
+      .value("uniform", Weighting::uniform)
+      .value("by_squared_area", Weighting::by_squared_area);
   py::enum_<SoupOptions::Placement>(m, "Placement")
       .value("optimal", SoupOptions::Placement::optimal)
       .value("endpoint", SoupOptions::Placement::endpoint)

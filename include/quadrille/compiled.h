@@ -126,13 +126,17 @@ struct SoupOptions {
   /// Asked now and then; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 
-  bool eager = false;             ///< see GreedyOrder
-  double share = 0.5;             ///< see RelaxedOrder
-  bool refresh = false;           ///< see RelaxedOrder
-  unsigned threads = 1;           ///< more than one need oneTBB where the library is compiled
-  double crease_weight = 100;     ///< see Quadric, as the next
-  double crease_degrees = 180;    ///< other costs know no creases
-  double label_border_weight = 1; ///< see Labels::border_weight
+  bool eager = false;          ///< see GreedyOrder
+  double share = 0.5;          ///< see RelaxedOrder
+  bool refresh = false;        ///< see RelaxedOrder
+  unsigned threads = 1;        ///< more than one need oneTBB where the library is compiled
+  double crease_weight = 100;  ///< see Quadric, as the next
+  double crease_degrees = 180; ///< other costs know no creases
+  Weighting weighting = Weighting::by_area; ///< of Cost::quadric, as the next three: see Quadric
+  double line_weight = 0;                   ///< how firmly vertices keep to lines along normals
+  double normal_noise = 0;                  ///< of unit normals
+  double position_noise = 0;                ///< of places, in the unit of the points
+  double label_border_weight = 1;           ///< see Labels::border_weight
   /// See SplitVertices: points at exactly one place are one vertex. There is no image then.
   bool split_vertices = false;
   SoupRecorder recorder = {}; ///< is told of all contractions, as Levels: see record_into

@@ -74,6 +74,15 @@ def numbers(name, array, count, of="point"):
     return array.tolist()
 
 
+def factors(name, array, count):
+    """The same of at least 0, one for each point."""
+    result = numbers(name, array, count)
+    for i, number in enumerate(result):
+        if not 0 <= number < np.inf:
+            raise ValueError(f"{name}[{i}] is {number}: negative or not finite")
+    return result
+
+
 def mask(name, array, count, of="point"):
     """A list of booleans of a mask, or of indices of what `of` says."""
     array = np.asarray(array)

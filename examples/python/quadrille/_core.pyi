@@ -28,6 +28,11 @@ class Topology(enum.Enum):
     free = ...
     parts_may_vanish = ...
 
+class Weighting(enum.Enum):
+    by_area = ...
+    uniform = ...
+    by_squared_area = ...
+
 class Kind(enum.Enum):
     texture = ...
     normals = ...
@@ -58,6 +63,10 @@ class Options:
     boundary_weight: float
     crease_weight: float
     crease_degrees: float
+    weighting: Weighting
+    line_weight: float
+    normal_noise: float
+    position_noise: float
     placement: Optional[Placement]
     order: Order
     eager: bool
@@ -71,6 +80,7 @@ class Options:
     no_self_intersection: bool
     keep_solid: bool
     fixed: List[bool]
+    importance: Sequence[float]
     selected: List[bool]
     label_border_weight: float
     split_vertices: bool

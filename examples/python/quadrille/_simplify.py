@@ -31,6 +31,10 @@ def simplify(
     boundary_weight: float = 100.0,
     crease_degrees: float = 180.0,
     crease_weight: float = 100.0,
+    weighting: str = "by_area",
+    line_weight: float = 0.0,
+    normal_noise: float = 0.0,
+    position_noise: float = 0.0,
     topology: Optional[str] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
@@ -39,6 +43,7 @@ def simplify(
     keep_solid: bool = False,
     fixed: Optional[np.ndarray] = None,
     selected: Optional[np.ndarray] = None,
+    importance: Optional[np.ndarray] = None,
     labels: Optional[np.ndarray] = None,
     label_border_weight: float = 1.0,
     uv: Optional[Values] = None,
@@ -92,6 +97,12 @@ def simplify(
     boundary_weight  how firmly borders stay, at least 0
     crease_degrees   edges are held if normals differ by more; with cost='quadric'. 180: none is
     crease_weight    how firmly
+    weighting        how much a face counts: 'by_area', 'uniform' or 'by_squared_area' (triangle
+                     quadrics); with cost='quadric', as the next three
+    line_weight      how firmly vertices keep to lines along their normals, at least 0: 0.001 gives
+                     better triangles for a little more distance, 0.01 much better ones for more
+    normal_noise     the standard deviation of unit normals, at least 0; 0.1 is about 6 degrees
+    position_noise   the same of points, in their unit
     topology         'kept' (by default), 'free' (parts join, holes close) or 'parts_may_vanish'
     pairs_closer_than  points closer than that may be joined without an edge, in the unit of the points;
                      topology is 'free' then by default
@@ -103,6 +114,8 @@ def simplify(
     fixed            points that stay where they are: booleans of the shape (n,), or indices
     selected         triangles that are simplified: booleans of the shape (m,), or indices. Targets are
                      of these; all points of others stay where they are
+    importance       a number for each point, at least 0, of the shape (n,): where it is large more faces
+                     stay, for 8 times the number about twice as many; only ratios matter
     eager            for 'greedy' and costs but 'quadric': half a percent more accurate, half as fast
     share, refresh   for 'relaxed': see RelaxedOrder in order.h
 
@@ -144,6 +157,7 @@ def simplify(
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
     options.cost = _choice("cost", cost, _core.Cost)
+    options.weighting = _choice("weighting", weighting, _core.Weighting)
     options.order = _choice("order", order, _core.Order)
     if placement is not None:
         options.placement = _choice("placement", placement, _core.Placement)
@@ -151,6 +165,7 @@ def simplify(
         options.topology = _choice("topology", topology, _core.Topology)
     _set_numbers(options, boundary_weight=boundary_weight, crease_degrees=crease_degrees,
                  crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
+                 line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
                  normal_flip=normal_flip, normal_deviation=normal_deviation,
                  label_border_weight=label_border_weight, share=share)
     options.threads = _count("threads", threads)
@@ -162,6 +177,8 @@ def simplify(
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if selected is not None:
         options.selected = _arrays.mask("selected", selected, len(mesh.faces), "triangle")
+    if importance is not None:
+        options.importance = _arrays.factors("importance", importance, len(mesh.points))
     if progress is not None and not callable(progress):
         raise ValueError(f"progress is {progress!r}, which cannot be called")
     return _simplified(mesh, options, levels, progress, bool(orient))

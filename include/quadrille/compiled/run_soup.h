@@ -208,6 +208,12 @@ Cost with_weights(Cost cost, const SoupOptions& options) {
     cost.crease_weight = options.crease_weight;
     cost.crease_degrees = options.crease_degrees;
   }
+  if constexpr (requires { cost.line_weight; }) {
+    cost.weighting = options.weighting;
+    cost.line_weight = options.line_weight;
+    cost.normal_noise = options.normal_noise;
+    cost.position_noise = options.position_noise;
+  }
   return cost;
 }
 

@@ -39,6 +39,7 @@ void validate(const SoupView& soup, const SoupOptions& options) {
     refuse(
         "there are both an error and a tolerance of points: give the lower of both as tolerance");
   require_count("shared", options.shared.size(), soup.points.size(), "points");
+  require_count("importance", options.importance.size(), soup.points.size(), "points");
   require_count("selected", options.selected.size(), soup.triangles.size(), "triangles");
   require_count("labels", soup.labels.size(), soup.triangles.size(), "triangles");
   for (std::size_t i = 0; i < soup.channels.size(); ++i)
@@ -46,6 +47,10 @@ void validate(const SoupView& soup, const SoupOptions& options) {
         .validate("channel " + std::to_string(i), soup.points.size(), soup.triangles.size());
   if (options.crease_degrees < 180 && options.cost != SoupOptions::Cost::quadric)
     refuse("crease_degrees are for the cost quadric, which alone knows creases");
+  if ((options.weighting != Weighting::by_area || options.line_weight != 0 ||
+       options.normal_noise != 0 || options.position_noise != 0) &&
+      options.cost != SoupOptions::Cost::quadric)
+    refuse("weighting, line_weight, normal_noise and position_noise are for the cost quadric");
   if (options.threads > 1 && options.order != SoupOptions::Order::relaxed)
     refuse("more than one thread is for the relaxed order");
 }
