@@ -13,7 +13,7 @@ if [ "${1-}" = --built ]; then
   built=$2
   shift 2
 fi
-all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics tolerance time"
+all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance time"
 for name in "$@"; do
   case " $all " in
     *" $name "*) ;;
@@ -26,7 +26,7 @@ sh .ci/install_packages.sh cmake g++ make libcgal-dev libcgal-demo libboost-dev 
 if [ -z "$built" ]; then
   built=build/examples
   cmake -S . -B $built -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF
-  cmake --build $built --target quadrille_program figures levels hulls --parallel "$(nproc)"
+  cmake --build $built --target quadrille_program figures levels hulls importance --parallel "$(nproc)"
 fi
 models=$built/data/meshes
 out=build/gallery
@@ -163,6 +163,13 @@ draw_hull() {
   drawn hull.png --size 430,300 --colours 160 --from 0.4,0.35,1 --up 0,1,0 "$models/cow.off"='The cow|{} faces' \
     $out/cow-inner.off='InnerHull|{} faces' --edges 0.6 "$models/cow.off"='OuterHull|the cow in its hull of 400 faces' \
     --around $out/cow-outer.off
+}
+
+draw_importance() {
+  "$built/examples/importance" "$models/bunny00.off" $out/bunny
+  drawn importance.png --size 320,300 --from -0.3,0.12,1 --up 0,1,0 --edges 0.7 $out/bunny-alike.off='Alike|{} faces' \
+    $out/bunny-curvature.off='By curvature|{} faces' $out/bunny-view.off='Seen from the left|{} faces' \
+    $out/bunny-painted.off='Painted head|{} faces'
 }
 
 draw_foot() {

@@ -13,6 +13,7 @@
 #include <quadrille/distance.h>
 #include <quadrille/file.h>
 #include <quadrille/hull.h>
+#include <quadrille/importance.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>

@@ -894,6 +894,42 @@ cmp -s out.off again.off && fail "--crease does nothing"
 run 2 roof.off out.off --crease 60 --cost length
 expect stderr '^--crease goes with --cost quadric'
 
+# Lines, noise and squared areas make other surfaces
+for option in '--lines 0.1' '--normal-noise 10' '--noise 2%' --squared-areas; do
+  # shellcheck disable=SC2086
+  run 0 roof.off other.off $option --faces 60
+  cmp -s other.off again.off && fail "$option does nothing"
+done
+run 2 roof.off out.off --lines 0.1 --cost memoryless
+expect stderr '^--lines, --normal-noise, --noise and --squared-areas go with --cost quadric only'
+run 2 roof.off out.off --normal-noise 90
+expect stderr 'is not an angle from 0 to less than 90 degrees'
+
+# More faces stay where a scalar is large, whatever OUT can hold
+awk 'BEGIN {
+  n = 40
+  printf "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\n", (n + 1) ^ 2
+  printf "property float detail\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n", 2 * n * n
+  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j)
+    print i, j, 3 * sin(i / 6) * cos(j / 7), (i > n / 2 ? 64 : 1)
+  for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+    v = i * (n + 1) + j
+    print 3, v, v + n + 1, v + n + 2 "\n" 3, v, v + n + 2, v + 1
+  }
+}' >detail.ply
+run 0 detail.ply out.off --importance detail --faces 300
+awk 'NR == 2 { vertices = $1 } NR > 2 && NF == 3 && NR <= 2 + vertices { ++side[$1 > 20] }
+  END { exit !(side[1] > 2 * side[0]) }' out.off || fail '--importance leaves no more faces'
+run 0 detail.ply out.ply --importance detail --faces 300
+grep -q '^property float detail' out.ply || fail 'the scalar is gone'
+run 2 detail.ply out.off --importance heat
+expect stderr "^detail.ply: the vertices of IN have no scalar 'heat', but 'detail'"
+run 2 roof.off out.off --importance heat
+expect stderr "^roof.off: the vertices of IN have no scalar 'heat', nor any other"
+sed 's/ 64$/ -1/' detail.ply >wrong.ply
+run 2 wrong.ply out.off --importance detail
+expect stderr '^wrong.ply: .*the importance of vertex [0-9]*, -1, is negative or not finite'
+
 # Vertices that nearly touch: a sheet of loose quadrilaterals with noise
 awk 'BEGIN {
   n = 10; print "OFF\n" 4 * n * n, n * n, 0

@@ -9,6 +9,7 @@
 #include "report.h"
 
 #include <quadrille/compiled.h>
+#include <quadrille/importance.h>
 #include <quadrille/levels.h>
 #include <quadrille/version.h>
 
@@ -16,6 +17,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -232,6 +234,21 @@ void add_written_arrays(py::module_& m) {
       .def_readwrite("vertex_numbers", &WrittenArrays::vertex_numbers);
 }
 
+/// Maps of importance, one number for each point.
+void add_importance(py::module_& m) {
+  using Points = Numbers<double>;
+  using Faces = Numbers<std::uint32_t>;
+  m.def("curvature_importance", [](const Points& points, const Faces& faces, double strength) {
+    return array_of_numbers(curvature_importance(rows<3>(points), rows<3>(faces), {strength}));
+  });
+  m.def("view_importance",
+        [](const Points& points, const Faces& faces, const std::array<double, 3>& eye,
+           double turned_away, double outline) {
+          return array_of_numbers(
+              view_importance(rows<3>(points), rows<3>(faces), {{eye}, turned_away, outline}));
+        });
+}
+
 void add_files(py::module_& m) {
   add_mesh_file(m);
   add_written_arrays(m);
@@ -263,6 +280,7 @@ PYBIND11_MODULE(_core, m) {
   add_status(m);
   add_report(m);
   add_levels(m);
+  add_importance(m);
   add_files(m);
   m.def("simplify", simplify_arrays);
 }

@@ -9,6 +9,7 @@
 #include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 
+#include <CGAL/property_map.h>
 #include <boost/property_map/function_property_map.hpp>
 #include <catch2/catch.hpp>
 
@@ -132,6 +133,34 @@ TEST_CASE("Shared points of the compiled library are those of the named paramete
   Arrays arrays(soup);
   options.shared.pop_back();
   CHECK_THROWS_AS(simplify_soup(arrays.points, arrays.triangles, options), std::invalid_argument);
+}
+
+TEST_CASE("Lines, noise and importance are options of the compiled library") {
+  SoupOptions options = options_to(60);
+  options.weighting = Weighting::by_squared_area;
+  options.line_weight = 0.03;
+  options.normal_noise = 0.2;
+  options.position_noise = 0.01;
+  check(soup, options,
+        Quadric{.weighting = Weighting::by_squared_area,
+                .line_weight = 0.03,
+                .normal_noise = 0.2,
+                .position_noise = 0.01},
+        FaceCount{60});
+  options = options_to(60);
+  for (const auto& p : soup.points)
+    options.importance.push_back(p[0] > 0 ? 50 : 1);
+  std::vector<double> importance = options.importance;
+  check(soup, options, Quadric{}, FaceCount{60},
+        parameters::vertex_importance_map(CGAL::make_property_map(importance)));
+  Arrays arrays(soup);
+  options.importance.pop_back();
+  CHECK_THROWS_WITH(simplify_soup(arrays.points, arrays.triangles, options),
+                    Catch::Contains("importance has "));
+  options = options_to(60, SoupOptions::Cost::edge_length);
+  options.line_weight = 1;
+  CHECK_THROWS_WITH(simplify_soup(arrays.points, arrays.triangles, options),
+                    Catch::Contains("are for the cost quadric"));
 }
 
 TEST_CASE("Fixed points stay, and the images tell what became of the others") {

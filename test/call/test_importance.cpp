@@ -4,6 +4,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/importance.h>
+#include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
@@ -132,23 +133,31 @@ TEST_CASE("what is of no importance goes first, the cheapest before the others")
 }
 
 TEST_CASE("what has become part of a vertex counts on") {
-  const Soup soup = noisy();
-  std::vector<double> importance(soup.points.size(), 1);
-  std::vector<std::size_t> painted;
-  for (std::size_t v = 0; v < soup.points.size(); v += 97)
-    painted.push_back(v);
-  for (std::size_t v : painted)
-    importance[v] = 1e12;
-  std::vector<std::size_t> image(soup.points.size());
-  PointSoup result(soup);
-  simplify(result.points, result.triangles, FaceCount{6 * painted.size()}, RelaxedOrder{},
-           parameters::vertex_image_map(CGAL::make_property_map(image), important(importance)));
-  // Two of them never become one: what a vertex counts has come along with each contraction.
-  std::vector<std::size_t> left;
-  for (std::size_t v : painted)
-    left.push_back(image[v]);
-  std::sort(left.begin(), left.end());
-  CHECK(std::adjacent_find(left.begin(), left.end()) == left.end());
+  struct Event {
+    internal::Index kept, gone;
+  };
+  internal::VertexImportance importance({0.5F, 1, 0.25F, 0.125F});
+  importance.after(Event{3, 2});
+  CHECK(importance.of_pair(3, 3) == 0.25F);
+  importance.after(Event{1, 3});
+  CHECK(importance.of_pair(1, 1) == 1);
+  importance.after(Event{0, 1});
+  CHECK(importance.of_pair(0, 0) == 1);
+}
+
+TEST_CASE("a few important vertices among others count for all that they become part of") {
+  const Soup soup = with_noise(sphere(5), 1, 1e-5);
+  std::vector<double> importance = beyond(soup, 0, 64);
+  for (std::size_t v = 0; v < importance.size(); ++v)
+    if (v % 7 != 0)
+      importance[v] = 1;
+  for (const AnyOrder& order : {AnyOrder(GreedyOrder{}), AnyOrder(RelaxedOrder{})}) {
+    const double ratio =
+        ratio_of_faces(simplified(soup, FaceRatio{0.05}, order, important(importance)));
+    CAPTURE(ratio);
+    CHECK(ratio > 2.5);
+    CHECK(ratio < 5);
+  }
 }
 
 TEST_CASE("a part vanishes later that has an important vertex") {

@@ -169,6 +169,43 @@ class Results(Folder):
         corners = {p.tobytes() for p in by_mask.points[by_mask.faces]}
         self.assertTrue({p.tobytes() for p in points[faces[~mask]]} <= corners)
 
+    def test_importance_leaves_more_faces(self):
+        points, faces, _ = sheet(40)
+        right = lambda result: np.mean(result.points[result.faces].mean(1)[:, 1] > 0.5)
+        importance = np.where(points[:, 1] > 0.5, 64, 1)
+        result = quadrille.simplify(points, faces, ratio=0.2, importance=importance)
+        self.assertGreater(right(result), 0.7)
+        alike = quadrille.simplify(points, faces, ratio=0.2)
+        self.same(quadrille.simplify(points, faces, ratio=0.2, importance=np.full(1600, 0.3)).points,
+                  alike.points)
+        refused = lambda message, values: self.assertRaisesRegex(
+            ValueError, message, quadrille.simplify, points, faces, importance=values)
+        refused(r"^importance has the shape \(3,\), not \(1600,\)", [1, 2, 3])
+        importance[7] = -1
+        refused(r"^importance\[7\] is -1: negative or not finite", importance)
+
+    def test_maps_of_importance(self):
+        points, faces, _ = sheet(12)
+        mesh = quadrille.Mesh(points, faces)
+        flat = mesh.points * np.array([1, 1, 0])
+        self.assertTrue(np.allclose(quadrille.curvature_importance(flat, faces, strength=2), 1))
+        self.same(quadrille.curvature_importance(mesh), quadrille.curvature_importance(points, faces))
+        eye = np.array([3.0, 0.5, 2.0])
+        seen = quadrille.view_importance(flat, faces, eye=eye, turned_away=1, outline=1)
+        distance = np.linalg.norm(flat - eye, axis=1)
+        self.assertTrue(np.allclose(seen, (distance.max() / distance) ** 3))
+        with self.assertRaisesRegex(ValueError, r"^eye has the shape \(2,\), not \(3,\)"):
+            quadrille.view_importance(flat, faces, eye=[1, 2])
+
+    def test_lines_and_noise_are_options(self):
+        points, faces, _ = torus(24)
+        plain = quadrille.simplify(points, faces, ratio=0.2)
+        for options in (dict(line_weight=0.1), dict(normal_noise=0.3), dict(position_noise=0.2),
+                        dict(weighting="by_squared_area")):
+            result = quadrille.simplify(points, faces, ratio=0.2, **options)
+            self.assertFalse(result.points.shape == plain.points.shape
+                             and (result.points == plain.points).all(), options)
+
     def test_labels_of_any_kind_stay(self):
         points, faces, _ = sheet(12)
         for labels in (np.array(["a", "b"])[(points[faces[:, 0], 0] > 0.5).astype(int)],
@@ -387,6 +424,9 @@ class Errors(unittest.TestCase):
         self.refused("more than one thread is for the relaxed order", threads=2)
         self.refused("0 threads are not from 1 to 1024", threads=0, order="relaxed")
         self.refused("crease_degrees are for the cost quadric", cost="edge_length", crease_degrees=20)
+        self.refused("^weighting is 'by_hand', not one of by_area", weighting="by_hand")
+        self.refused("line_weight -1 is negative", line_weight=-1)
+        self.refused("are for the cost quadric", line_weight=1, cost="memoryless_quadric")
         self.refused("share 0 is not in", share=0, order="relaxed")
         self.refused("^progress is 3, which cannot be called", progress=3)
         with self.assertRaises(TypeError):

@@ -13,6 +13,7 @@ Channel     values of one of these with options: how much it counts, what become
 Simplified  what simplify() returns: a Mesh with a report
 Levels      all levels of detail of a surface from one run, in memory and in a file
 read_mesh, write_mesh  files: OFF, OBJ, PLY, STL, GOCAD
+curvature_importance, view_importance  for simplify(importance=...): where more faces stay
 
 Costs are those of Garland and Heckbert 1997, and what came of them: see the manual of the C++ library.
 """
@@ -20,9 +21,10 @@ Costs are those of Garland and Heckbert 1997, and what came of them: see the man
 from ._core import Report, Status
 from ._core import version as __version__
 from ._files import read_mesh, write_mesh
+from ._importance import curvature_importance, view_importance
 from ._levels import Level, Levels
 from ._mesh import Channel, Mesh, Simplified
 from ._simplify import simplify
 
-__all__ = ["Channel", "Level", "Levels", "Mesh", "Report", "Simplified", "Status", "read_mesh",
-           "simplify", "write_mesh"]
+__all__ = ["Channel", "Level", "Levels", "Mesh", "Report", "Simplified", "Status",
+           "curvature_importance", "read_mesh", "simplify", "view_importance", "write_mesh"]

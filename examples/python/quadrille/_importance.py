@@ -1,0 +1,53 @@
+"""curvature_importance() and view_importance()"""
+
+from __future__ import annotations
+
+from typing import Optional, Sequence, Union
+
+import numpy as np
+
+from . import _arrays, _core
+from ._mesh import Mesh
+
+
+def curvature_importance(points: Union[np.ndarray, Mesh], triangles: Optional[np.ndarray] = None, /,
+                         *, strength: float = 3.0) -> np.ndarray:
+    """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
+    curved: (1 + k / mean(k)) ** strength, where k**2 is the sum of the squares of both principal
+    curvatures.
+
+        quadrille.simplify(mesh, faces=1000, importance=quadrille.curvature_importance(mesh))
+
+    strength  at least 0; with 3, what is curved as the surface is on average gets about twice as many
+              faces as what is flat, beside those that the cost gives it anyway
+
+    Raises ValueError for what is wrong with an argument.
+    """
+    points, faces = _surface(points, triangles)
+    return _core.curvature_importance(points, faces, float(strength))
+
+
+def view_importance(points: Union[np.ndarray, Mesh], triangles: Optional[np.ndarray] = None, /, *,
+                    eye: Sequence[float], turned_away: float = 1 / 64,
+                    outline: float = 8.0) -> np.ndarray:
+    """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
+    seen from a place: in proportion to distance ** -3, so that errors look alike large at any distance.
+
+    eye          the place: three numbers, in the unit of the points
+    turned_away  how much a point counts of which no face is turned to the eye, at least 0
+    outline      how much one counts of which some are and some are not, at least 0
+
+    Raises ValueError for what is wrong with an argument.
+    """
+    eye = np.asarray(eye, dtype=np.float64)
+    if eye.shape != (3,):
+        raise ValueError(f"eye has the shape {eye.shape}, not (3,)")
+    points, faces = _surface(points, triangles)
+    return _core.view_importance(points, faces, eye.tolist(), float(turned_away), float(outline))
+
+
+def _surface(points, triangles):
+    if isinstance(points, Mesh):
+        points, triangles = points.points, points.faces
+    points = _arrays.real_rows("points", points, 3)
+    return points, _arrays.index_triples("faces", triangles, len(points), "points")
