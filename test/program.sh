@@ -926,7 +926,7 @@ run 2 detail.ply out.off --importance heat
 expect stderr "^detail.ply: the vertices of IN have no scalar 'heat', but 'detail'"
 run 2 roof.off out.off --importance heat
 expect stderr "^roof.off: the vertices of IN have no scalar 'heat', nor any other"
-sed 's/ 64$/ -1/' detail.ply >wrong.ply
+sed '11,1691s/ 64$/ -1/' detail.ply >wrong.ply
 run 2 wrong.ply out.off --importance detail
 expect stderr '^wrong.ply: .*the importance of vertex [0-9]*, -1, is negative or not finite'
 
