@@ -181,9 +181,10 @@ inline std::vector<double> importances(WeighedSurface surface, const CurvatureIm
   require_factor(surface.function, "strength", how.strength);
   surface.rescale();
   std::vector<double> importances = curvatures(surface);
+  constexpr double flat = 0x1p-50; // a turn of 2⁻³⁰ across a surface of the size 2²⁰: rounding
   const double mean = mean_over(surface, importances);
   for (double& x : importances)
-    x = mean > 0 ? std::pow(1 + x / mean, how.strength) : 1;
+    x = mean > flat ? std::pow(1 + x / mean, how.strength) : 1;
   return importances;
 }
 
@@ -234,7 +235,8 @@ void put_importances(const Mesh& mesh, Map map, const std::vector<double>& impor
 
 /// Importances for vertex_importance_map by which more faces stay where the surface is curved:
 /// (1 + κ/κ̄)^strength, where κ² is the sum of the squares of both principal curvatures and κ̄ the
-/// mean of κ over the area. One for each point, in linear time.
+/// mean of κ over the area; 1 everywhere on a surface that is flat. One for each point, in linear
+/// time.
 ///
 /// `points` and `triangles` are a polygon soup. Throws std::invalid_argument for a strength that is
 /// negative or not finite, a point that is not finite, and a face that is not a triangle or names a
