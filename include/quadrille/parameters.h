@@ -181,6 +181,9 @@ auto vertex_quadric_map(const Map& map, const Before& before) {
 /// that are told are as they were without. curvature_importance() and view_importance() of
 /// <quadrille/importance.h> make such maps.
 ///
+/// Costs that are told, as Status::next_cost and to CostLimit, are multiplied too, by parts of the
+/// greatest importance of the call: pieces of a surface that are to fit need the same greatest one.
+///
 /// Throws std::invalid_argument for one that is negative or not finite. Takes 4 bytes a vertex.
 template <class Map>
 auto vertex_importance_map(const Map& map) {
