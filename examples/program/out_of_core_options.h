@@ -59,26 +59,14 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                           "simplify part N, or close the phase, which prints 0 when OUT is there"))
       ->check(word_that(is_step, "cut, the number of a part, nor close"))
       ->type_name("cut|N|close");
-  for (const char* const name : {"--levels",
-                                 "--record",
-                                 "--from",
-                                 "--vertices",
-                                 "--error",
-                                 "--tolerance",
-                                 "--boundary",
-                                 "--crease",
-                                 "--pairs",
-                                 "--drop-parts",
-                                 "--no-self-intersection",
-                                 "--normals",
-                                 "--solid",
-                                 "--seams",
-                                 "--order",
-                                 "--weld",
-                                 "--orient",
-                                 "--keep-partial",
-                                 "--measure",
-                                 "--verify"})
+  for (const char* const name :
+       {"--levels",  "--record",        "--from",         "--vertices",
+        "--error",   "--tolerance",     "--lines",        "--normal-noise",
+        "--noise",   "--squared-areas", "--importance",   "--boundary",
+        "--crease",  "--pairs",         "--drop-parts",   "--no-self-intersection",
+        "--normals", "--solid",         "--seams",        "--order",
+        "--weld",    "--orient",        "--keep-partial", "--measure",
+        "--verify"})
     parts->excludes(name);
 }
 

@@ -39,7 +39,7 @@ using test::Folder;
 using test::Random;
 using test::Soup;
 
-TEST_CASE("a checksum does not depend on the blocks, and on each byte") {
+TEST_CASE("A checksum does not depend on the blocks, and on each byte") {
   Random random(1);
   std::string bytes;
   for (int i = 0; i < 1000; ++i)
@@ -64,7 +64,7 @@ TEST_CASE("a checksum does not depend on the blocks, and on each byte") {
   CHECK(checksum(bytes + '\0', 64) != whole);
 }
 
-TEST_CASE("numbers are found, and ranked") {
+TEST_CASE("Numbers are found, and ranked") {
   Random random(2);
   for (const std::size_t range : {10U, 1000U, 4'000'000'000U}) {
     std::set<VertexId> ids;
@@ -94,7 +94,7 @@ TEST_CASE("numbers are found, and ranked") {
     CHECK(ranks(id) == rank++);
 }
 
-TEST_CASE("space is cut into parts of as many vertices") {
+TEST_CASE("Space is cut into parts of as many vertices") {
   const Soup soup = test::with_noise(test::torus(200, 80), 3, 0.01);
   FileBox box;
   for (const test::Position& p : soup.points)
@@ -116,7 +116,7 @@ TEST_CASE("space is cut into parts of as many vertices") {
   CHECK(whole.part_of({{9, 9, 9}}) == 0);
 }
 
-TEST_CASE("requests come once each, by vertex") {
+TEST_CASE("Requests come once each, by vertex") {
   Random random(4);
   Requests requests;
   std::set<std::pair<VertexId, PartNumber>> plain;
@@ -139,7 +139,7 @@ TEST_CASE("requests come once each, by vertex") {
   CHECK(count == plain.size());
 }
 
-TEST_CASE("corners that lie at one place are made one, in whatever memory") {
+TEST_CASE("Corners that lie at one place are made one, in whatever memory") {
   const Folder folder;
   Soup soup = test::as_floats(test::with_noise(test::sphere(4), 5, 0.01));
   soup.points[3] = {{0, 0.5, -0.25}};
@@ -165,7 +165,7 @@ TEST_CASE("corners that lie at one place are made one, in whatever memory") {
   CHECK(folder.size() == 2);
 }
 
-TEST_CASE("edges of one face, over all parts") {
+TEST_CASE("Edges of one face, over all parts") {
   const Folder folder;
   const JobFolder job(folder.path("scratch"));
   job.begin_phase(1);
@@ -222,7 +222,7 @@ TEST_CASE(
   CHECK(total(8) == 8 + 64); // after the first phase nobody has been given anything
 }
 
-TEST_CASE("phases aim at four and two times the target, by steps that are not too large") {
+TEST_CASE("Phases aim at four and two times the target, by steps that are not too large") {
   const auto counts = [](std::uint64_t faces, std::uint64_t target, std::uint64_t part) {
     const Schedule schedule(faces, target, part);
     std::vector<std::uint64_t> result;
@@ -239,7 +239,7 @@ TEST_CASE("phases aim at four and two times the target, by steps that are not to
   CHECK(Schedule(100, 0, 10).wanted(0, 0) <= 25);
 }
 
-TEST_CASE("tasks are run once each, and the first failure is told") {
+TEST_CASE("Tasks are run once each, and the first failure is told") {
   for (const unsigned threads : {1U, 4U}) {
     std::vector<std::atomic<int>> runs(50);
     PartThreads::run(
@@ -256,7 +256,7 @@ TEST_CASE("tasks are run once each, and the first failure is told") {
   }
 }
 
-TEST_CASE("a sample tells the cost at which as many faces are left") {
+TEST_CASE("A sample tells the cost at which as many faces are left") {
   LoadedPart part;
   part.ids.resize(40);
   part.is_shared.resize(40);

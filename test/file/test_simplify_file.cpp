@@ -96,15 +96,15 @@ void require_as_in_memory() {
   }
 }
 
-TEST_CASE("a surface in parts becomes what it becomes in memory") {
+TEST_CASE("A surface in parts becomes what it becomes in memory") {
   require_as_in_memory<MemorylessQuadric>();
 }
 
-TEST_CASE("costs that remember find in each phase what vertices remembered") {
+TEST_CASE("Costs that remember find in each phase what vertices remembered") {
   require_as_in_memory<Quadric>();
 }
 
-TEST_CASE("in one part, all bytes are those of a run in memory") {
+TEST_CASE("In one part, all bytes are those of a run in memory") {
   const Folder folder;
   Soup soup = surface();
   folder.file("in.ply", ply_of(soup));
@@ -113,7 +113,7 @@ TEST_CASE("in one part, all bytes are those of a run in memory") {
   CHECK(test::is_identical(test::as_floats(soup), read_ply(folder.path("out.ply"))));
 }
 
-TEST_CASE("the output does not depend on how many parts are in flight") {
+TEST_CASE("The output does not depend on how many parts are in flight") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   run(folder, in_parts(folder, part_of_16));
@@ -124,7 +124,7 @@ TEST_CASE("the output does not depend on how many parts are in flight") {
   }
 }
 
-TEST_CASE("byte order and type of numbers change nothing") {
+TEST_CASE("Byte order and type of numbers change nothing") {
   const Folder folder;
   folder.file("little.ply", ply_of(surface()));
   folder.file("big.ply", ply_of(surface(), true));
@@ -143,7 +143,7 @@ TEST_CASE("byte order and type of numbers change nothing") {
   }
 }
 
-TEST_CASE("corners of an STL file become vertices") {
+TEST_CASE("Corners of an STL file become vertices") {
   const Folder folder;
   folder.file("in.stl", test::stl_of(surface()));
   run(folder, in_parts(folder, part_of_16), 800, "in.stl");
@@ -154,7 +154,7 @@ TEST_CASE("corners of an STL file become vertices") {
   CHECK(topology.faces == 800);
 }
 
-TEST_CASE("where the whole does not fit, a count is near") {
+TEST_CASE("Where the whole does not fit, a count is near") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
@@ -173,7 +173,7 @@ TEST_CASE("where the whole does not fit, a count is near") {
         1.1 * rms_in_memory<MemorylessQuadric>(surface(), output.triangles.size()));
 }
 
-TEST_CASE("borders that several parts have stay borders") {
+TEST_CASE("Borders that several parts have stay borders") {
   const Folder folder;
   const Soup input = test::as_floats(test::with_noise(test::grid(60, 60), 3, 0.002));
   folder.file("in.ply", ply_of(input));
@@ -187,7 +187,7 @@ TEST_CASE("borders that several parts have stay borders") {
   CHECK(rms(input, output) < 1.03 * rms_in_memory<MemorylessQuadric>(input, 720));
 }
 
-TEST_CASE("several pieces and vertices without a face") {
+TEST_CASE("Several pieces and vertices without a face") {
   const Folder folder;
   Soup input = test::joined(surface(), test::torus(20, 10), {{0.1, 3, 0}});
   input.points.push_back({{9, 9, 9}});
@@ -203,7 +203,7 @@ TEST_CASE("several pieces and vertices without a face") {
   CHECK(report.counted_faces == 8400);
 }
 
-TEST_CASE("labels of faces go along, and their regions stay") {
+TEST_CASE("Labels of faces go along, and their regions stay") {
   const Folder folder;
   const Soup input = surface();
   const std::string plain = ply_of(input);
@@ -253,7 +253,7 @@ TEST_CASE("labels of faces go along, and their regions stay") {
   }
 }
 
-TEST_CASE("a ratio of the faces") {
+TEST_CASE("A ratio of the faces") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   simplify_file<MemorylessQuadric, OptimalPlacement>(folder.path("in.ply"), folder.path("out.ply"),
@@ -287,7 +287,7 @@ bool run_and_die(const Folder& folder, OutOfCore options, int n) {
   return WEXITSTATUS(status) == 0;
 }
 
-TEST_CASE("a run that is killed anywhere goes on where it was") {
+TEST_CASE("A run that is killed anywhere goes on where it was") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
@@ -303,7 +303,7 @@ TEST_CASE("a run that is killed anywhere goes on where it was") {
   CHECK(folder.size() == 2); // the input and the output
 }
 
-TEST_CASE("a disk that is full ends in a sentence, and what is done stays") {
+TEST_CASE("A disk that is full ends in a sentence, and what is done stays") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
@@ -336,7 +336,7 @@ TEST_CASE("a disk that is full ends in a sentence, and what is done stays") {
   CHECK(content_of(folder.path("out.ply")) == once);
 }
 
-TEST_CASE("a run ends when the user says so, and goes on") {
+TEST_CASE("A run ends when the user says so, and goes on") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16, 2);
@@ -354,7 +354,7 @@ TEST_CASE("a run ends when the user says so, and goes on") {
   CHECK(content_of(folder.path("out.ply")) == once);
 }
 
-TEST_CASE("parts are run one by one, in any order, by any process") {
+TEST_CASE("Parts are run one by one, in any order, by any process") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
@@ -396,7 +396,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-TEST_CASE("bad files end in a sentence that names the place") {
+TEST_CASE("Bad files end in a sentence that names the place") {
   const Soup soup = test::octahedron();
   const std::string ply = ply_of(soup);
   require_refusal("in.ply", "", "the header of a PLY file does not end");
@@ -428,7 +428,7 @@ TEST_CASE("bad files end in a sentence that names the place") {
   require_refusal("in.stl", "solid x\nendsolid\n", "is text");
 }
 
-TEST_CASE("what does not go along is refused, or told") {
+TEST_CASE("What does not go along is refused, or told") {
   const Folder folder;
   const std::string ply = ply_of(test::octahedron());
   const std::size_t header = ply.find("element face");
@@ -448,7 +448,7 @@ TEST_CASE("what does not go along is refused, or told") {
   CHECK(read_ply(folder.path("out.ply")).triangles.size() == 8);
 }
 
-TEST_CASE("files of the scratch folder that have changed end in a sentence") {
+TEST_CASE("Files of the scratch folder that have changed end in a sentence") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
