@@ -26,7 +26,7 @@ using AddMemory = void (*)(void* total, const void* gained);
 /// the parts were run.
 class SharedMemories {
 public:
-  SharedMemories(std::size_t size, AddMemory add) : size_(size), add_(add) {}
+  SharedMemories(std::size_t size, AddMemory add_memory) : size_(size), add_(add_memory) {}
 
   std::size_t size() const { return size_; } ///< of a memory, in bytes
 

@@ -85,7 +85,7 @@ private:
       fail_file(file_.path(), "has no elements 'vertex' and 'face'");
     if (!vertices_->row_size())
       fail_file(file_.path(), "its vertices have lists");
-    if (vertices_->count > most_vertices)
+    if (vertices_->count > most_vertex_ids)
       fail_file(file_.path(), "has " + std::to_string(vertices_->count) +
                                   " vertices, more than corners of faces can name");
     require_size();

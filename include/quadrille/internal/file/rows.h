@@ -11,7 +11,7 @@ namespace quadrille::internal {
 
 /// The number that a vertex has in the input, and keeps.
 using VertexId = std::uint32_t;
-inline constexpr std::uint64_t most_vertices = 0xFFFFFFFFU;
+inline constexpr std::uint64_t most_vertex_ids = 0xFFFFFFFFU;
 
 /// A vertex as files of the scratch folder have it.
 struct VertexRow {

@@ -145,7 +145,7 @@ private:
       readers.push_back(std::make_unique<Reader>(folder_.left(phase_, p), parts_[p].vertices));
       push(p);
     }
-    std::uint64_t last = most_vertices + 1;
+    std::uint64_t last = most_vertex_ids + 1;
     while (!queue.empty()) {
       const auto [id, part] = queue.top();
       queue.pop();

@@ -210,7 +210,7 @@ private:
   }
 
   void put_vertex(std::vector<char>& buffer, const Corner& c) {
-    if (vertices_++ == most_vertices)
+    if (vertices_++ == most_vertex_ids)
       fail_file(file_.path(), "has more vertices than corners of faces can name");
     for (const std::uint32_t place : c.place) {
       const auto bytes = std::bit_cast<std::array<char, 4>>(coordinate(place));
