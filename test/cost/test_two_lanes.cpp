@@ -67,13 +67,17 @@ struct Lopsided : Quadric {
   }
 };
 
-// Planes count by plain areas, and what is remembered by loss is of the input's.
+// Planes count by area^(3/2).
 template <class Base, bool two>
 struct ByArea : Base {
   using ScaleFree = ByArea;
   using TieBreak = ByArea;
   using TwoLanes = std::conditional_t<two, ByArea, Base>;
 
+  ByArea() {
+    if constexpr (std::is_same_v<Base, ThinFeatureQuadric>)
+      Base::loss_tolerance = 0; // so that all losses count
+  }
   typename Base::Current current_face(const Vector<3>& p, const Vector<3>& q,
                                       const Vector<3>& r) const {
     return Base::weighted_face(p, q, r, [](double area) { return std::sqrt(area); });
