@@ -45,6 +45,7 @@ struct Options {
   bool weighs_squared_area = false;
   std::string importance;                // the name of a scalar of IN's vertices; empty: all alike
   std::vector<double> importances;       // its values, once IN has been read
+  std::vector<double> tolerances;        // the same of the target's
   Amount pairs;                          // closer than this; 0: edges only
   std::string topology;                  // empty: free if there are pairs that are no edges
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it

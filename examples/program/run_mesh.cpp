@@ -30,11 +30,14 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
     refuse_without_faces(options, mesh.points.size());
 }
 
-std::vector<double> importances(const Options& options, const IndexedMesh& mesh) {
-  if (options.importance.empty())
-    return {};
+void take_scalars(Options& options, const IndexedMesh& mesh) {
+  const auto take = [&](const std::string& name, std::vector<double>& numbers) {
+    if (!name.empty())
+      numbers = vertex_numbers(mesh, name);
+  };
   try {
-    return vertex_numbers(mesh, options.importance);
+    take(options.importance, options.importances);
+    take(options.target.tolerance, options.tolerances);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }
@@ -138,7 +141,7 @@ public:
                                  options_.weld ? Weld::always : Weld::loose_faces,
                                  options_.weld.value_or(Amount{}));
     require_fit(options_, mesh);
-    options_.importances = importances(options_, mesh); // OUT may not hold them
+    take_scalars(options_, mesh); // OUT may not hold them
     fit_to_format(mesh, format_);
     progress_.clear();
     print_remarks(options_, mesh);

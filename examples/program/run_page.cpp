@@ -46,7 +46,7 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   progress.show_stage("reading");
   ShownMesh shown = read_shown(options);
   require_fit(options, shown.mesh);
-  options.importances = importances(options, shown.mesh);
+  take_scalars(options, shown.mesh);
   if (shown.mesh.triangles.empty())
     refuse_without_faces(options, shown.mesh.points.size());
   progress.clear();

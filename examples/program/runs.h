@@ -41,8 +41,9 @@ bool run_page(const Options& options, ProgressLine& progress);
 /// Throws for a mesh that has no faces, or not what the cost looks at.
 void require_fit(const Options& options, const IndexedMesh& mesh);
 
-/// The scalar of vertices that --importance names; nothing without. Throws where there is none.
-std::vector<double> importances(const Options& options, const IndexedMesh& mesh);
+/// Takes the scalars of vertices that --importance and --tolerance name. Throws where there are
+/// none.
+void take_scalars(Options& options, const IndexedMesh& mesh);
 
 /// Winds the faces alike where --orient asks for it, else tells of those that are not. What has but
 /// one side is told.

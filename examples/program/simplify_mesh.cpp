@@ -65,6 +65,7 @@ quadrille::SoupOptions soup_options(const Options& options) {
   if (options.weighs_squared_area)
     result.weighting = quadrille::Weighting::by_squared_area;
   result.importance = options.importances;
+  result.tolerance = options.tolerances;
   if (options.placement == "endpoint")
     result.placement = Soup::Placement::endpoint;
   if (options.placement == "midpoint")
@@ -106,8 +107,6 @@ quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 const quadrille::SoupRecorder& recorder) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
-  if (!options.target.tolerance.empty())
-    soup.tolerance = vertex_numbers(mesh, options.target.tolerance);
   if (goes_by_channels(mesh, options))
     return MeshChannels(mesh).simplify(soup, channel_choices(options));
   const MeshAttributes attributes(mesh, importance(options));

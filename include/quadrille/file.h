@@ -61,7 +61,7 @@ public:
   /// that make no sense.
   template <class Stop>
   PartitionedSimplifier(const std::filesystem::path& input, const Stop& stop,
-                        const OutOfCore& options, Cost cost = {}, Placement placement = {},
+                        const OutOfCore& options, Cost cost, Placement placement,
                         Policies... policies)
       : options_(options), source_(input, options.positions_only),
         runner_(std::move(cost), std::move(placement), std::move(policies)...),
@@ -69,6 +69,11 @@ public:
     if (options.scratch.empty())
       throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
   }
+  /// The same with policies that need not be told.
+  template <class Stop>
+  PartitionedSimplifier(const std::filesystem::path& input, const Stop& stop,
+                        const OutOfCore& options)
+      : PartitionedSimplifier(input, stop, options, Cost(), Placement(), Policies()...) {}
 
   /// Cuts the file into the parts of the first phase; or takes up the phase that is at work.
   void partition() {
@@ -94,6 +99,18 @@ public:
   /// The same to its end.
   void simplify(std::size_t part) const {
     simplify(part, [] { return false; });
+  }
+
+  /// Tells OutOfCore::proceed that so many parts of the phase are done; false if it says that the
+  /// job shall end.
+  bool proceeds(std::size_t done) const {
+    try {
+      const double part = static_cast<double>(done) / static_cast<double>(parts());
+      watch_.tell(job_, FileStage::simplify, part, done, parts());
+      return true;
+    } catch (const internal::JobCancelled&) {
+      return false;
+    }
   }
 
   /// Ends the phase, and begins the next one; false if it was the last, and what is left can be
