@@ -1166,7 +1166,7 @@ expect_nothing stderr
 # Files by parts
 run 0 plain.off whole.ply --keep 100%
 run 0 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M --report report.json
-expect stdout '^whole.ply: 800 -> 100 faces \(12 %\), .*, by 1 parts in 1 phases, 0?\.[0-9]+ GB of memory$'
+expect stdout '^whole.ply: 800 -> 100 faces \(12 %\), .*, by 1 part in 1 phase, 0?\.[0-9]+ GB of memory$'
 expect report.json '"count_exact": true'
 expect report.json '"peak_memory": [0-9]+'
 [ ! -e scratch ] || fail "the folder is still there"

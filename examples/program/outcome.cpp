@@ -46,6 +46,10 @@ std::string measured_text(const Measurement& measured, double diagonal) {
   return text;
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string line(const Options& options, const Outcome& outcome) {
   const Report& report = outcome.report;
   std::string text = options.input + ": " + with_commas(report.faces_before) + arrow() +
@@ -72,8 +76,8 @@ std::string line(const Options& options, const Outcome& outcome) {
     text += ", " + percent_text(rounded_up(report.used_tolerance->part)) + " of " +
             outcome.target.tolerance + " used";
   if (outcome.parts)
-    text += ", by " + with_commas(outcome.parts->parts) + " parts in " +
-            std::to_string(outcome.parts->phases) + " phases, " +
+    text += ", by " + counted(outcome.parts->parts, "part") + " in " +
+            counted(outcome.parts->phases, "phase") + ", " +
             two_digits(static_cast<double>(outcome.parts->peak_memory) / 1e9) + " GB of memory";
   if (outcome.measured)
     text += measured_text(*outcome.measured, outcome.diagonal);
