@@ -350,6 +350,10 @@ TEST_CASE("A run ends when the user says so, and goes on") {
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("has a job in it"));
   options.restart = true;
   CHECK_THROWS_WITH(run(folder, options, 900), Catch::Contains("of another file, or of another"));
+  OutOfCore others = options;
+  others.part_faces = 600;
+  CHECK_THROWS_WITH(run(folder, others), Catch::Contains("of another file, or of another"));
+  options.parts_in_flight = 1;
   run(folder, options);
   CHECK(content_of(folder.path("out.ply")) == once);
 }
