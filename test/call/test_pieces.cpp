@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE("Pieces that are simplified apart fit", "", Quadric, Memoryle
 
 TEST_CASE(
     "Pieces of a surface fit in passes, with numbers of any order, where vertices are renumbered") {
-  const Soup soup = test::shuffled(test::with_noise(test::sphere(5), 3, 0.002), 7);
+  const Soup soup = test::shuffled(test::with_noise(test::sphere(6), 3, 0.001), 7);
   const CostLimit limit = limit_for(soup, soup.triangles.size() * 9 / 10, MemorylessQuadric{});
   for (const bool refresh : {false, true}) {
     const Soup left =
