@@ -308,7 +308,7 @@ TEST_CASE("The faces up to a cost are those that a run up to it takes") {
   const Soup soup = test::with_noise(test::sphere(4), 6, 0.01);
   const auto full =
       simplify_piece(whole<Quadric>(soup), Quadric{}, OptimalPlacement{}, FaceCount{4});
-  for (const std::uint64_t faces : {200, 700, 1300, 1900}) {
+  for (const std::size_t faces : {200u, 700u, 1300u, 1900u}) {
     const float key = full.costs.cost_for(faces);
     const CostLimit limit =
         internal::cost_limit(Quadric{}, Box<3>(soup.points), static_cast<double>(key));
