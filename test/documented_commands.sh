@@ -20,9 +20,29 @@ blocks() {
 # shellcheck source=sheet_gltf.sh
 . "$(dirname "$0")/sheet_gltf.sh"
 
-# Makes the first mesh that a command names.
+# The mesh as a PLY file whose vertices have the scalar NAME: write_scalar NAME FILE
+write_scalar() {
+  "$program" "$mesh" plain.off --keep 100% --quiet --force
+  awk -v name="$1" '
+    NF == 0 || /^#/ || /OFF/ { next }
+    !faces { vertices = $1; faces = $2
+             print "ply\nformat ascii 1.0\nelement vertex", vertices
+             print "property double x\nproperty double y\nproperty double z\nproperty double", name
+             print "element face", faces "\nproperty list uchar int vertex_indices\nend_header"; next }
+    n++ < vertices { print $1, $2, $3, 1 + ($1 > 0); next }
+    { print }' plain.off > "$2"
+}
+
+# Makes the first mesh that a command names, with a scalar that it asks for.
 make_input() {
+  scalar=
+  previous=
   for word in "$@"; do
+    case $previous in --tolerance | --importance) scalar=$word ;; esac
+    previous=$word
+  done
+  for word in "$@"; do
+    [ -z "$scalar" ] || case $word in *.ply) write_scalar "$scalar" "$word"; return 0 ;; esac
     case $word in
     -*) ;;
     *.gltf | *.glb) [ -e "$word" ] || "$program" sheet.gltf "$word" --keep 100% --quiet; return 0 ;;
