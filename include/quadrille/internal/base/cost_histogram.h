@@ -29,7 +29,12 @@ public:
   void add(float key, std::uint64_t faces) { counters_[counter_of(key)] += faces; }
   /// The same, by several threads at a time.
   void add_in_pass(float key, std::uint64_t faces) {
-    std::atomic_ref(counters_[counter_of(key)]).fetch_add(faces, std::memory_order_relaxed);
+    std::uint64_t& counter = counters_[counter_of(key)];
+#ifdef __cpp_lib_atomic_ref
+    std::atomic_ref(counter).fetch_add(faces, std::memory_order_relaxed);
+#else // LLVM's library has none before its version 19
+    __atomic_fetch_add(&counter, faces, __ATOMIC_RELAXED);
+#endif
   }
 
   CostHistogram& operator+=(const CostHistogram& other) {

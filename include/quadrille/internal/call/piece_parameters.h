@@ -71,8 +71,8 @@ template <class Input>
 void give_box(const CGAL::Bbox_3& box, Input& input) {
   input.given_box = input.box();
   for (int i = 0; i < 3; ++i) {
-    input.given_box->low[static_cast<std::size_t>(i)] = box.min(i);
-    input.given_box->high[static_cast<std::size_t>(i)] = box.max(i);
+    input.given_box->low[static_cast<std::size_t>(i)] = (box.min)(i);
+    input.given_box->high[static_cast<std::size_t>(i)] = (box.max)(i);
   }
 }
 template <class Input>

@@ -177,7 +177,8 @@ public:
 
 private:
   QUADRILLE_NOINLINE void weigh(Candidate& candidate) const {
-    const double factor = importance_.of_pair(candidate.first, candidate.second);
+    const double factor =
+        static_cast<double>(importance_.of_pair(candidate.first, candidate.second));
     candidate.cost *= factor;
     candidate.key *= factor;
   }

@@ -224,7 +224,7 @@ private:
     plan_ = plan;
     plan_.faces_wanted = schedule().wanted(plan.step, target());
     if (!plan.is_last)
-      plan_.limit = limit();
+      plan_.limit = static_cast<double>(limit());
     plan_.write(folder_.plan(plan.phase));
     folder_.remove_welded();
   }
