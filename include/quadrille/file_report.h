@@ -30,13 +30,13 @@ constexpr std::string_view to_string(FileStage stage) {
 
 /// How far simplify_file is.
 struct FileStatus {
-  FileStage stage = FileStage::partition;
-  unsigned phase = 0;         ///< from 1 on; 0 while the file is cut
-  unsigned phases = 0;        ///< how many there will be, about
-  std::size_t parts = 0;      ///< of the phase
-  std::size_t parts_done = 0; ///< of them
-  std::uint64_t faces = 0;    ///< of the input
-  double progress = 0;        ///< about which part of all work is done, from 0 to 1
+  FileStage stage = FileStage::partition; ///< what it is at
+  unsigned phase = 0;                     ///< from 1 on; 0 while the file is cut
+  unsigned phases = 0;                    ///< how many there will be, about
+  std::size_t parts = 0;                  ///< of the phase
+  std::size_t parts_done = 0;             ///< of them
+  std::uint64_t faces = 0;                ///< of the input
+  double progress = 0;                    ///< about which part of all work is done, from 0 to 1
 };
 
 /// How a file is simplified in parts.
@@ -72,12 +72,13 @@ struct FileReport : Report {
   unsigned phases = 0;                        ///< in which parts were simplified
   std::size_t parts = 0;                      ///< of the first phase
   std::vector<std::uint64_t> faces_of_phases; ///< left by each
-  bool is_count_exact = false; ///< the last phase was a run over the whole, to the target itself
-  std::uint64_t bytes_read = 0, bytes_written = 0; ///< of files, about
-  double diagonal = 0;                             ///< of the input's bounding box
-  std::uint64_t shared_vertices = 0;               ///< in the first phase
-  std::uint64_t peak_memory = 0;    ///< of the process so far, in bytes, as the system counts it
-  std::vector<std::string> dropped; ///< elements and properties that were read over
+  bool is_count_exact = false;  ///< the last phase was a run over the whole, to the target itself
+  std::uint64_t bytes_read = 0; ///< of files, about
+  std::uint64_t bytes_written = 0;   ///< the same
+  double diagonal = 0;               ///< of the input's bounding box
+  std::uint64_t shared_vertices = 0; ///< in the first phase
+  std::uint64_t peak_memory = 0;     ///< of the process so far, in bytes, as the system counts it
+  std::vector<std::string> dropped;  ///< elements and properties that were read over
 };
 
 /// Prints a report in one line, without an end of line.

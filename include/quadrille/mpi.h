@@ -3,8 +3,8 @@
 
 #include <quadrille/file.h>
 
-#define OMPI_SKIP_MPICXX 1 // the C interface only
-#define MPICH_SKIP_MPICXX 1
+#define OMPI_SKIP_MPICXX 1  ///< of OpenMPI the interface of C only
+#define MPICH_SKIP_MPICXX 1 ///< of MPICH the same
 #include <mpi.h>
 
 #include <array>

@@ -144,8 +144,8 @@ private:
 template <class... Stops>
 class AnyOf : public internal::SeveralStops<Stops...> {
 public:
-  explicit AnyOf(Stops... stops) ///< stop policies of any type
-      : internal::SeveralStops<Stops...>(std::move(stops)...) {}
+  /// Of stop policies of any type.
+  explicit AnyOf(Stops... stops) : internal::SeveralStops<Stops...>(std::move(stops)...) {}
 
   /// Is it enough?
   bool operator()(const Status& status) const {
@@ -161,8 +161,8 @@ public:
 template <class... Stops>
 class AllOf : public internal::SeveralStops<Stops...> {
 public:
-  explicit AllOf(Stops... stops) ///< stop policies of any type
-      : internal::SeveralStops<Stops...>(std::move(stops)...) {}
+  /// Of stop policies of any type.
+  explicit AllOf(Stops... stops) : internal::SeveralStops<Stops...>(std::move(stops)...) {}
 
   /// Is it enough?
   bool operator()(const Status& status) const {
