@@ -84,16 +84,18 @@ public:
         rounding_(8 * double(std::numeric_limits<Number>::epsilon()) *
                   test::greatest_coordinate(input_)) {}
 
-  bool check() {
-    const double limit = 0.003 * diagonal_;
+  // To a part of the diagonal, and to a part of the faces.
+  bool check(double part, double ratio) {
+    part_ = part;
+    const double limit = part * diagonal_;
     both_ways("both ways", limit, HausdorffLimit{limit});
     both_ways("both ways, passes", limit, HausdorffLimit{limit}, RelaxedOrder{});
     both_ways("both ways, free", limit, HausdorffLimit{limit}, Topology::free);
     tolerances("tolerances", ToleranceLimit{});
     tolerances("tolerances, passes", ToleranceLimit{}, RelaxedOrder{});
     claims("no self-intersection", {.no_self_intersection = true}, NoSelfIntersection{},
-           FaceRatio{0.05});
-    claims("solid", {.no_self_intersection = true, .solid = true}, keep_solid(), FaceRatio{0.05});
+           FaceRatio{ratio});
+    claims("solid", {.no_self_intersection = true, .solid = true}, keep_solid(), FaceRatio{ratio});
     return all_hold_;
   }
 
@@ -131,7 +133,7 @@ private:
       return least;
     }();
     for (const Position& p : input_.points)
-      tolerances.push_back(0.0003 * diagonal_ * std::pow(100, (p[0] - low) / diagonal_));
+      tolerances.push_back(0.1 * part_ * diagonal_ * std::pow(100, (p[0] - low) / diagonal_));
     const Outcome outcome = simplified(
         arguments..., parameters::vertex_tolerance_map(CGAL::make_property_map(tolerances)));
     const double measured = used(outcome.result, tolerances);
@@ -181,6 +183,7 @@ private:
   std::string name_;
   Soup input_;
   double diagonal_, rounding_;
+  double part_ = 0;
   bool all_hold_ = true;
 };
 
@@ -194,9 +197,13 @@ bool check(const std::string& file) {
     const Soup moved = test::mapped(soup, [&](const Position& p) {
       return p + Position{{far, -far, far}};
     });
-    bool holds = Promises<double>(name, soup).check();
-    holds &= Promises<float>(name + " in floats", soup).check();
-    return Promises<double>(name + " far away", moved).check() && holds;
+    bool holds = true;
+    for (const auto& [part, ratio] : {std::array{0.001, 0.2}, {0.003, 0.05}, {0.01, 0.01}}) {
+      holds &= Promises<double>(name, soup).check(part, ratio);
+      holds &= Promises<float>(name + " in floats", soup).check(part, ratio);
+      holds &= Promises<double>(name + " far away", moved).check(part, ratio);
+    }
+    return holds;
   } catch (const std::runtime_error& skipped) {
     std::printf("%s: skipped: %s\n", name.c_str(), skipped.what());
     return true;
