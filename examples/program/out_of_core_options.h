@@ -14,6 +14,15 @@
 
 namespace quadrille_examples {
 
+/// Options that are for a mesh that is read as a whole.
+inline constexpr const char* options_of_whole_meshes[] = {
+    "--levels",  "--tolerance",     "--lines",        "--normal-noise",
+    "--noise",   "--squared-areas", "--importance",   "--boundary",
+    "--crease",  "--pairs",         "--drop-parts",   "--no-self-intersection",
+    "--normals", "--solid",         "--seams",        "--order",
+    "--weld",    "--orient",        "--keep-partial", "--measure",
+    "--verify"};
+
 /// Bytes: 4G, 500M, 1.5G.
 inline std::optional<std::uint64_t> parse_bytes(std::string word) {
   double unit = 1;
@@ -59,14 +68,9 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                           "simplify part N, or close the phase, which prints 0 when OUT is there"))
       ->check(word_that(is_step, "cut, the number of a part, nor close"))
       ->type_name("cut|N|close");
-  for (const char* const name :
-       {"--levels",  "--record",        "--from",         "--vertices",
-        "--error",   "--tolerance",     "--lines",        "--normal-noise",
-        "--noise",   "--squared-areas", "--importance",   "--boundary",
-        "--crease",  "--pairs",         "--drop-parts",   "--no-self-intersection",
-        "--normals", "--solid",         "--seams",        "--order",
-        "--weld",    "--orient",        "--keep-partial", "--measure",
-        "--verify"})
+  for (const char* const name : {"--record", "--from", "--vertices", "--error"})
+    parts->excludes(name);
+  for (const char* const name : options_of_whole_meshes)
     parts->excludes(name);
 }
 

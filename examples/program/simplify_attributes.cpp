@@ -66,9 +66,9 @@ private:
         *options_.topology, internal::intersection_of(options_),
         quadrille::NormalDeviation{options_.normal_deviation}, quadrille::record_into(recorder),
         quadrille::parameters::vertex_tolerance_map(
-            internal::PointTolerances{&options_.tolerance},
+            internal::SoupValues{&options_.tolerance},
             quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)))
-            .vertex_is_constrained_map(internal::FixedPoints{&options_.fixed})
+            .vertex_is_constrained_map(internal::SoupValues{&options_.fixed})
             .visitor(std::cref(visitor)));
     attributes_.restore(mesh_, carried);
     return report;

@@ -131,19 +131,18 @@ inline KeepSolid intersection_of(const SoupOptions& options) {
 
 /// The named parameters that the options say.
 inline auto named_of(const SoupOptions& options, const SoupVisitor& visitor) {
-  const auto cgals = CGAL::parameters::vertex_is_constrained_map(FixedPoints{&options.fixed})
+  const auto cgals = CGAL::parameters::vertex_is_constrained_map(SoupValues{&options.fixed})
                          .visitor(std::cref(visitor));
   const std::span<const std::array<std::uint32_t, 2>> borders(options.borders);
   const CGAL::Named_function_parameters<std::optional<CGAL::Bbox_3>, parameters::bounding_box_t,
                                         decltype(cgals)>
       boxed(bounding_box_of(options), cgals);
-  const auto shared = parameters::vertex_is_shared_map(SharedPoints{&options.shared},
+  const auto shared = parameters::vertex_is_shared_map(SoupValues{&options.shared},
                                                        parameters::border_edges(borders, boxed));
-  const auto weighed =
-      parameters::vertex_importance_map(PointImportances{&options.importance}, shared);
+  const auto weighed = parameters::vertex_importance_map(SoupValues{&options.importance}, shared);
   return parameters::face_is_selected_map(
-      SelectedTriangles{&options.selected},
-      parameters::vertex_tolerance_map(PointTolerances{&options.tolerance}, weighed));
+      SoupValues{&options.selected},
+      parameters::vertex_tolerance_map(SoupValues{&options.tolerance}, weighed));
 }
 
 /// By policies that the options say; `more` are labels and channels, if there are any.

@@ -13,66 +13,20 @@
 
 namespace quadrille::internal {
 
-/// Which points are fixed.
-struct FixedPoints {
+/// A value for each point or triangle, or none at all.
+template <class Value>
+struct SoupValues {
   using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
+  using value_type = Value;
+  using reference = Value;
   using category = boost::readable_property_map_tag;
-  const std::vector<bool>* is_fixed;
+  const std::vector<Value>* values;
 
-  friend bool get(const FixedPoints& map, std::size_t i) {
-    return !map.is_fixed->empty() && (*map.is_fixed)[i];
-  }
+  bool is_absent() const { return values->empty(); }
+  friend Value get(const SoupValues& map, std::size_t i) { return (*map.values)[i]; }
 };
-
-/// How far points may move.
-struct PointTolerances {
-  using key_type = std::size_t;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-  const std::vector<double>* tolerance;
-
-  bool is_limited() const { return !tolerance->empty(); }
-  friend double get(const PointTolerances& map, std::size_t i) { return (*map.tolerance)[i]; }
-};
-
-/// How important points are.
-struct PointImportances {
-  using key_type = std::size_t;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-  const std::vector<double>* of;
-
-  bool is_empty() const { return of->empty(); }
-  friend double get(const PointImportances& map, std::size_t i) { return (*map.of)[i]; }
-};
-
-/// Which points are shared.
-struct SharedPoints {
-  using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const std::vector<bool>* is_shared;
-
-  bool shares_none() const { return is_shared->empty(); }
-  friend bool get(const SharedPoints& map, std::size_t i) { return (*map.is_shared)[i]; }
-};
-
-/// Which triangles are selected.
-struct SelectedTriangles {
-  using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const std::vector<bool>* is_selected;
-
-  bool selects_all() const { return is_selected->empty(); }
-  friend bool get(const SelectedTriangles& map, std::size_t i) { return (*map.is_selected)[i]; }
-};
+template <class Value>
+SoupValues(const std::vector<Value>*) -> SoupValues<Value>;
 
 /// What became of each point.
 struct PointImages {

@@ -62,21 +62,6 @@ public:
   /// Gives memory back that write() can fill anew.
   void release() { vertices_.release(); }
 
-  /// Fixes the vertices of which get(map, vertex) is true.
-  template <class Map>
-  void fix_vertices(Map map, SurfaceInput<dimension>& surface) const {
-    for (Index v = 0; v < vertices_.size(); ++v)
-      if (get(map, vertices_[v]))
-        surface.fix(v);
-  }
-
-  /// Tells how far vertices may move.
-  template <class Map>
-  void limit_vertices(Map map, SurfaceInput<dimension>& surface) const {
-    for (Index v = 0; v < vertices_.size(); ++v)
-      surface.limit(v, static_cast<double>(get(map, vertices_[v])), v);
-  }
-
   /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
   /// is the vertex v of the surface.
   template <class Map, class Visit>

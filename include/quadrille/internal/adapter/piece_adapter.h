@@ -119,7 +119,9 @@ public:
       input.triangles.push_back(read_triangle(piece_.triangles[face], face, count));
     piece_.triangles = {};
     input.is_fixed = std::move(piece_.is_fixed);
-    input.share(piece_.is_shared);
+    for (Index v = 0; v < piece_.is_shared.size(); ++v)
+      if (piece_.is_shared[v])
+        input.share(v);
     input.borders = std::move(piece_.borders);
     input.given_box = piece_.box;
     if (!piece_.labels.empty())

@@ -59,21 +59,6 @@ public:
     return surface;
   }
 
-  /// Fixes the points of which get(map, index) is true.
-  template <class Map>
-  void fix_vertices(Map map, SurfaceInput<dimension>& surface) const {
-    for (Index v = 0; v < surface.positions.size(); ++v)
-      if (get(map, static_cast<std::size_t>(v)))
-        surface.fix(v);
-  }
-
-  /// Tells how far points may move.
-  template <class Map>
-  void limit_vertices(Map map, SurfaceInput<dimension>& surface) const {
-    for (Index v = 0; v < surface.positions.size(); ++v)
-      surface.limit(v, static_cast<double>(get(map, static_cast<std::size_t>(v))), v);
-  }
-
   /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
   /// is the vertex v of the surface.
   template <class Map, class Visit>

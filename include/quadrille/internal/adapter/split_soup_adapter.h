@@ -57,21 +57,6 @@ public:
     return surface;
   }
 
-  /// Fixes the vertices of which get(map, index) is true for a point.
-  template <class Map>
-  void fix_vertices(Map map, SurfaceInput<3>& surface) const {
-    for (std::size_t i = 0; i < vertex_of_.size(); ++i)
-      if (get(map, i))
-        surface.fix(vertex_of_[i]);
-  }
-
-  /// Tells how far points may move: of those that are one vertex, the least.
-  template <class Map>
-  void limit_vertices(Map map, SurfaceInput<3>& surface) const {
-    for (std::size_t i = 0; i < vertex_of_.size(); ++i)
-      surface.limit(vertex_of_[i], static_cast<double>(get(map, i)), i);
-  }
-
   /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
   /// is the vertex v of the surface.
   template <class Map, class Visit>

@@ -79,55 +79,47 @@ concept ConstantBuffers = BufferedSoup<Points, Triangles> &&
 /// Fixes the vertices that are constrained, if any are.
 template <class Reader, class Input, class NamedParameters>
 void fix_vertices(Reader& reader, Input& input, const NamedParameters& named) {
-  const auto fixed =
-      CGAL::parameters::get_parameter(named, CGAL::internal_np::vertex_is_constrained);
-  if constexpr (is_given<decltype(fixed)>)
-    reader.fix_vertices(fixed, input);
+  with_map<CGAL::internal_np::vertex_is_constrained_t>(named, [&](const auto& map) {
+    reader.for_each_value(map, [&](Index v, const auto& is_fixed, std::size_t) {
+      if (is_fixed)
+        input.fix(v);
+    });
+  });
 }
 
-/// Tells how far vertices may move, if it is said.
+/// Tells how far vertices may move, if it is said. Of those at one place the least counts.
 template <class Reader, class Input, class NamedParameters>
 void limit_vertices(Reader& reader, Input& input, const NamedParameters& named) {
-  const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_tolerance);
-  if constexpr (is_given<decltype(map)>) {
-    if constexpr (requires { map.is_limited(); }) // one that is chosen at run time
-      if (!map.is_limited())
-        return;
-    reader.limit_vertices(map, input);
-  }
+  with_map<parameters::vertex_tolerance_t>(named, [&](const auto& map) {
+    reader.for_each_value(map, [&](Index v, const auto& tolerance, std::size_t vertex) {
+      input.limit(v, static_cast<double>(tolerance), vertex);
+    });
+  });
 }
 
 /// Reads how important vertices are, if that is told. Of those at one place the greatest counts.
 template <class Reader, class Input, class NamedParameters>
 void weigh_vertices(Reader& reader, Input& input, const NamedParameters& named) {
-  const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_importance);
-  if constexpr (is_given<decltype(map)>) {
-    if constexpr (requires { map.is_empty(); }) // one that is chosen at run time
-      if (map.is_empty())
-        return;
+  with_map<parameters::vertex_importance_t>(named, [&](const auto& map) {
     input.importances.assign(input.positions.size(), 0.0);
     reader.for_each_value(map, [&](Index v, double importance, std::size_t vertex) {
       require_importance(importance, vertex);
       input.importances[v] = (std::max)(input.importances[v], importance);
     });
-  }
+  });
 }
 
 /// Keeps from being changed what is not selected, if faces are. They are in the order of the input.
 template <class Faces, class Input, class NamedParameters>
 void select_faces(const Faces& faces, Input& input, const NamedParameters& named) {
-  const auto map = CGAL::parameters::get_parameter(named, parameters::face_is_selected);
-  if constexpr (is_given<decltype(map)>) {
-    if constexpr (requires { map.selects_all(); }) // one that is chosen at run time
-      if (map.selects_all())
-        return;
+  with_map<parameters::face_is_selected_t>(named, [&](const auto& map) {
     for (const auto& face : faces) {
       input.is_selected.push_back(get(map, face));
       if (!input.is_selected.back())
         for (Index v : input.triangles[input.is_selected.size() - 1])
           input.fix(v);
     }
-  }
+  });
 }
 
 /// Fixes the edges that are constrained, and makes creases of those that are named so.

@@ -39,6 +39,19 @@ template <class Parameter>
 inline constexpr bool is_given =
     !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
 
+/// Calls use(map) with the property map of that name, if it is given. One that is chosen at run
+/// time may say that it is not.
+template <class Tag, class NamedParameters, class Use>
+void with_map(const NamedParameters& named, Use use) {
+  const auto map = CGAL::parameters::get_parameter(named, Tag{});
+  if constexpr (is_given<decltype(map)>) {
+    if constexpr (requires { map.is_absent(); })
+      if (map.is_absent())
+        return;
+    use(map);
+  }
+}
+
 /// Names of parameters: their tags.
 template <class... Tags>
 struct Names {

@@ -24,15 +24,12 @@ namespace quadrille::internal {
 /// Shares the vertices that other pieces have as well, if any do.
 template <class Reader, class Input, class NamedParameters>
 void share_vertices(Reader& reader, Input& input, const NamedParameters& named) {
-  const auto shared = CGAL::parameters::get_parameter(named, parameters::vertex_is_shared);
-  if constexpr (is_given<decltype(shared)>) {
-    if constexpr (requires { shared.shares_none(); }) // one that is chosen at run time
-      if (shared.shares_none())
-        return;
-    std::vector<bool> fixed = std::exchange(input.is_fixed, {});
-    reader.fix_vertices(shared, input);
-    input.share(std::exchange(input.is_fixed, std::move(fixed)));
-  }
+  with_map<parameters::vertex_is_shared_t>(named, [&](const auto& map) {
+    reader.for_each_value(map, [&](Index v, const auto& is_shared, std::size_t) {
+      if (is_shared)
+        input.share(v);
+    });
+  });
 }
 
 /// Names the borders of a mesh between vertices that are shared.

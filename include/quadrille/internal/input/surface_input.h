@@ -15,7 +15,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -81,12 +80,11 @@ struct SurfaceInput {
     is_fixed[v] = true;
   }
 
-  /// Fixes the vertices that other pieces have as well.
-  void share(std::vector<bool> shared) {
-    is_shared = std::move(shared);
-    for (Index v = 0; v < is_shared.size(); ++v)
-      if (is_shared[v])
-        fix(v);
+  /// Fixes a vertex that other pieces have as well.
+  void share(Index v) {
+    is_shared.resize(positions.size(), false);
+    is_shared[v] = true;
+    fix(v);
   }
 };
 
