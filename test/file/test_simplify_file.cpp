@@ -59,6 +59,15 @@ FileReport run(const Folder& folder, const OutOfCore& options, std::size_t faces
                                                FaceCount{faces}, options);
 }
 
+// What a run without interruption makes of the surface, as the bytes of a file; the file is gone.
+std::string content_at_once(const Folder& folder, const OutOfCore& options) {
+  folder.file("in.ply", ply_of(surface()));
+  run(folder, options);
+  std::string content = content_of(folder.path("out.ply"));
+  std::filesystem::remove(folder.path("out.ply"));
+  return content;
+}
+
 double rms(const Soup& a, const Soup& b) {
   return surface_distance(a.points, a.triangles, b.points, b.triangles, {20'000, 0}).rms;
 }
@@ -289,11 +298,8 @@ bool run_and_die(const Folder& folder, OutOfCore options, int n) {
 
 TEST_CASE("A run that is killed anywhere goes on where it was") {
   const Folder folder;
-  folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
-  run(folder, options);
-  const std::string once = content_of(folder.path("out.ply"));
-  std::filesystem::remove(folder.path("out.ply"));
+  const std::string once = content_at_once(folder, options);
   options.restart = true;
   int kills = 0;
   while (!run_and_die(folder, options, 7 + 60 * (kills % 8)))
@@ -305,11 +311,8 @@ TEST_CASE("A run that is killed anywhere goes on where it was") {
 
 TEST_CASE("A disk that is full ends in a sentence, and what is done stays") {
   const Folder folder;
-  folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16);
-  run(folder, options);
-  const std::string once = content_of(folder.path("out.ply"));
-  std::filesystem::remove(folder.path("out.ply"));
+  const std::string once = content_at_once(folder, options);
   options.restart = true;
   for (const ::rlim_t most : {5'000U, 12'000U, 19'000U}) { // bytes of a file
     const pid_t child = ::fork();
@@ -338,11 +341,8 @@ TEST_CASE("A disk that is full ends in a sentence, and what is done stays") {
 
 TEST_CASE("A run ends when the user says so, and goes on") {
   const Folder folder;
-  folder.file("in.ply", ply_of(surface()));
   OutOfCore options = in_parts(folder, part_of_16, 2);
-  run(folder, options);
-  const std::string once = content_of(folder.path("out.ply"));
-  std::filesystem::remove(folder.path("out.ply"));
+  const std::string once = content_at_once(folder, options);
   options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
   CHECK(run(folder, options).stop == StopReason::cancelled);
   CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));

@@ -49,7 +49,8 @@ struct PieceOfPart {
     piece.box = box(of_file);
     if constexpr (has_memory) {
       piece.memories.resize(part.memories.size() / memory_size);
-      std::memcpy(piece.memories.data(), part.memories.data(), part.memories.size());
+      std::copy(part.memories.begin(), part.memories.end(),
+                reinterpret_cast<char*>(piece.memories.data()));
     }
     return piece;
   }
@@ -78,7 +79,8 @@ struct PieceOfPart {
         s.labels.push_back(labels[face]);
     if constexpr (has_memory) {
       s.memories.resize(result.memories.size() * memory_size);
-      std::memcpy(s.memories.data(), result.memories.data(), s.memories.size());
+      const char* const bytes = reinterpret_cast<const char*>(result.memories.data());
+      std::copy(bytes, bytes + s.memories.size(), s.memories.begin());
     }
     return s;
   }
