@@ -1200,8 +1200,8 @@ for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--p
   expect_ratio out.off 80
 done
 run 0 sheet.off coloured.ply --keep 100%
-run 2 coloured.ply out.ply --out-of-core scratch
-expect stderr '^coloured.ply: has property [a-z]+ of vertices, which can.t go along in parts; '
+run 0 coloured.ply out.ply --keep 50% --out-of-core scratch
+grep -a -q '^property uchar red$' out.ply || fail "colours do not go along"
 run 0 coloured.ply out.ply --out-of-core scratch --positions-only
 expect stderr '^coloured.ply: left out: property [a-z]+ of vertices$'
 for bad in 'plain.off out.ply' 'whole.ply out.off' 'whole.ply -' 'whole.ply out.ply --cost color' \

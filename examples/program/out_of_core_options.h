@@ -58,7 +58,8 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                         "go on with what is in the folder, where a run was stopped"));
   in_group(app.add_flag(
       "--positions-only", options.positions_only,
-      "leave out what IN has beside positions, corners and labels; else it is refused"));
+      "leave out what IN has beside positions, corners and labels; else colours and other numbers "
+      "of vertices go along, and what can't is refused"));
   const auto is_step = [](const std::string& word) {
     const std::optional<std::int64_t> part = parse_integer(word);
     return word == "cut" || word == "close" || (part && *part >= 0);

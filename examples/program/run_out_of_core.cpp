@@ -31,6 +31,7 @@ quadrille::OutOfCore out_of_core(const Options& options, ProgressLine& progress)
   result.memory = options.memory;
   result.parts_in_flight = options.threads;
   result.restart = options.restarts || (!options.step.empty() && options.step != "cut");
+  result.attribute_importance = options.cost.empty() ? 1 : hardly;
   result.positions_only = options.positions_only;
   result.proceed = [&](const quadrille::FileStatus& status) {
     progress.show(status);

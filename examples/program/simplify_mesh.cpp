@@ -12,9 +12,6 @@ namespace quadrille_examples {
 
 namespace {
 
-/// By how much less counts what shall hardly count.
-constexpr double hardly = 1. / 64;
-
 quadrille::SoupOptions::Cost cost(const Options& options) {
   using Cost = quadrille::SoupOptions::Cost;
   return options.cost == "length"          ? Cost::edge_length

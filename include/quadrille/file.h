@@ -68,6 +68,8 @@ public:
         watch_(options.proceed), job_(made_job(internal::FileTarget(stop))) {
     if (options.scratch.empty())
       throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
+    if (!(options.attribute_importance > 0 && options.attribute_importance < 1e30))
+      throw std::invalid_argument("quadrille::OutOfCore: attribute_importance has to be above 0");
   }
   /// The same with policies that need not be told.
   template <class Stop>
@@ -156,13 +158,16 @@ public:
 
 private:
   internal::PartedJob made_job(const internal::FileTarget& target) const {
-    const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::memory_size);
+    const internal::VertexScalars scalars = source_.scalars();
+    const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::memory_size,
+                                        scalars.size());
     internal::JobKey key;
     key.add_number(source_.key());
+    key.add_number(options_.attribute_importance);
     target.tell(key);
     runner_.tell(key);
     budget.tell(key);
-    return {options_.scratch, budget, target, key.value()};
+    return {options_.scratch, budget, target, scalars, options_.attribute_importance, key.value()};
   }
 
   // What finds the limit of a phase that is about to begin.
@@ -194,13 +199,15 @@ private:
 ///   corners at exactly the same place become one vertex
 /// - output: binary PLY, little endian, float or double as the input; vertices in the order of the
 ///   input
+/// - colours, normals and other numbers of vertices go along as channels, and integers of faces as
+///   labels, with their names and types, and in the range that they had
 /// - stop: a FaceCount or a FaceRatio. The count is met exactly if what is left of some phase fits
 ///   into memory (FileReport::is_count_exact); else it is near
 /// - policies: what `simplify` takes beside, as it is told to each part
 ///
 /// The result depends on OutOfCore::memory (or part_faces), but not on how many parts are in
-/// flight, nor on interruptions. Topology is kept as `simplify` keeps it. What the file has beside
-/// positions and corners is refused, but with OutOfCore::positions_only.
+/// flight, nor on interruptions. Topology is kept as `simplify` keeps it. What else the file has,
+/// lists and other elements, is refused, but with OutOfCore::positions_only.
 ///
 /// Time O(n log n) for n faces, reading the file five times; memory as told, with two bytes for
 /// each vertex at least; on disk about 28 bytes for each face. Throws as PartitionedSimplifier.

@@ -58,7 +58,11 @@ struct OutOfCore {
   /// How many faces may be left before the last phase, which simplifies the whole to the target
   /// itself; 0: as many as fit into the memory. The result depends on it.
   std::uint64_t whole_faces = 0;
-  /// Read over whatever the file has beside positions, corners and labels; else it is refused.
+  /// How much colours, normals, texture coordinates and other numbers of vertices count beside the
+  /// shape: see ChannelOptions::importance. Above 0. The result depends on it.
+  double attribute_importance = 1;
+  /// Read over whatever the file has beside positions, corners and labels; else what can't go along
+  /// is refused.
   bool positions_only = false;
   /// Called now and then by the thread that has called, and before each part; returning false ends
   /// the run, which can be restarted.

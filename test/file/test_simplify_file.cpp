@@ -15,6 +15,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -262,6 +264,145 @@ TEST_CASE("Labels of faces go along, and their regions stay") {
   }
 }
 
+// --- Attributes of vertices ----------------------------------------------------------------------
+
+/// Of a place, from 0 to 255.
+std::array<double, 3> color_at(const test::Position& p) {
+  return {127.5 + 127.5 * std::sin(5 * p[0]), 127.5 + 60 * std::cos(7 * p[1] + p[2]), 40};
+}
+
+/// The surface with normals, which are those of its sphere, colours, a number and an integer.
+std::string coloured_ply(const Soup& soup) {
+  const std::string plain = ply_of(soup);
+  const std::size_t header = plain.find("end_header\n") + 11;
+  std::string ply = plain.substr(0, header);
+  ply.insert(
+      ply.find("element face"),
+      "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\n"
+      "property uchar green\nproperty uchar blue\nproperty double heat\nproperty short id\n");
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    const test::Position& p = soup.points[v];
+    ply += plain.substr(header + 12 * v, 12);
+    for (std::size_t i = 0; i < 3; ++i)
+      test::put_number(ply, static_cast<float>(p[i] / std::sqrt(squared_length(p))));
+    for (const double c : color_at(p))
+      ply += static_cast<char>(static_cast<unsigned char>(std::lround(c)));
+    test::put_number(ply, 1e6 * p[2]);
+    test::put_number(ply, static_cast<std::int16_t>(p[0] > 0 ? 300 : -7));
+  }
+  return ply + plain.substr(header + 12 * soup.points.size());
+}
+
+struct Coloured {
+  std::vector<test::Position> points, normals, colors;
+  std::vector<double> heats;
+  std::vector<int> ids;
+  std::vector<test::Triangle> triangles;
+
+  /// As simplify_file has written it.
+  explicit Coloured(const std::string& ply) {
+    const std::size_t at_vertices = ply.find("element vertex ") + 15;
+    const std::size_t at_faces = ply.find("element face ") + 13;
+    const char* at = ply.data() + ply.find("end_header\n") + 11;
+    const auto next = [&]<class Number>(Number number) {
+      std::memcpy(&number, at, sizeof(number));
+      at += sizeof(number);
+      return static_cast<double>(number);
+    };
+    for (std::size_t v = std::stoul(ply.substr(at_vertices)); v > 0; --v) {
+      points.push_back({{next(0.0F), next(0.0F), next(0.0F)}});
+      normals.push_back({{next(0.0F), next(0.0F), next(0.0F)}});
+      colors.push_back({{next(std::uint8_t{}), next(std::uint8_t{}), next(std::uint8_t{})}});
+      heats.push_back(next(0.0));
+      ids.push_back(static_cast<int>(next(std::int16_t{})));
+    }
+    for (std::size_t f = std::stoul(ply.substr(at_faces)); f > 0; --f) {
+      ++at;
+      triangles.emplace_back();
+      for (std::uint32_t& v : triangles.back())
+        v = static_cast<std::uint32_t>(next(std::uint32_t{}));
+    }
+    REQUIRE(at == ply.data() + ply.size());
+  }
+
+  /// How far colours are from color_at(), at the middles of edges, the root of the mean square.
+  double color_error() const {
+    double sum = 0;
+    for (const test::Triangle& t : triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = t[i], w = t[(i + 1) % 3];
+        const auto right = color_at(0.5 * (points[v] + points[w]));
+        const test::Position color = 0.5 * (colors[v] + colors[w]);
+        for (std::size_t c = 0; c < 3; ++c)
+          sum += (color[c] - right[c]) * (color[c] - right[c]);
+      }
+    return std::sqrt(sum / static_cast<double>(9 * triangles.size()));
+  }
+};
+
+TEST_CASE("Colours and other numbers of vertices go along") {
+  const Folder folder;
+  const Soup input = surface();
+  folder.file("in.ply", coloured_ply(input));
+  run<Quadric>(folder, in_parts(folder, 8000));
+  const double in_memory = Coloured(content_of(folder.path("out.ply"))).color_error();
+  FileReport report = run<Quadric>(folder, in_parts(folder, part_of_16));
+  CHECK(report.dropped.empty());
+  CHECK(report.parts > 10);
+  const std::string once = content_of(folder.path("out.ply"));
+  CHECK(once.find("float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty "
+                  "uchar red\nproperty uchar green\nproperty uchar blue\nproperty double "
+                  "heat\nproperty short id\nelement face 800\n") != std::string::npos);
+  const Coloured output(once);
+  CHECK(output.color_error() < 1.05 * in_memory);
+  CHECK(in_memory < 12);
+  CHECK(topology_of({output.points, output.triangles}).genus() == 1);
+  double heat_error = 0;
+  for (std::size_t v = 0; v < output.points.size(); ++v) {
+    CHECK(std::abs(std::sqrt(squared_length(output.normals[v])) - 1) < 1e-6);
+    CHECK(output.colors[v][2] == 40);
+    CHECK((output.ids[v] == 300 || output.ids[v] == -7));
+    if (std::abs(output.points[v][0]) > 0.2)
+      CHECK((output.ids[v] == 300) == (output.points[v][0] > 0));
+    heat_error = std::max(heat_error, std::abs(output.heats[v] - 1e6 * output.points[v][2]));
+  }
+  CHECK(heat_error < 2e4);
+  OutOfCore options = in_parts(folder, part_of_16, 2);
+  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
+  CHECK(run<Quadric>(folder, options).stop == StopReason::cancelled);
+  options.proceed = {};
+  options.restart = true;
+  run<Quadric>(folder, options);
+  CHECK(content_of(folder.path("out.ply")) == once);
+}
+
+TEST_CASE("How much they count is told, and they may be left out") {
+  const Folder folder;
+  folder.file("in.ply", coloured_ply(surface()));
+  OutOfCore options = in_parts(folder, part_of_16);
+  run(folder, options);
+  const double usual = Coloured(content_of(folder.path("out.ply"))).color_error();
+  options.attribute_importance = 0.01;
+  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
+  run(folder, options);
+  options.proceed = {};
+  options.restart = true;
+  options.attribute_importance = 1;
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("of another file, or of another"));
+  options.attribute_importance = 0.01;
+  run(folder, options);
+  CHECK(Coloured(content_of(folder.path("out.ply"))).color_error() > 1.2 * usual);
+  options.attribute_importance = 0;
+  CHECK_THROWS_AS(run(folder, options), std::invalid_argument);
+  options.attribute_importance = 1;
+  options.positions_only = true;
+  CHECK(run(folder, options).dropped.size() == 8);
+  const std::string alone = content_of(folder.path("out.ply"));
+  folder.file("in.ply", ply_of(surface()));
+  run(folder, options);
+  CHECK(content_of(folder.path("out.ply")) == alone);
+}
+
 TEST_CASE("A ratio of the faces") {
   const Folder folder;
   folder.file("in.ply", ply_of(surface()));
@@ -432,23 +573,40 @@ TEST_CASE("Bad files end in a sentence that names the place") {
   require_refusal("in.stl", "solid x\nendsolid\n", "is text");
 }
 
-TEST_CASE("What does not go along is refused, or told") {
-  const Folder folder;
+TEST_CASE("What does not go along is refused before anything is written, or told") {
   const std::string ply = ply_of(test::octahedron());
-  const std::size_t header = ply.find("element face");
-  folder.file("in.ply", replaced(replaced(ply, "element face", "property uchar red\nelement face"),
-                                 "vertex 6", "vertex 0"));
-  CHECK(header > 0);
+  const auto with = [&](const std::string& properties, const std::string& of_vertex) {
+    std::string text = replaced(ply, "element face", properties + "element face");
+    std::size_t at = text.find("end_header\n") + 11;
+    for (int v = 0; v < 6; ++v, at += 12 + of_vertex.size())
+      text.insert(at + 12, of_vertex);
+    return text;
+  };
+  const float infinity = std::numeric_limits<float>::infinity();
+  std::string infinite;
+  test::put_number(infinite, infinity);
+  require_refusal("in.ply", with("property float heat\n", infinite),
+                  "property heat of vertex 0 is not finite");
+  std::string many;
+  for (const char name : std::string("abcdefghi"))
+    many += std::string("property uchar ") + name + "\n";
+  require_refusal("in.ply", with(many, "123456789"), "its vertices have 9 different attributes");
+  require_refusal("in.ply", with("property list uchar int neighbours\n", std::string(1, '\0')),
+                  "element 'vertex' has lists");
+  require_refusal("in.ply", replaced(ply, "end_header", "property float area\nend_header"),
+                  "has property area of faces, which can't go along");
+  require_refusal("in.ply",
+                  replaced(ply, "end_header", "property list uchar float texcoord\nend_header"),
+                  "has property texcoord of faces, which");
+  require_refusal("in.ply", replaced(ply, "end_header", "element edge 5\nend_header"),
+                  "has element edge, which");
+  const Folder folder;
+  folder.file("in.ply", with("property uchar red\n", "7"));
   OutOfCore options = in_parts(folder, part_of_16);
-  CHECK_THROWS_WITH(run(folder, options), Catch::Contains("has property red of vertices, which"));
-  std::string coloured = replaced(ply, "element face", "property uchar red\nelement face");
-  std::size_t at = coloured.find("end_header\n") + 11;
-  for (int v = 0; v < 6; ++v)
-    coloured.insert(at += 12, 1, '\7'), ++at;
-  folder.file("in.ply", coloured);
+  CHECK(run(folder, options).dropped.empty());
+  CHECK(content_of(folder.path("out.ply")).find("property uchar red\n") != std::string::npos);
   options.positions_only = true;
-  const FileReport report = run(folder, options);
-  CHECK(report.dropped == std::vector<std::string>{"property red of vertices"});
+  CHECK(run(folder, options).dropped == std::vector<std::string>{"property red of vertices"});
   CHECK(read_ply(folder.path("out.ply")).triangles.size() == 8);
 }
 

@@ -70,6 +70,9 @@ private:
       piece.ids.push_back(part_.ids[v]);
       piece.positions.push_back(part_.positions[v]);
       piece.is_shared.push_back(part_.is_shared[v]);
+      const std::size_t scalars = part_.scalars.size() / part_.ids.size();
+      const auto row = part_.scalars.begin() + static_cast<std::ptrdiff_t>(v * scalars);
+      piece.scalars.insert(piece.scalars.end(), row, row + static_cast<std::ptrdiff_t>(scalars));
       const auto memory = part_.memories.begin() + static_cast<std::ptrdiff_t>(v * memory_size);
       if (!part_.memories.empty())
         piece.memories.insert(piece.memories.end(), memory,

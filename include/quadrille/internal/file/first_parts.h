@@ -67,12 +67,20 @@ private:
 
   template <class Tell>
   void measure(Tell tell) {
-    checksum_ = input_.for_vertices([&](VertexId id, const Vector<3>& p) {
-      tell(id);
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-        fail_file(input_.file().path(), "vertex " + std::to_string(id) + " is not finite");
-      facts_.box.add(p);
-    });
+    checksum_ = input_.for_vertices(
+        [&](VertexId id, const Vector<3>& p, const std::vector<double>& scalars) {
+          tell(id);
+          if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+            fail_file(input_.file().path(), "vertex " + std::to_string(id) + " is not finite");
+          facts_.box.add(p);
+          for (std::size_t i = 0; i < scalars.size(); ++i)
+            if (!(std::abs(scalars[i]) < 0x1p170))
+              fail_file(input_.file().path(),
+                        "property " + input_.scalars().properties()[i].name + " of vertex " +
+                            std::to_string(id) +
+                            " is not finite, or too large; 'positions only' leaves it out");
+          facts_.ranges.add(scalars);
+        });
   }
 
   template <class Tell>
@@ -127,11 +135,11 @@ private:
 
   template <class Tell>
   void give_vertices(PartScatter& scatter, const std::vector<PartNumber>& homes, Tell tell) {
-    for_vertices([&](VertexId id, const Vector<3>& p) {
+    for_vertices([&](VertexId id, const Vector<3>& p, const std::vector<double>& scalars) {
       tell(id);
       const VertexRow row{id, 0, p};
-      scatter.add_vertex(homes[id], row, nullptr, 0);
-      requests_.for_parts(id, [&](PartNumber part) { scatter.add_vertex(part, row, nullptr, 0); });
+      scatter.add_vertex(homes[id], row, scalars, {});
+      requests_.for_parts(id, [&](PartNumber part) { scatter.add_vertex(part, row, scalars, {}); });
     });
     scatter.end_vertices();
   }

@@ -25,7 +25,8 @@ struct LoadedPart {
   std::vector<VertexId> ids;
   std::vector<Vector<3>> positions;
   std::vector<bool> is_shared;
-  std::vector<char> memories; ///< of `memory_size` bytes each; empty in the first phase
+  std::vector<double> scalars; ///< of the vertices, one row after the other, or none
+  std::vector<char> memories;  ///< of `memory_size` bytes each; empty in the first phase
   std::vector<std::array<Index, 3>> triangles;
   std::vector<std::uint32_t> labels;         ///< of the triangles, or none
   std::vector<std::array<Index, 2>> borders; ///< see TrueBorders
@@ -36,7 +37,7 @@ struct LoadedPart {
     LoadedPart loaded;
     const PartFiles& files = plan.parts[part];
     loaded.take_vertices(read_rows<char>(folder.vertices(plan.phase, part), files.vertices),
-                         sizeof(VertexRow) + (plan.phase > 1 ? memory_size : 0));
+                         plan.input.ranges.low.size(), plan.phase > 1 ? memory_size : 0);
     const IdIndex index(loaded.ids);
     const auto path = folder.faces(plan.phase, part);
     loaded.triangles = read_rows<FaceRow>(path, files.faces);
@@ -54,7 +55,10 @@ struct LoadedPart {
 
 private:
   // A vertex that came from several parts comes once from each of them, with the same content.
-  void take_vertices(const std::vector<char>& rows, std::size_t row_size) {
+  void take_vertices(const std::vector<char>& rows, std::size_t scalar_count,
+                     std::size_t memory_size) {
+    const std::size_t scalars_size = scalar_count * sizeof(double);
+    const std::size_t row_size = sizeof(VertexRow) + scalars_size + memory_size;
     const std::size_t count = rows.size() / row_size;
     const auto row = [&](std::size_t i) {
       VertexRow result;
@@ -66,7 +70,6 @@ private:
       order[i] = std::uint64_t{row(i).id} << 32 | i;
     if (!std::is_sorted(order.begin(), order.end()))
       std::sort(order.begin(), order.end());
-    const std::size_t memory_size = row_size - sizeof(VertexRow);
     for (const std::uint64_t o : order) {
       const std::size_t i = static_cast<std::size_t>(o & 0xFFFFFFFFU);
       const VertexRow v = row(i);
@@ -75,7 +78,11 @@ private:
       ids.push_back(v.id);
       positions.push_back(v.position);
       is_shared.push_back(v.is_shared != 0);
-      const char* const memory = rows.data() + i * row_size + sizeof(VertexRow);
+      const char* const behind = rows.data() + i * row_size + sizeof(VertexRow);
+      scalars.resize(scalars.size() + scalar_count);
+      if (scalar_count > 0)
+        std::memcpy(scalars.data() + scalars.size() - scalar_count, behind, scalars_size);
+      const char* const memory = behind + scalars_size;
       memories.insert(memories.end(), memory, memory + memory_size);
     }
   }

@@ -198,8 +198,9 @@ private:
       const char* const memory = size == 0            ? nullptr
                                  : row.is_shared != 0 ? memories_.total(row.id)
                                                       : part.memories.data() + v * size;
-      requests.for_parts(static_cast<VertexId>(v),
-                         [&](PartNumber to) { scatter.add_vertex(to, row, memory, size); });
+      requests.for_parts(static_cast<VertexId>(v), [&](PartNumber to) {
+        scatter.add_vertex(to, row, part.scalars_of(v), {memory, size});
+      });
     }
   }
 

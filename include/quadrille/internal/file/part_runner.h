@@ -43,16 +43,20 @@ public:
     const std::vector<VertexId> ids = std::move(loaded.ids);
     const std::vector<bool> is_shared = loaded.is_shared;
     const std::vector<std::uint32_t> labels = loaded.labels;
+    const std::vector<double> scalars = std::move(loaded.scalars);
     const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
     auto piece = Pieces::piece(std::move(loaded), plan.input.box);
+    const PieceChannels channels = job.channels(scalars);
     const auto result =
-        plan.is_last
-            ? run(std::move(piece), FaceCount{static_cast<std::size_t>(job.target())}, is_cancelled)
-            : run(std::move(piece), limit(plan, plan.limit), is_cancelled);
+        plan.is_last ? run(std::move(piece), channels,
+                           FaceCount{static_cast<std::size_t>(job.target())}, is_cancelled)
+                     : run(std::move(piece), channels, limit(plan, plan.limit), is_cancelled);
     if (result.report.stop == StopReason::cancelled)
       return false;
-    job.write(part, Pieces::survivors(result, ids, is_shared, given, labels),
-              PartTally::of(result.report));
+    Survivors survivors = Pieces::survivors(result, ids, is_shared, given, labels);
+    survivors.scalars =
+        job.scalars().rows(result.channels, result.vertices, scalars, plan.input.ranges);
+    job.write(part, survivors, PartTally::of(result.report));
     return true;
   }
 
@@ -71,12 +75,12 @@ public:
     const std::size_t vertices =
         std::max<std::size_t>(loaded.ids.size() / 16 / pieces, least_sample);
     if (vertices * pieces >= loaded.ids.size() / 2)
-      return {sample(std::move(loaded), plan, is_cancelled)};
+      return {sample(std::move(loaded), job, is_cancelled)};
     std::vector<Sample> result;
     for (std::size_t i = 0; i < pieces; ++i)
       result.push_back(
-          sample(PartOfPart::of(loaded, vertices, i + part * 0x9E3779B1U, Pieces::memory_size),
-                 plan, is_cancelled));
+          sample(PartOfPart::of(loaded, vertices, i + part * 0x9E3779B1U, Pieces::memory_size), job,
+                 is_cancelled));
     return result;
   }
 
@@ -88,12 +92,12 @@ private:
   }
 
   template <class IsCancelled>
-  Sample sample(LoadedPart part, const PhasePlan& plan, const IsCancelled& is_cancelled) const {
+  Sample sample(LoadedPart part, const PartedJob& job, const IsCancelled& is_cancelled) const {
     const SampleCounts counts(part);
-    auto piece = Pieces::piece(std::move(part), plan.input.box);
-    return {counts, run(std::move(piece), limit(plan, std::numeric_limits<double>::infinity()),
-                        is_cancelled)
-                        .costs};
+    const PieceChannels channels = job.channels(part.scalars);
+    auto piece = Pieces::piece(std::move(part), job.plan().input.box);
+    const CostLimit unlimited = limit(job.plan(), std::numeric_limits<double>::infinity());
+    return {counts, run(std::move(piece), channels, unlimited, is_cancelled).costs};
   }
 
   template <class IsCancelled>
@@ -102,14 +106,19 @@ private:
     bool proceed(const Status&) const { return !(*is_cancelled)(); }
   };
 
+  // Without channels by the engine that has none, and pays nothing for them.
   template <class Stop, class IsCancelled>
-  PieceResult<Cost> run(Piece<Cost> piece, const Stop& stop,
+  PieceResult<Cost> run(Piece<Cost> piece, const PieceChannels& channels, const Stop& stop,
                         const IsCancelled& is_cancelled) const {
+    const auto run_with = [&](const auto&... arguments) {
+      return simplify_piece<Cost, Placement>(
+          std::move(piece), cost_, placement_, stop, arguments...,
+          CGAL::parameters::visitor(Watch<IsCancelled>{&is_cancelled}));
+    };
     return std::apply(
         [&](const auto&... policies) {
-          return simplify_piece<Cost, Placement>(
-              std::move(piece), cost_, placement_, stop, policies...,
-              CGAL::parameters::visitor(Watch<IsCancelled>{&is_cancelled}));
+          return channels.channels.empty() ? run_with(policies...)
+                                           : run_with(policies..., channels);
         },
         policies_);
   }

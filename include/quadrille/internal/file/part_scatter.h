@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace quadrille::internal {
@@ -92,12 +93,15 @@ public:
       parts_[p].labels = labels[p];
   }
 
-  /// `memory` is what the vertex remembers, of `size` bytes.
-  void add_vertex(PartNumber part, VertexRow row, const void* memory, std::size_t size) {
+  /// `scalars` are those of the vertex, `memory` the bytes of what it remembers.
+  void add_vertex(PartNumber part, VertexRow row, std::span<const double> scalars,
+                  std::span<const char> memory) {
     row.is_shared = shared_.has(row.id) ? 1 : 0;
     vertices_.add(part, &row, sizeof(row));
-    if (size > 0)
-      vertices_.add(part, memory, size);
+    if (!scalars.empty())
+      vertices_.add(part, scalars.data(), scalars.size_bytes());
+    if (!memory.empty())
+      vertices_.add(part, memory.data(), memory.size());
   }
 
   void end_vertices() {

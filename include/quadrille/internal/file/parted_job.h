@@ -27,13 +27,22 @@ namespace quadrille::internal {
 /// The files of a job and its phases: all but what simplifies a part.
 class PartedJob {
 public:
+  /// `importance` is how much the scalars of vertices count.
   PartedJob(const std::filesystem::path& scratch, const MemoryBudget& budget,
-            const FileTarget& target, std::uint64_t key)
-      : folder_(scratch), budget_(budget), target_(target), key_(key) {}
+            const FileTarget& target, VertexScalars scalars, double importance, std::uint64_t key)
+      : folder_(scratch), budget_(budget), target_(target), scalars_(std::move(scalars)),
+        importance_(importance), key_(key) {}
 
   const JobFolder& folder() const { return folder_; }
   const MemoryBudget& budget() const { return budget_; }
   const PhasePlan& plan() const { return plan_; }
+  const VertexScalars& scalars() const { return scalars_; }
+  /// Of rows of these scalars.
+  PieceChannels channels(const std::vector<double>& rows) const {
+    return scalars_.piece(rows, plan_.input.ranges,
+                          Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal(),
+                          importance_);
+  }
   std::uint64_t target() const { return target_.faces(plan_.input.counted_faces); }
   Schedule schedule() const {
     return {plan_.input.counted_faces, target(), budget_.part_vertices()};
@@ -158,7 +167,7 @@ public:
   /// What is left becomes a file.
   void sew(const std::filesystem::path& output, FileReport& report) const {
     const std::vector<SurvivorsHeader> parts = headers();
-    const Sewing sewing(folder_, plan_, parts);
+    const Sewing sewing(folder_, plan_, scalars_, parts);
     report.bytes_written += sewing.write(output, plan_.input.has_doubles);
     report.faces_after = static_cast<std::size_t>(sewing.faces());
     report.vertices_after = static_cast<std::size_t>(sewing.vertices());
@@ -232,6 +241,8 @@ private:
   JobFolder folder_;
   MemoryBudget budget_;
   FileTarget target_;
+  VertexScalars scalars_;
+  double importance_;
   std::uint64_t key_;
   PhasePlan plan_;
 };

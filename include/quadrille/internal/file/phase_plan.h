@@ -4,6 +4,7 @@
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/vertex_scalars.h>
 #include <quadrille/report.h>
 
 #include <array>
@@ -31,6 +32,7 @@ struct InputFacts {
   std::uint64_t counted_faces = 0;       ///< those with three different corners
   bool has_doubles = false;
   FileBox box;
+  ScalarRanges ranges;
 };
 
 /// A phase that may begin: each of its parts is there, and what becomes of it depends on nothing
@@ -95,7 +97,7 @@ struct PhasePlan {
   }
 
 private:
-  static inline const std::string magic = "quadrille phase 1";
+  static inline const std::string magic = "quadrille phase 2";
 
   static std::string end_of(const std::string& content) {
     FileChecksum checksum;
@@ -127,6 +129,8 @@ private:
     pass_all(input.vertices, input.faces, input.counted_faces, input.has_doubles);
     for (std::size_t i = 0; i < 3; ++i)
       pass_all(input.box.low.coordinates[i], input.box.high.coordinates[i]);
+    pass_list(input.ranges.low, pass);
+    pass_list(input.ranges.high, pass);
     pass_content(plan.borders);
     pass_content(plan.label_table);
     pass_list(plan.parts, [&](auto& part) {

@@ -25,8 +25,9 @@ struct PlyType {
 
   friend bool operator==(const PlyType&, const PlyType&) = default;
 
-  /// Of an integer.
   std::string name() const {
+    if (!is_integer)
+      return size == 8 ? "double" : "float";
     return std::string(is_signed ? "" : "u") + (size == 1 ? "char" : size == 2 ? "short" : "int");
   }
 

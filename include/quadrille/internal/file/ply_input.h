@@ -6,12 +6,14 @@
 #include <quadrille/internal/file/label_table.h>
 #include <quadrille/internal/file/ply_header.h>
 #include <quadrille/internal/file/rows.h>
+#include <quadrille/internal/file/vertex_scalars.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,14 +22,15 @@ namespace quadrille::internal {
 /// A binary PLY file of triangles whose vertices and faces are read one after the other, as often
 /// as is wanted. It is never in memory as a whole.
 ///
-/// Beside positions and corners it may have whatever is told by dropped(). Functions throw
+/// Beside positions and corners it has scalars of vertices, labels of faces, and whatever is told
+/// by dropped(), which scalars are too if only positions are to be read. Functions throw
 /// std::runtime_error with the file's name and the number of the item.
 class PlyInput {
 public:
-  explicit PlyInput(const std::filesystem::path& path)
+  explicit PlyInput(const std::filesystem::path& path, bool positions_only = false)
       : file_(path), header_(PlyHeaderReader::read(file_)) {
     place_elements();
-    place_coordinates();
+    place_coordinates(positions_only);
     place_corners();
   }
   PlyInput(const PlyInput&) = delete;
@@ -37,13 +40,15 @@ public:
   std::uint64_t vertices() const { return vertices_->count; }
   std::uint64_t faces() const { return faces_->count; }
   bool has_doubles() const { return coordinates_[0].type.size == 8; }
+  /// Numbers of vertices beside their places.
+  const VertexScalars& scalars() const { return scalars_; }
   /// Integers of faces, which are their labels; not the flags of MeshLab's.
   const std::vector<PlyProperty>& labels() const { return labels_; }
   /// Properties and elements that are read over.
   const std::vector<std::string>& dropped() const { return dropped_; }
 
-  /// Calls take(id, position) for each vertex in turn. Returns a checksum of all that was read,
-  /// which is the same the next time if the file is.
+  /// Calls take(id, position), or take(id, position, scalars), for each vertex in turn. Returns a
+  /// checksum of all that was read, which is the same the next time if the file is.
   template <class Take>
   std::uint64_t for_vertices(Take take) const {
     return header_.is_swapped() ? for_vertices_as<true>(take) : for_vertices_as<false>(take);
@@ -102,7 +107,8 @@ private:
                                   " faces it would have more than " + std::to_string(least));
   }
 
-  void place_coordinates() {
+  void place_coordinates(bool positions_only) {
+    std::vector<PlyProperty> scalars;
     std::size_t offset = 0;
     std::size_t found = 0;
     for (const PlyProperty& p : vertices_->properties) {
@@ -110,11 +116,20 @@ private:
       if (is_coordinate) {
         coordinates_[static_cast<std::size_t>(p.name[0] - 'x')] = {p.type, offset};
         ++found;
-      } else {
+      } else if (positions_only) {
         dropped_.push_back("property " + p.name + " of vertices");
+      } else {
+        scalars.push_back(p);
+        scalar_places_.push_back({p.type, offset});
       }
       offset += p.type.size;
     }
+    scalars_ = VertexScalars(std::move(scalars));
+    if (scalars_.channels() > VertexScalars::most_channels)
+      fail_file(file_.path(), "its vertices have " + std::to_string(scalars_.channels()) +
+                                  " different attributes; no more than " +
+                                  std::to_string(VertexScalars::most_channels) +
+                                  " go along in parts, and 'positions only' leaves them out");
     if (found != 3)
       fail_file(file_.path(), "its vertices have no x, y and z");
     for (const Placed& c : coordinates_)
@@ -148,6 +163,7 @@ private:
   std::uint64_t for_vertices_as(Take& take) const {
     ByteStream stream(file_, vertices_begin_);
     const std::size_t size = *vertices_->row_size();
+    std::vector<double> scalars(scalar_places_.size());
     for (std::uint64_t v = 0; v < vertices_->count; ++v) {
       const char* const row = stream.next(size);
       if (!row)
@@ -155,7 +171,15 @@ private:
       Vector<3> position;
       for (std::size_t i = 0; i < 3; ++i)
         position[i] = ply_number<is_swapped>(coordinates_[i].type, row + coordinates_[i].offset);
-      take(static_cast<VertexId>(v), position);
+      if constexpr (std::is_invocable_v<Take, VertexId, const Vector<3>&,
+                                        const std::vector<double>&>) {
+        for (std::size_t i = 0; i < scalars.size(); ++i)
+          scalars[i] =
+              ply_number<is_swapped>(scalar_places_[i].type, row + scalar_places_[i].offset);
+        take(static_cast<VertexId>(v), position, scalars);
+      } else {
+        take(static_cast<VertexId>(v), position);
+      }
     }
     return stream.checksum().value();
   }
@@ -229,6 +253,8 @@ private:
   const PlyElement* faces_ = nullptr;
   std::uint64_t vertices_begin_ = 0, faces_begin_ = 0;
   std::array<Placed, 3> coordinates_;
+  VertexScalars scalars_;
+  std::vector<Placed> scalar_places_;
   std::size_t corners_ = 0; // the place of the property
   std::vector<PlyProperty> labels_;
   std::vector<std::string> dropped_;

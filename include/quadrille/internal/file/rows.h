@@ -13,7 +13,7 @@ namespace quadrille::internal {
 using VertexId = std::uint32_t;
 inline constexpr std::uint64_t most_vertex_ids = 0xFFFFFFFFU;
 
-/// A vertex as files of the scratch folder have it.
+/// A vertex as files of the scratch folder have it; its scalars, and what it remembers, are behind.
 struct VertexRow {
   VertexId id;
   std::uint32_t is_shared; ///< 1 if another part has the vertex, too; else 0

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -55,8 +56,10 @@ private:
 /// input, faces in that of the parts. Memory: a bit and an eighth for each vertex of the input.
 class Sewing {
 public:
-  Sewing(const JobFolder& folder, const PhasePlan& plan, const std::vector<SurvivorsHeader>& parts)
-      : folder_(folder), phase_(plan.phase), parts_(parts),
+  Sewing(const JobFolder& folder, const PhasePlan& plan, const VertexScalars& scalars,
+         const std::vector<SurvivorsHeader>& parts)
+      : folder_(folder), phase_(plan.phase), scalars_(scalars), ranges_(plan.input.ranges),
+        parts_(parts),
         labels_(plan.label_table.size > 0 ? LabelTable::read(folder.label_table(), plan.label_table)
                                           : LabelTable({})),
         ids_(find_ids(plan.input.vertices)), ranks_(ids_) {
@@ -98,37 +101,46 @@ private:
     const std::string number = has_doubles ? "double" : "float";
     const std::string index = vertices() > 0x7FFFFFFFU ? "uint" : "int";
     return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices()) +
-           "\nproperty " + number + " x\nproperty " + number + " y\nproperty " + number +
-           " z\nelement face " + std::to_string(faces_) + "\nproperty list uchar " + index +
-           " vertex_indices\n" + label_properties() + "end_header\n";
+           "\nproperty " + number + " x\nproperty " + number + " y\nproperty " + number + " z\n" +
+           properties(scalars_.properties()) + "element face " + std::to_string(faces_) +
+           "\nproperty list uchar " + index + " vertex_indices\n" +
+           properties(labels_.properties()) + "end_header\n";
   }
 
-  std::string label_properties() const {
+  static std::string properties(const std::vector<PlyProperty>& list) {
     std::string text;
-    for (const PlyProperty& p : labels_.properties())
+    for (const PlyProperty& p : list)
       text += "property " + p.type.name() + " " + p.name + "\n";
     return text;
   }
 
   // The vertices of a part, one after the other.
   struct Reader {
-    Reader(const std::filesystem::path& path, std::uint64_t vertices)
-        : file(path), stream(file, sizeof(SurvivorsHeader), block), left(vertices) {}
+    Reader(const std::filesystem::path& path, const SurvivorsHeader& header)
+        : file(path), stream(file, sizeof(SurvivorsHeader), block),
+          scalar_stream(file, sizeof(SurvivorsHeader) + header.vertices * sizeof(VertexRow), block),
+          left(header.vertices), scalars(static_cast<std::size_t>(header.scalars)) {}
 
     bool next() {
       if (left-- == 0)
         return false;
-      const char* const bytes = stream.next(sizeof(row));
+      take(stream, &row, sizeof(row));
+      if (!scalars.empty())
+        take(scalar_stream, scalars.data(), scalars.size() * sizeof(double));
+      return true;
+    }
+    void take(ByteStream& from, void* to, std::size_t size) {
+      const char* const bytes = from.next(size);
       if (!bytes)
         fail_file(file.path(), "ends within what was written");
-      std::memcpy(&row, bytes, sizeof(row));
-      return true;
+      std::memcpy(to, bytes, size);
     }
 
     InputFile file;
-    ByteStream stream;
+    ByteStream stream, scalar_stream;
     std::uint64_t left;
     VertexRow row{};
+    std::vector<double> scalars;
   };
 
   // Merges the parts by the numbers of vertices, of which each part has some in ascending order.
@@ -142,7 +154,7 @@ private:
         queue.push({readers[p]->row.id, p});
     };
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      readers.push_back(std::make_unique<Reader>(folder_.left(phase_, p), parts_[p].vertices));
+      readers.push_back(std::make_unique<Reader>(folder_.left(phase_, p), parts_[p]));
       push(p);
     }
     std::uint64_t last = most_vertex_ids + 1;
@@ -150,16 +162,36 @@ private:
       const auto [id, part] = queue.top();
       queue.pop();
       if (id != last)
-        for (std::size_t i = 0; i < 3; ++i)
-          bytes.put(to_number<Number>(readers[part]->row.position[i]));
+        put_vertex<Number>(bytes, *readers[part]);
       last = id;
       push(part);
     }
   }
 
   template <class Number>
-  static Number to_number(double x) {
-    return static_cast<Number>(x);
+  void put_vertex(PlyBytes& bytes, const Reader& from) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      bytes.put(static_cast<Number>(from.row.position[i]));
+    for (std::size_t i = 0; i < from.scalars.size(); ++i)
+      put_scalar(bytes, scalars_.properties()[i].type,
+                 std::clamp(from.scalars[i], ranges_.low[i], ranges_.high[i]));
+  }
+
+  static void put_scalar(PlyBytes& bytes, const PlyType& type, double value) {
+    if (type.is_integer)
+      put_integer(bytes, type, std::llround(value));
+    else if (type.size == 8)
+      bytes.put(value);
+    else
+      bytes.put(static_cast<float>(value));
+  }
+  static void put_integer(PlyBytes& bytes, const PlyType& type, std::int64_t value) {
+    if (type.size == 1)
+      bytes.put(static_cast<std::uint8_t>(value));
+    else if (type.size == 2)
+      bytes.put(static_cast<std::uint16_t>(value));
+    else
+      bytes.put(static_cast<std::uint32_t>(value));
   }
 
   void put_faces(PlyBytes& bytes) const {
@@ -177,20 +209,13 @@ private:
 
   void put_label(PlyBytes& bytes, const LabelValues& values) const {
     for (std::size_t i = 0; i < values.size(); ++i)
-      switch (labels_.properties()[i].type.size) {
-      case 1:
-        bytes.put(static_cast<std::uint8_t>(values[i]));
-        break;
-      case 2:
-        bytes.put(static_cast<std::uint16_t>(values[i]));
-        break;
-      default:
-        bytes.put(static_cast<std::uint32_t>(values[i]));
-      }
+      put_integer(bytes, labels_.properties()[i].type, values[i]);
   }
 
   const JobFolder& folder_;
   unsigned phase_;
+  const VertexScalars& scalars_;
+  const ScalarRanges& ranges_;
   const std::vector<SurvivorsHeader>& parts_;
   LabelTable labels_;
   IdSet ids_;

@@ -24,6 +24,7 @@ public:
       : path_(path), positions_only_(positions_only), is_stl_(has_extension(path, ".stl")) {
     JobKey key;
     key.add_file(InputFile(path));
+    key.add_number(std::uint64_t{positions_only});
     key_ = key.value();
     if (is_stl_)
       StlWeld::require_readable(path);
@@ -32,6 +33,8 @@ public:
   }
 
   std::uint64_t key() const { return key_; } ///< of its content
+  /// What vertices have beside their places, and goes along.
+  VertexScalars scalars() const { return ply_ ? ply_->scalars() : VertexScalars(); }
   /// What is read over.
   std::vector<std::string> dropped() const {
     return ply_ ? ply_->dropped() : std::vector<std::string>();
@@ -57,7 +60,7 @@ private:
   }
 
   void open(const std::filesystem::path& path) {
-    ply_ = std::make_unique<PlyInput>(path);
+    ply_ = std::make_unique<PlyInput>(path, positions_only_);
     if (!positions_only_ && !ply_->dropped().empty())
       fail_file(path, "has " + ply_->dropped().front() +
                           ", which can't go along in parts; 'positions only' leaves it out");

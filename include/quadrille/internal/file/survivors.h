@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -39,10 +40,11 @@ struct PartTally {
 
 /// The beginning of a file of survivors. All zeros until it is finished.
 struct SurvivorsHeader {
-  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '1'};
+  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '2'};
   std::uint64_t key = 0; ///< of the job
   std::uint64_t phase = 0, part = 0;
   std::uint64_t vertices = 0, faces = 0;
+  std::uint64_t scalars = 0;     ///< of a vertex, behind the vertices
   std::uint64_t memory_size = 0; ///< of a vertex, in bytes, behind the faces
   std::uint64_t labels = 0;      ///< one for each face, or none
   std::uint64_t given = 0;       ///< vertices whose memory before the phase is told, behind that
@@ -50,22 +52,31 @@ struct SurvivorsHeader {
   PartTally tally = {};
 
   std::uint64_t content_size() const {
-    return vertices * (sizeof(VertexRow) + memory_size) + faces * sizeof(FaceRow) +
-           labels * sizeof(std::uint32_t) + given * (sizeof(std::uint64_t) + memory_size);
+    return vertices * (sizeof(VertexRow) + scalars * sizeof(double) + memory_size) +
+           faces * sizeof(FaceRow) + labels * sizeof(std::uint32_t) +
+           given * (sizeof(std::uint64_t) + memory_size);
   }
 };
 static_assert(std::is_trivially_copyable_v<SurvivorsHeader>);
 
-/// What is left of a part, by the numbers of the input: vertices in ascending order, then faces.
+/// What is left of a part, by the numbers of the input: vertices in ascending order, their scalars,
+/// then faces.
 /// Memories are bytes: those of each vertex, then pairs of a place among the vertices and the
 /// memory that it had been given.
 struct Survivors {
   std::vector<VertexRow> vertices;
   std::vector<FaceRow> faces;
+  std::vector<double> scalars = {};       ///< of the vertices, or none
   std::vector<std::uint32_t> labels = {}; ///< of the faces, or none
   std::vector<char> memories = {};
   std::vector<std::uint64_t> given = {};
   std::vector<char> given_memories = {};
+
+  /// Those of one vertex.
+  std::span<const double> scalars_of(std::size_t vertex) const {
+    const std::size_t size = vertices.empty() ? 0 : scalars.size() / vertices.size();
+    return std::span(scalars).subspan(vertex * size, size);
+  }
 
   /// `header` has key, phase, part and tally.
   void write(const std::filesystem::path& path, SurvivorsHeader header) const {
@@ -73,6 +84,7 @@ struct Survivors {
     header.faces = faces.size();
     header.labels = labels.size();
     header.given = given.size();
+    header.scalars = vertices.empty() ? 0 : scalars.size() / vertices.size();
     header.memory_size = vertices.empty() ? 0 : memories.size() / vertices.size();
     FileChecksum checksum;
     for_content([&](const void* bytes, std::size_t size) { checksum.add(bytes, size); });
@@ -89,6 +101,7 @@ struct Survivors {
     Survivors s;
     s.vertices.resize(static_cast<std::size_t>(header.vertices));
     s.faces.resize(static_cast<std::size_t>(header.faces));
+    s.scalars.resize(static_cast<std::size_t>(header.vertices * header.scalars));
     s.labels.resize(static_cast<std::size_t>(header.labels));
     s.memories.resize(static_cast<std::size_t>(header.vertices * header.memory_size));
     s.given.resize(static_cast<std::size_t>(header.given));
@@ -127,6 +140,7 @@ private:
   template <class Self, class Visit>
   static void visit_content(Self& s, Visit visit) {
     visit(s.vertices.data(), s.vertices.size() * sizeof(VertexRow));
+    visit(s.scalars.data(), s.scalars.size() * sizeof(double));
     visit(s.faces.data(), s.faces.size() * sizeof(FaceRow));
     visit(s.labels.data(), s.labels.size() * sizeof(std::uint32_t));
     visit(s.memories.data(), s.memories.size());

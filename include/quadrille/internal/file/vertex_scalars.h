@@ -1,0 +1,156 @@
+#ifndef QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
+#define QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
+
+#include <quadrille/channels.h>
+#include <quadrille/internal/adapter/piece_adapter.h>
+#include <quadrille/internal/file/ply_header.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The least and the greatest value of each scalar.
+struct ScalarRanges {
+  std::vector<double> low, high;
+
+  void add(std::span<const double> values) {
+    low.resize(values.size(), (std::numeric_limits<double>::max)());
+    high.resize(values.size(), std::numeric_limits<double>::lowest());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      low[i] = (std::min)(low[i], values[i]);
+      high[i] = (std::max)(high[i], values[i]);
+    }
+  }
+};
+
+/// The numbers that vertices of a PLY file have beside their places, in the order of the file, and
+/// which of them are simplified together: a channel. A colour is one, a normal, the coordinates of
+/// a texture, and each other number by itself.
+class VertexScalars {
+public:
+  /// A limit of channels, since each takes time and memory.
+  static constexpr std::size_t most_channels = 8;
+
+  VertexScalars() = default;
+  explicit VertexScalars(std::vector<PlyProperty> properties) : properties_(std::move(properties)) {
+    std::vector<bool> is_taken(properties_.size());
+    take(is_taken, {"red", "green", "blue", "alpha"}, 3, Kind::weighty);
+    take(is_taken, {"nx", "ny", "nz"}, 3, Kind::normal);
+    take(is_taken, {"s", "t"}, 2, Kind::weighty);
+    take(is_taken, {"u", "v"}, 2, Kind::weighty);
+    take(is_taken, {"texture_u", "texture_v"}, 2, Kind::weighty);
+    for (std::size_t i = 0; i < properties_.size(); ++i)
+      if (!is_taken[i])
+        channels_.push_back({{i}, properties_[i].type.is_integer ? Kind::integer : Kind::number});
+  }
+
+  bool empty() const { return properties_.empty(); }
+  std::size_t size() const { return properties_.size(); }
+  std::size_t channels() const { return channels_.size(); }
+  const std::vector<PlyProperty>& properties() const { return properties_; }
+
+  /// As the engine takes them, of rows of size() values. `diagonal` is that of the whole surface:
+  /// with the ranges it decides how a channel counts, so that it counts alike in all pieces.
+  PieceChannels piece(const std::vector<double>& values, const ScalarRanges& ranges,
+                      double diagonal, double importance) const {
+    PieceChannels result;
+    for (const Channel& channel : channels_) {
+      PieceChannel& to = result.channels.emplace_back();
+      to.components = channel.properties.size();
+      to.options.importance = importance * (channel.is_scalar() ? scalar_importance : 1);
+      to.options.weights.assign(to.components, weight(channel, ranges, diagonal));
+      if (channel.kind == Kind::integer)
+        to.options.new_values = NewValues::existing;
+      to.values.reserve(values.size() / size() * to.components);
+      for (std::size_t row = 0; row < values.size(); row += size())
+        for (const std::size_t property : channel.properties)
+          to.values.push_back(values[row + property]);
+    }
+    return result;
+  }
+
+  /// Rows of what is left of a piece, from the channels that it has then: values in their ranges,
+  /// and new normals of unit length. `vertices` tells which row of `before` each vertex had.
+  std::vector<double> rows(const std::vector<std::vector<double>>& channels,
+                           const std::vector<Index>& vertices, const std::vector<double>& before,
+                           const ScalarRanges& ranges) const {
+    std::vector<double> result(vertices.size() * size());
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const Channel& channel = channels_[c];
+      const std::size_t components = channel.properties.size();
+      for (std::size_t row = 0; row < vertices.size(); ++row) {
+        bool is_new = false;
+        for (std::size_t i = 0; i < components; ++i) {
+          const std::size_t p = channel.properties[i];
+          double& value = result[row * size() + p];
+          value = std::clamp(channels[c][row * components + i], ranges.low[p], ranges.high[p]);
+          is_new = is_new || value != before[vertices[row] * size() + p];
+        }
+        if (is_new && channel.kind == Kind::normal)
+          normalize(channel, result.data() + row * size());
+      }
+    }
+    return result;
+  }
+
+private:
+  static constexpr double scalar_importance = 1. / 64; // they may be noise
+
+  enum class Kind { weighty, normal, number, integer };
+  struct Channel {
+    std::vector<std::size_t> properties;
+    Kind kind;
+
+    bool is_scalar() const { return kind == Kind::number || kind == Kind::integer; }
+  };
+
+  // The first `least` of the names have to be there.
+  void take(std::vector<bool>& is_taken, std::initializer_list<std::string_view> names,
+            std::size_t least, Kind kind) {
+    Channel channel{{}, kind};
+    for (const std::string_view name : names) {
+      const auto found = std::find_if(properties_.begin(), properties_.end(),
+                                      [&](const PlyProperty& p) { return p.name == name; });
+      if (found != properties_.end())
+        channel.properties.push_back(static_cast<std::size_t>(found - properties_.begin()));
+      else if (channel.properties.size() < least)
+        return;
+    }
+    for (const std::size_t i : channel.properties)
+      is_taken[i] = true;
+    channels_.push_back(std::move(channel));
+  }
+
+  static void normalize(const Channel& channel, double* row) {
+    double square = 0;
+    for (const std::size_t p : channel.properties)
+      square += row[p] * row[p];
+    for (const std::size_t p : channel.properties)
+      row[p] = square > 0 ? row[p] / std::sqrt(square) : row[p];
+  }
+
+  // A fiftieth of the diagonal for the largest range, as ChannelOptions has it.
+  static double weight(const Channel& channel, const ScalarRanges& ranges, double diagonal) {
+    double range = 0;
+    for (const std::size_t p : channel.properties)
+      range = (std::max)(range, ranges.high[p] - ranges.low[p]);
+    const double length = diagonal > 0 ? 0.02 * diagonal : 1;
+    return range > 0x1p-150 ? length / range : length;
+  }
+
+  std::vector<PlyProperty> properties_;
+  std::vector<Channel> channels_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
