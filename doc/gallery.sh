@@ -13,7 +13,7 @@ if [ "${1-}" = --built ]; then
   built=$2
   shift 2
 fi
-all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance time"
+all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance seams time"
 for name in "$@"; do
   case " $all " in
     *" $name "*) ;;
@@ -21,12 +21,12 @@ for name in "$@"; do
   esac
 done
 
-sh .ci/install_packages.sh cmake g++ make libcgal-dev libcgal-demo libboost-dev libcli11-dev nlohmann-json3-dev \
+sh .ci/install_packages.sh cmake g++ make libcgal-dev libcgal-demo libboost-dev libcli11-dev libeigen3-dev nlohmann-json3-dev \
   libzstd-dev python3 python3-vtk9 python3-numpy python3-pil fonts-dejavu-core xvfb xauth gnuplot-nox
 if [ -z "$built" ]; then
   built=build/examples
-  cmake -S . -B $built -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF
-  cmake --build $built --target quadrille_program figures levels hulls importance --parallel "$(nproc)"
+  cmake -S . -B $built -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF -DQUADRILLE_BUILD_BENCHMARKS=ON
+  cmake --build $built --target quadrille_program figures levels hulls importance quadrille_seams --parallel "$(nproc)"
 fi
 models=$built/data/meshes
 out=build/gallery
@@ -194,6 +194,14 @@ draw_tolerance() {
   drawn tolerance.png --size 320,300 --colours 160 --from -0.3,0.12,1 --up 0,1,0 --edges 0.5 \
     $out/field.ply='Tolerances|0.02 % red, 2 % white' --edges 0.05 $out/field_simplified.ply='ToleranceLimit|{} faces' \
     $out/within_0.02%.off='0.02 % everywhere|{} faces' --edges 0.25 $out/within_2%.off='2 % everywhere|{} faces'
+}
+
+draw_seams() {
+  simplified "$models/bunny00.off" bunny00.ply --keep 100%
+  "$built/benchmark/quadrille_seams" $out/bunny00.ply 7540 10 memoryless $out/parts.ply $out/borders
+  drawn seams.png --size 420,400 --colours 160 --from -0.3,0.12,1 --up 0,1,0 --edges 0.35 \
+    $out/parts.ply='In 16 parts|borders of phase 1 red, of phase 2 blue' --lines $out/borders-1.obj,205,45,45,1.6 \
+    --lines $out/borders-2.obj,40,80,200,1.6 $out/parts.ply='The same|{} faces' $out/borders-one.ply='In one part|{} faces'
 }
 
 # Of the first table of doc/benchmarks.md.
