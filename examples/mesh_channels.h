@@ -47,8 +47,9 @@ public:
         labels_(FaceRegions(mesh).labels()) {}
 
   /// The channels are textures, normals, colours and numbers, in this order, as far as there are
-  /// any.
-  quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices) {
+  /// any. `image`, if there is one, becomes what SoupResult::image is.
+  quadrille::Report simplify(const quadrille::SoupOptions& options, const ChannelChoices& choices,
+                             std::vector<std::size_t>* image = nullptr) {
     const quadrille::SoupPoints points = soup_points(mesh_.points);
     const std::vector<Channel> channels = this->channels(choices);
     quadrille::SoupView soup{points, mesh_.triangles, labels_, {}};
@@ -63,6 +64,8 @@ public:
     mesh_.texture_coordinates = textures_.of_points(mesh_);
     numbers_.restore(mesh_, result.image);
     take_faces(mesh_, result.input_faces);
+    if (image)
+      *image = std::move(result.image);
     return result.report;
   }
 

@@ -851,8 +851,9 @@ run 2 plain.off out.off --solid
 expect stderr 'keep_solid: the surface is not closed: [0-9]+ edges have not as many faces'
 run 2 plain.off out.off --solid --topology free
 expect stderr '^--solid keeps the topology'
-run 0 ball.off out.off --faces 200 --normals 40 --report out.json
+run 0 ball.off out.off --faces 200 --normals 40 --verify --report out.json
 expect stdout ', normals within [0-9.]+ degrees$'
+expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* become: 0 promised, 0 measured$'
 grep -q '"normal_bound_degrees": [0-9]' out.json || fail "no figures of normals"
 run 2 ball.off out.off --normals 0
 run 2 plain.off out.off --verify
@@ -1020,7 +1021,8 @@ awk 'BEGIN {
       print 3, v, v + n + 2, v + n + 1
     }
 }' >field.ply
-run 0 field.ply out.off --tolerance allowed --report report.json
+run 0 field.ply out.off --tolerance allowed --verify --report report.json
+expect stdout 'verified: distance of the input from the result, beyond its tolerances: 0 promised, 0 measured; '
 expect report.json '"tolerance": "allowed"'
 expect stdout ', nor of IN from OUT, [0-9.]+ % of allowed used$'
 awk 'NF == 3 && !/[a-z]/ && $1 < 5.5 { ++strict } NF == 3 && !/[a-z]/ && $1 > 6.5 { ++loose }
@@ -1080,8 +1082,9 @@ rm -f large.off
 
 # glTF
 write_sheet sheet.gltf
-run 0 sheet.gltf out.glb
+run 0 sheet.gltf out.glb --normals 60 --verify
 expect stdout '^sheet.gltf: 128 -> 6[34] faces'
+expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* become: 0 promised, 0 measured$'
 expect_nothing stderr
 run 0 out.glb out.gltf --ratio 1
 expect stdout '^out.glb: 6[34] -> 6[34] faces'

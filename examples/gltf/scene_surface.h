@@ -42,6 +42,9 @@ public:
   /// Where the points of a surface are.
   const std::vector<std::uint32_t>& numbers(std::size_t surface) const { return numbers_[surface]; }
 
+  /// What simplify() has made of them, as one soup.
+  const quadrille::SoupResult& result() const { return result_; }
+
   /// With all attributes. Throws as `quadrille::simplified_soup` does.
   quadrille::Report simplify(quadrille::SoupOptions options, const ChannelChoices& choices) {
     if (!held_.empty())
@@ -49,8 +52,9 @@ public:
     for (const std::uint32_t point : held_)
       options.fixed[point] = true;
     GltfSceneChannels channels(surfaces_, placements_);
-    const quadrille::SoupResult result = quadrille::simplified_soup(
+    result_ = quadrille::simplified_soup(
         {points_, triangles_, labels_, channels.views(choices, largest_diagonal())}, options);
+    const quadrille::SoupResult& result = result_;
     std::vector<std::vector<std::size_t>> faces(surfaces_.size()); // that are left
     for (std::size_t face = 0; face < result.triangles.size(); ++face)
       faces[surface_of(result.input_faces[face])].push_back(face);
@@ -174,6 +178,7 @@ private:
   std::vector<std::vector<std::uint32_t>> numbers_; // of the points of each surface
   std::vector<std::uint32_t> held_;
   quadrille::SoupPoints points_;
+  quadrille::SoupResult result_;
   quadrille::SoupTriangles triangles_;
   std::vector<std::uint32_t> labels_;
   std::vector<std::size_t> first_faces_; // of the surfaces

@@ -106,7 +106,7 @@ inline void add_figures(CLI::App& app, Options& options) {
       ->group("Figures");
   app.add_flag("--verify", options.verifies,
                "measure, by other code than that which simplifies, whether OUT keeps what --error, "
-               "--no-self-intersection and --solid promise")
+               "--tolerance, --no-self-intersection, --solid and --normals promise")
       ->group("Figures");
   app.add_option("--report", options.report,
                  "write what was done and measured to this file, as JSON")
@@ -167,10 +167,10 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
             "--solid keeps the topology: it does not go with --topology free, --pairs or "
             "--drop-parts");
-  refuse_if(options.verifies && !options.target.error && !options.forbids_intersections &&
-                !options.keeps_solid,
-            "--verify needs something that is promised: --error, --no-self-intersection or "
-            "--solid");
+  refuse_if(options.verifies && !options.target.is_limited() && !options.forbids_intersections &&
+                !options.keeps_solid && options.normal_degrees == 180,
+            "--verify needs something that is promised: --error, --tolerance, "
+            "--no-self-intersection, --solid or --normals");
   refuse_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),
             "--threads needs --order relaxed or --out-of-core");
   refuse_if(!options.scratch.empty() && (options.cost == "color" || options.cost == "texture"),

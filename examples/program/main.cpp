@@ -67,10 +67,8 @@ bool run(Options options, ProgressLine& progress) {
     progress.show(status);
     return !Interruption::is_asked();
   };
-  if (options.verifies &&
-      (is_page(output_extension(options)) || is_gltf(output_extension(options))))
-    throw std::runtime_error(options.output + ": --verify is for files of one mesh, not for glTF "
-                                              "and pages");
+  if (options.verifies && is_page(output_extension(options)))
+    throw std::runtime_error(options.output + ": --verify is for files of meshes, not for pages");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
   if (!options.scratch.empty())
@@ -93,9 +91,10 @@ bool run(Options options, ProgressLine& progress) {
     return run_mesh(options, progress);
   if (!options.record.empty())
     throw std::runtime_error(options.input + ": --record is not for glTF");
-  if (!options.importance.empty())
-    throw std::runtime_error(options.input + ": --importance is for files whose vertices have " +
-                             "scalars with names (.ply), not for glTF");
+  if (!options.importance.empty() || !options.target.tolerance.empty())
+    throw std::runtime_error(
+        options.input + (options.importance.empty() ? ": --tolerance" : ": --importance") +
+        " is for files whose vertices have scalars with names (.ply), not " + "for glTF");
   if (options.weld)
     throw std::runtime_error(options.input + ": --weld is not for glTF, of which vertices at " +
                              "exactly the same place are one anyway");

@@ -2,6 +2,7 @@
 #include "outcome.h"
 #include "runs.h"
 #include "simplify_mesh.h"
+#include "verification.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +97,14 @@ std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result
   return measured.empty() ? std::nullopt : std::optional(united(measured));
 }
 
+IndexedMesh mesh_of(const quadrille::SoupPoints& points,
+                    const quadrille::SoupTriangles& triangles) {
+  IndexedMesh mesh;
+  mesh.points = mesh_points(points);
+  mesh.triangles = triangles;
+  return mesh;
+}
+
 /// A document on its way to its result.
 class GltfRun {
 public:
@@ -122,19 +131,22 @@ public:
 private:
   void simplify_to(const std::string& name, Surfaces& surfaces, const Options& options) {
     const Surfaces input = options.measures ? surfaces : Surfaces();
-    double diagonal = 0;
+    GltfSceneSurface scene(surfaces, placements_);
+    const double diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
     const quadrille::Report report = with_errors_of_file(options, [&] {
-      GltfSceneSurface scene(surfaces, placements_);
-      diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
       return scene.simplify(soup_options(options, scene.points(), scene.triangles()),
                             channel_choices(options));
     });
     require_not_interrupted(options);
     outcomes_.push_back({name, options.target, report, diagonal});
-    if (options.measures) {
+    if (options.measures || options.verifies)
       progress_.show_stage("measuring");
+    if (options.measures)
       outcomes_.back().measured = measure(input, surfaces, placements_);
-    }
+    if (options.verifies) // the scene, as the soup that has been simplified
+      outcomes_.back().verdict =
+          verify(options, report, mesh_of(scene.points(), scene.triangles()),
+                 mesh_of(scene.result().points, scene.result().triangles), scene.result().image);
   }
 
   std::vector<Surfaces> levels_of(GltfMeshes& meshes) {

@@ -161,14 +161,15 @@ public:
   }
 
 private:
-  /// A run to one target; `simplify` is what simplifies a mesh.
+  /// A run to one target; `simplify` is what simplifies a mesh, and tells what points become.
   template <class Simplify>
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options,
                    Simplify simplify) {
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
-    const quadrille::Report report =
-        with_errors_of_file(options, [&] { return simplify(mesh, options); });
+    std::vector<std::size_t> images;
+    const quadrille::Report report = with_errors_of_file(
+        options, [&] { return simplify(mesh, options, options.verifies ? &images : nullptr); });
     require_not_interrupted(options);
     outcomes_.push_back({file, options.target, report, diagonal_});
     if (input)
@@ -176,12 +177,14 @@ private:
     if (options.measures)
       outcomes_.back().measured = measure(*input, mesh);
     if (options.verifies)
-      outcomes_.back().verdict = verify(options, report, *input, mesh);
+      outcomes_.back().verdict = verify(options, report, *input, mesh, std::move(images));
     contents_.push_back(encoded(file, mesh, format_));
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {
     simplify_to(file, std::move(mesh), options,
-                [](IndexedMesh& m, const Options& o) { return simplify_mesh(m, o); });
+                [](IndexedMesh& m, const Options& o, std::vector<std::size_t>* image) {
+                  return simplify_mesh(m, o, {}, image);
+                });
   }
 
   /// Each with all that the mesh has, as a run of its own.
@@ -198,9 +201,10 @@ private:
     }
     quadrille::Levels levels;
     PositionRecorder recorder(levels);
-    simplify_to(files_.front(), std::move(mesh), options_, [&](IndexedMesh& m, const Options& o) {
-      return simplify_mesh(m, o, quadrille::record_into(recorder));
-    });
+    simplify_to(files_.front(), std::move(mesh), options_,
+                [&](IndexedMesh& m, const Options& o, std::vector<std::size_t>* image) {
+                  return simplify_mesh(m, o, quadrille::record_into(recorder), image);
+                });
     files_.insert(files_.begin(), options_.record);
     contents_.insert(contents_.begin(), encoded_levels(levels));
   }

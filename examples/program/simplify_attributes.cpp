@@ -26,8 +26,8 @@ namespace {
 class AttributeRun {
 public:
   AttributeRun(const MeshAttributes& attributes, IndexedMesh& mesh,
-               const quadrille::SoupOptions& options)
-      : attributes_(attributes), mesh_(mesh), options_(options) {}
+               const quadrille::SoupOptions& options, std::vector<std::size_t>& image)
+      : attributes_(attributes), mesh_(mesh), options_(options), image_(image) {}
 
   /// With a cost that looks at positions only, along which attributes are carried.
   template <class Cost>
@@ -58,6 +58,7 @@ private:
   quadrille::Report simplify(const Cost& cost) {
     namespace internal = quadrille::internal;
     std::vector<CarriedAttributes<N>> carried = attributes_.carried<N>();
+    image_.assign(mesh_.points.size(), quadrille::parameters::vanished);
     const internal::SoupVisitor visitor{options_.proceed};
     quadrille::SoupRecorder recorder = options_.recorder;
     const quadrille::Report report = quadrille::simplify(
@@ -65,9 +66,11 @@ private:
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
         *options_.topology, internal::intersection_of(options_),
         quadrille::NormalDeviation{options_.normal_deviation}, quadrille::record_into(recorder),
-        quadrille::parameters::vertex_tolerance_map(
-            internal::SoupValues{&options_.tolerance},
-            quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried)))
+        quadrille::parameters::vertex_image_map(
+            internal::PointImages{&image_},
+            quadrille::parameters::vertex_tolerance_map(
+                internal::SoupValues{&options_.tolerance},
+                quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))))
             .vertex_is_constrained_map(internal::SoupValues{&options_.fixed})
             .visitor(std::cref(visitor)));
     attributes_.restore(mesh_, carried);
@@ -77,13 +80,16 @@ private:
   const MeshAttributes& attributes_;
   IndexedMesh& mesh_;
   const quadrille::SoupOptions& options_;
+  std::vector<std::size_t>& image_;
 };
 
 } // namespace
 
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                      const Options& options, const quadrille::SoupOptions& soup) {
-  AttributeRun run(attributes, mesh, soup);
+                                      const Options& options, const quadrille::SoupOptions& soup,
+                                      std::vector<std::size_t>* image) {
+  std::vector<std::size_t> unasked;
+  AttributeRun run(attributes, mesh, soup, image ? *image : unasked);
   if (options.cost == "length")
     return run.carry(quadrille::EdgeLength{});
   if (options.cost == "memoryless")

@@ -3,6 +3,7 @@
 #include <quadrille/attribute_quadric.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -28,9 +29,10 @@ bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
 }
 
 /// Without attributes that vary.
-quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options) {
+quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOptions& options,
+                                     std::vector<std::size_t>* image) {
   quadrille::SoupPoints points = soup_points(mesh.points);
-  const quadrille::Report report = quadrille::simplify_soup(points, mesh.triangles, options);
+  const quadrille::Report report = quadrille::simplify_soup(points, mesh.triangles, options, image);
   mesh.points = mesh_points(points);
   return report;
 }
@@ -101,15 +103,16 @@ Importance importance(const Options& options) {
 }
 
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
-                                const quadrille::SoupRecorder& recorder) {
+                                const quadrille::SoupRecorder& recorder,
+                                std::vector<std::size_t>* image) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
   if (goes_by_channels(mesh, options))
-    return MeshChannels(mesh).simplify(soup, channel_choices(options));
+    return MeshChannels(mesh).simplify(soup, channel_choices(options), image);
   const MeshAttributes attributes(mesh, importance(options));
   if (attributes.size() > 0)
-    return simplify_attributes(attributes, mesh, options, soup);
-  const quadrille::Report report = simplify_positions(mesh, soup);
+    return simplify_attributes(attributes, mesh, options, soup, image);
+  const quadrille::Report report = simplify_positions(mesh, soup, image);
   attributes.restore(mesh);
   return report;
 }

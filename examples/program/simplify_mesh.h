@@ -13,20 +13,24 @@
 #include <quadrille/compiled.h>
 #include <quadrille/report.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace quadrille_examples {
 
-/// With all that the mesh has.
+/// With all that the mesh has. `image`, if there is one, becomes a list of what became of each
+/// point: an index of the result, or parameters::vanished.
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
-                                const quadrille::SoupRecorder& recorder = {});
+                                const quadrille::SoupRecorder& recorder = {},
+                                std::vector<std::size_t>* image = nullptr);
 
 /// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order,
 /// in a source of its own, since each number of attributes takes an engine.
 quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
-                                      const Options& options, const quadrille::SoupOptions& soup);
+                                      const Options& options, const quadrille::SoupOptions& soup,
+                                      std::vector<std::size_t>* image);
 
 /// The numbers of vertices that have this name. Throws std::invalid_argument where there are none.
 const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name);

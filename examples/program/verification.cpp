@@ -8,20 +8,28 @@
 #include <quadrille/verify.h>
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace quadrille_examples {
 
 quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
-                          const IndexedMesh& input, const IndexedMesh& result) {
+                          const IndexedMesh& input, const IndexedMesh& result,
+                          std::vector<std::size_t> images) {
   quadrille::Claims claims;
   if (!input.triangles.empty() && !result.triangles.empty()) {
-    if (std::isfinite(report.hausdorff_bound))
+    if (!options.tolerances.empty())
+      claims.tolerances = options.tolerances;
+    else if (std::isfinite(report.hausdorff_bound))
       claims.distance_both_ways = report.hausdorff_bound;
     else if (std::isfinite(report.distance_bound))
       claims.distance = report.distance_bound;
   }
   claims.no_self_intersection = options.forbids_intersections || options.keeps_solid;
   claims.solid = options.keeps_solid;
+  claims.normal_deviation = report.normal_bound_degrees;
+  claims.images = std::move(images);
   return quadrille::verify(input.points, input.triangles, result.points, result.triangles, claims);
 }
 

@@ -8,7 +8,9 @@
 #include <quadrille/report.h>
 #include <quadrille/verdict.h>
 
+#include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace quadrille_examples {
 
@@ -20,9 +22,11 @@ struct BrokenPromise : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Looks at what was asked for, as the report says it was reached.
+/// Looks at what was asked for, as the report says it was reached. `images`: of each point of the
+/// input, the one of the result that it has become.
 quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
-                          const IndexedMesh& input, const IndexedMesh& result);
+                          const IndexedMesh& input, const IndexedMesh& result,
+                          std::vector<std::size_t> images);
 
 } // namespace quadrille_examples
 

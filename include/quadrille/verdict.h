@@ -2,6 +2,7 @@
 #define QUADRILLE_VERDICT_H
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -16,18 +17,32 @@ struct Claims {
   std::optional<double> distance = {};
   /// The same, and no point of the input is further from the result.
   std::optional<double> distance_both_ways = {};
+  /// Of each vertex of the input, by its index or in the order of vertices(mesh), how far points
+  /// may be there; a face has the least of its corners. No point of an input face is further from
+  /// the result, and each point of the result is within that of some input face: see
+  /// ToleranceLimit. Empty: nothing is claimed.
+  std::vector<double> tolerances = {};
   /// No more pairs of faces intersect than in the input: see NoSelfIntersection. Where none did,
   /// that is all of its promise.
   bool no_self_intersection = false;
   /// The result is closed, bounds a volume, and has the parts of the input, as many handles as they
   /// have, and as many that lie in others.
   bool solid = false;
+  /// No normal of the result is further than so many degrees from that of any face of the input
+  /// that has become it, or one of its edges: see NormalDeviation. Needs `images`, which have to
+  /// explain each face of the result; so they are not for what is written with duplicates of
+  /// vertices.
+  std::optional<double> normal_deviation = {};
+  /// Of each vertex of the input, the vertex of the result that it has become, by their indices or
+  /// in the order of vertices(mesh); parameters::vanished for none. vertex_image_map tells them.
+  std::vector<std::size_t> images = {};
 };
 
 /// A claim, and what has been measured.
 struct Finding {
-  std::string claim;    ///< in words
-  double promised = 0;  ///< a distance in the unit of the surfaces, or a number of what is named
+  std::string claim; ///< in words
+  double promised =
+      0; ///< a distance in the unit of the surfaces, degrees, or a number of what is named
   double measured = 0;  ///< the same
   double error = 0;     ///< by how much what is measured may be wrong, at most
   bool is_held = false; ///< is what is measured as it was promised, or may it be, up to the error?

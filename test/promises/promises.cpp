@@ -1,8 +1,10 @@
 // Holds what guarantees.md promises on models of the caller's: each in doubles, in floats, and far
 // from the origin. Prints a line for each promise, and fails if one is broken. Distances are
-// measured by CGAL's tree at corners and points between; the rest by <quadrille/verify.h>.
+// measured by CGAL's tree at corners and points between; the rest by <quadrille/verify.h>, of
+// tolerances by how much a point is beyond them.
 //   promises MODEL.off...
 #include "farthest.h"
+#include "models.h"
 #include "soups.h"
 
 #include <quadrille/memoryless_quadric.h>
@@ -11,7 +13,6 @@
 #include <quadrille/solid.h>
 #include <quadrille/verify.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
@@ -21,7 +22,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -37,24 +37,6 @@ template <class Number>
 using PointOf = typename CGAL::Simple_cartesian<Number>::Point_3;
 
 constexpr std::size_t most_faces = 60'000;
-
-Soup read(const std::string& file) {
-  std::vector<test::Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  if (!CGAL::IO::read_polygon_soup(file, points, polygons))
-    throw std::runtime_error("cannot be read");
-  Soup soup;
-  for (const test::Point& p : points)
-    soup.points.push_back(test::to_position(p));
-  for (const auto& polygon : polygons) {
-    if (polygon.size() != 3)
-      throw std::runtime_error("has faces that are no triangles");
-    soup.triangles.push_back({static_cast<std::uint32_t>(polygon[0]),
-                              static_cast<std::uint32_t>(polygon[1]),
-                              static_cast<std::uint32_t>(polygon[2])});
-  }
-  return soup;
-}
 
 // The points of a surface in one type of numbers.
 template <class Number>
@@ -125,33 +107,15 @@ private:
   // A tolerance that grows a hundredfold along the longest axis.
   template <class... Arguments>
   void tolerances(const char* promise, const Arguments&... arguments) {
-    std::vector<double> tolerances;
-    const double low = input_.points.empty() ? 0 : [&] {
-      double least = input_.points[0][0];
-      for (const Position& p : input_.points)
-        least = std::min(least, p[0]);
-      return least;
-    }();
-    for (const Position& p : input_.points)
-      tolerances.push_back(0.1 * part_ * diagonal_ * std::pow(100, (p[0] - low) / diagonal_));
+    const std::vector<double> tolerances =
+        test::growing_tolerances(input_, 0.1 * part_ * diagonal_);
     const Outcome outcome = simplified(
         arguments..., parameters::vertex_tolerance_map(CGAL::make_property_map(tolerances)));
-    const double measured = used(outcome.result, tolerances);
-    tell(promise, outcome, measured, 1, measured <= 1);
-  }
-
-  // The greatest part of its tolerance by which a point of a face is from the result.
-  double used(const Soup& result, const std::vector<double>& tolerances) const {
-    const test::Nearest nearest(result);
-    double most = 0;
-    for (const test::Triangle& t : input_.triangles) {
-      const double tolerance =
-          std::min({tolerances[t[0]], tolerances[t[1]], tolerances[t[2]]}) + rounding_;
-      test::for_each_point(input_, t, 2, [&](const Position& p) {
-        most = std::max(most, nearest.distance(p) / tolerance);
-      });
-    }
-    return most;
+    const Verdict verdict =
+        verify(::points_of<double>(input_), input_.triangles, ::points_of<double>(outcome.result),
+               outcome.result.triangles, {.tolerances = tolerances});
+    const double beyond = std::max(verdict.findings[0].measured, verdict.findings[1].measured);
+    tell(promise, outcome, beyond, 0, verdict.is_held());
   }
 
   template <class... Arguments>
@@ -188,11 +152,9 @@ private:
 };
 
 bool check(const std::string& file) {
-  const std::string name = std::filesystem::path(file).stem().string();
+  const std::string name = test::name_of(file);
   try {
-    const Soup soup = read(file);
-    if (soup.triangles.empty() || soup.triangles.size() > most_faces)
-      throw std::runtime_error("has no faces, or too many to measure");
+    const Soup soup = test::read_soup(file, most_faces);
     const double far = 1e5 * test::diagonal(soup);
     const Soup moved = test::mapped(soup, [&](const Position& p) {
       return p + Position{{far, -far, far}};

@@ -1,8 +1,11 @@
 // verify() finds what is broken of a claim, and nothing where claims hold.
+#include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
 
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/normal_deviation.h>
+#include <quadrille/parameters.h>
 #include <quadrille/quadric.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
@@ -13,11 +16,13 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -140,6 +145,132 @@ TEST_CASE("verify: a moved vertex breaks a distance, and only what looks that wa
   CHECK(verify_soups(input, part, {.distance = 0.2}));
 }
 
+TEST_CASE("verify: tolerances and normals of a simplification are kept, and not much less") {
+  const test::Mesh input = test::make_mesh(test::sphere(3));
+  std::vector<double> tolerances;
+  for (const auto v : vertices(input))
+    tolerances.push_back(0.05 * std::pow(10, input.point(v).x()));
+  const auto tolerance = CGAL::make_property_map(tolerances);
+  std::vector<test::Mesh::Vertex_index> images(tolerances.size());
+  const auto image = CGAL::make_property_map(images);
+  test::Mesh result = input;
+  const Report report =
+      simplify(result, ToleranceLimit{}, NormalDeviation{40}, Topology::kept,
+               parameters::vertex_image_map(image, parameters::vertex_tolerance_map(tolerance)));
+  REQUIRE(5 * report.faces_after < 4 * report.faces_before);
+  const auto verified = [&](double part, double degrees) {
+    std::vector<double> parts = tolerances;
+    for (double& t : parts)
+      t *= part;
+    const auto map = CGAL::make_property_map(parts);
+    return verify(input, result, {.normal_deviation = degrees},
+                  parameters::vertex_image_map(image, parameters::vertex_tolerance_map(map)));
+  };
+  const Verdict verdict = verified(1, *report.normal_bound_degrees);
+  INFO(verdict);
+  CHECK(verdict);
+  REQUIRE(verdict.findings.size() == 4);
+  CHECK(verdict.findings[2].measured > *report.normal_bound_degrees / 2);
+  const Verdict less = verified(0.1, verdict.findings[2].measured / 1.01);
+  INFO(less);
+  CHECK_FALSE(less.findings[0].is_held);
+  CHECK_FALSE(less.findings[1].is_held);
+  CHECK_FALSE(less.findings[2].is_held);
+}
+
+TEST_CASE("verify: a tolerance is that of an input face, one way and the other") {
+  const Soup input = test::grid(8, 8);
+  Soup bump = input;
+  bump.points[40][2] += 0.1;
+  Claims claims{.tolerances = std::vector<double>(input.points.size(), 1)};
+  claims.tolerances[0] = 0; // where nothing has changed
+  CHECK(verify_soups(input, bump, claims));
+  claims.tolerances[40] = 0.05; // the next faces allow the bump, but their points do not need it
+  const Verdict verdict = verify_soups(input, bump, claims);
+  REQUIRE(verdict.findings.size() == 2);
+  CHECK_FALSE(verdict.findings[0].is_held);
+  CHECK(verdict.findings[0].measured > 0.01);
+  CHECK(verdict.findings[1].is_held);
+  CHECK(verdict.findings[1].measured == 0);
+  claims.tolerances.assign(input.points.size(), 0.09);
+  claims.tolerances[0] = std::numeric_limits<double>::infinity();
+  CHECK_FALSE(verify_soups(input, bump, claims).findings[1].is_held);
+  CHECK(std::abs(verify_soups(input, bump, claims).findings[1].measured - 0.01) < 1e-9);
+  // What is flat needs no tolerance, however it is cut into faces.
+  claims.tolerances.assign(input.points.size(), 0);
+  CHECK(verify_soups(test::tilted(input), test::tilted(test::shuffled(input, 3)), claims));
+  const Soup coarse = test::tilted(test::grid(3, 5));
+  CHECK(verify_soups(test::tilted(input), coarse, claims));
+  claims.tolerances.assign(coarse.points.size(), 0);
+  CHECK(verify_soups(coarse, test::tilted(input), claims));
+}
+
+TEST_CASE("verify: what is beyond tolerances is measured, between the corners as well") {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    CAPTURE(seed);
+    const Soup input = test::random_closed(seed), result = test::with_noise(input, seed, 0.05);
+    test::Random random(seed);
+    Claims claims;
+    for (std::size_t v = 0; v < input.points.size(); ++v)
+      claims.tolerances.push_back(random(0, 0.04));
+    const Verdict verdict = verify_soups(input, result, claims);
+    // As many points of each face as it takes to know it to a hundredth of the diagonal.
+    const test::Nearest of_result(result);
+    double beyond = 0;
+    for (const Triangle& t : input.triangles)
+      test::for_each_point(input, t, 12, [&](const Position& p) {
+        const auto& tau = claims.tolerances;
+        beyond =
+            std::max(beyond, of_result.distance(p) - std::min({tau[t[0]], tau[t[1]], tau[t[2]]}));
+      });
+    const Finding& there = verdict.findings[0];
+    CHECK(beyond > 0.01);
+    CHECK(there.measured >= beyond - there.error / 2);
+    CHECK(there.measured <= beyond + 0.003);
+    CHECK(verify_soups(result, input, claims).findings[1].measured <= 0.1);
+  }
+}
+
+TEST_CASE("verify: a face beside others is nearest for the tolerance that it has") {
+  // Two squares, one over the other, of which the upper one allows less.
+  const Soup square = test::grid(4, 4);
+  const Soup input = test::joined(square, square, {{0, 0, 1}});
+  const Soup between = test::mapped(square, [](const Position& p) {
+    return p + Position{{0, 0, 0.7}};
+  });
+  Claims claims{.tolerances = std::vector<double>(25, 0.71)};
+  claims.tolerances.resize(50, 0.2);
+  CHECK(verify_soups(input, between, claims).findings[1].is_held);
+  CHECK(std::abs(verify_soups(input, between, claims).findings[0].measured - 0.1) < 1e-9);
+  std::fill_n(claims.tolerances.begin(), 25, 0.65);
+  CHECK(std::abs(verify_soups(input, between, claims).findings[1].measured - 0.05) < 1e-9);
+}
+
+TEST_CASE("verify: normals are compared with those of faces that are gone") {
+  Soup roof; // two slopes and, between them, a flat strip of two faces
+  roof.points = {{{0, 0, 0}}, {{0, 1, 0}}, {{1, 0, 1}}, {{1, 1, 1}}, {{2, 0, 1}}, {{2, 1, 1}}};
+  roof.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
+  Soup slope = roof; // the strip has gone onto the upper edge of the slope
+  slope.triangles.resize(2);
+  Claims claims{.normal_deviation = 44, .images = {0, 1, 2, 3, 2, 3}};
+  const Verdict verdict = verify_soups(roof, slope, claims);
+  REQUIRE(verdict.findings.size() == 2);
+  CHECK(std::abs(verdict.findings[0].measured - 45) < 1e-9);
+  CHECK(verdict.findings[1].measured == 0);
+  CHECK_FALSE(verdict);
+  claims.normal_deviation = 45;
+  CHECK(verify_soups(roof, slope, claims));
+  claims.images = {0, 1, 2, 3, 2, 2}; // one of its faces onto the edge, the other to a point of it
+  CHECK(std::abs(verify_soups(roof, slope, claims).findings[0].measured - 45) < 1e-9);
+  claims.images = {0, 1, 2, 3, parameters::vanished, parameters::vanished};
+  CHECK(verify_soups(roof, slope, claims).findings[0].measured < 1e-9);
+  claims.images[0] = 1; // no map of these faces
+  CHECK(verify_soups(roof, slope, claims).findings[1].measured == 1);
+  claims.images[0] = 0;
+  std::swap(slope.triangles[0][0], slope.triangles[0][1]); // a face that is turned over
+  CHECK(std::abs(verify_soups(roof, slope, claims).findings[0].measured - 180) < 1e-9);
+}
+
 TEST_CASE("verify: crossings are found, and counted as CGAL counts them") {
   const Soup sphere = test::sphere(2);
   CHECK(pairs_of(sphere) == 0);
@@ -204,6 +335,13 @@ TEST_CASE("verify: meshes of other kinds, and what is refused") {
                {.distance_both_ways = 0, .no_self_intersection = true, .solid = true}));
   CHECK_THROWS_AS(verify(mesh, polyhedron, {.distance = -1}), std::invalid_argument);
   CHECK_THROWS_AS(verify(mesh, test::Mesh(), {.distance = 1}), std::invalid_argument);
+  CHECK_THROWS_AS(verify(mesh, mesh, {.tolerances = {1, 2}}), std::invalid_argument);
+  std::vector<double> tolerances(num_vertices(mesh), 1);
+  CHECK_THROWS_AS(verify(mesh, test::Mesh(), {.tolerances = tolerances}), std::invalid_argument);
+  tolerances[3] = -1;
+  CHECK_THROWS_AS(verify(mesh, mesh, {.tolerances = tolerances}), std::invalid_argument);
+  CHECK_THROWS_AS(verify(mesh, mesh, {.normal_deviation = 10}), std::invalid_argument);
+  CHECK_THROWS_AS(verify(mesh, mesh, {.normal_deviation = -1}), std::invalid_argument);
   Soup bad = test::tetrahedron();
   bad.triangles[0][0] = 7;
   CHECK_THROWS_AS(verify_soups(test::tetrahedron(), bad, {.solid = true}), std::out_of_range);

@@ -1,0 +1,159 @@
+#ifndef QUADRILLE_INTERNAL_VERIFY_GREATEST_EXCESS_H
+#define QUADRILLE_INTERNAL_VERIFY_GREATEST_EXCESS_H
+
+#include <quadrille/internal/verify/allowed_faces.h>
+
+#include <CGAL/Kernel/global_functions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// By how much points of triangles exceed what faces allow, at most: 0 where none does. Triangles
+/// are cut along the sides of the faces below them. What exceeds one face is convex, so it is
+/// greatest at corners of a piece: a piece is done when all of its corners are near enough to one
+/// face, or when it is so small that its middle tells. So parts that lie on a flat surface take as
+/// many pieces as both have faces there, however small the error is.
+class GreatestExcess {
+public:
+  /// `error`: by how much less than the truth it may tell; positive.
+  GreatestExcess(const AllowedFaces& faces, double error) : faces_(faces), error_(error) {}
+
+  double greatest() const { return greatest_; }
+
+  /// Takes in a triangle of which the points may be further by `allowance`.
+  void look_at(const DistanceTriangle& t, double allowance) {
+    for (int i = 0; i < 3; ++i)
+      measure(t[i], allowance);
+    pieces_.push_back({{t[0], t[1], t[2]}, 0});
+    while (!pieces_.empty()) {
+      const Piece piece = std::move(pieces_.back());
+      pieces_.pop_back();
+      look_at(piece, allowance);
+    }
+  }
+
+private:
+  using Polygon = std::vector<DistancePoint>; // convex
+  struct Piece {
+    Polygon corners;
+    int cuts; ///< along faces, which it has been left by
+  };
+  static constexpr int most_cuts = 60;
+  static constexpr double rounding = 0x1p-44; // of coordinates in the frame, which are about 1
+
+  double measure(const DistancePoint& p, double allowance) {
+    const auto [face, excess] = faces_.nearest(p, guess_);
+    guess_ = face;
+    greatest_ = (std::max)(greatest_, excess - allowance);
+    return excess - allowance;
+  }
+
+  void look_at(const Piece& piece, double allowance) {
+    const DistancePoint middle = middle_of(piece.corners);
+    const double excess = measure(middle, allowance);
+    const std::size_t face = guess_;
+    const double farthest = std::sqrt(CGAL::squared_distance(middle, farthest_from(middle, piece)));
+    if (excess + farthest <= greatest_ + error_ || is_near(piece.corners, face, allowance))
+      return;
+    if (piece.cuts < most_cuts && cut_along(face, piece, allowance))
+      return;
+    halve(piece, middle);
+  }
+
+  bool is_near(const Polygon& corners, std::size_t face, double allowance) const {
+    return std::all_of(corners.begin(), corners.end(), [&](const DistancePoint& p) {
+      return faces_.excess(face, p) - allowance <= greatest_ + error_;
+    });
+  }
+
+  static DistancePoint middle_of(const Polygon& corners) {
+    DistanceVector sum(0, 0, 0);
+    for (const DistancePoint& p : corners)
+      sum = sum + (p - CGAL::ORIGIN);
+    return CGAL::ORIGIN + sum / static_cast<double>(corners.size());
+  }
+  static DistancePoint farthest_from(const DistancePoint& middle, const Piece& piece) {
+    return *std::max_element(piece.corners.begin(), piece.corners.end(),
+                             [&](const DistancePoint& p, const DistancePoint& q) {
+                               return CGAL::squared_distance(p, middle) <
+                                      CGAL::squared_distance(q, middle);
+                             });
+  }
+
+  /// Cuts off what is beyond the sides of a face; false if there is nothing, or nothing else.
+  bool cut_along(std::size_t face, const Piece& piece, double allowance) {
+    const DistanceTriangle& t = faces_.triangle(face);
+    const DistanceVector normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+    Polygon over = piece.corners;
+    std::vector<Polygon> beyond;
+    for (int i = 0; i < 3; ++i) {
+      DistanceVector out = CGAL::cross_product(t[(i + 1) % 3] - t[i], normal);
+      const double length = std::sqrt(out.squared_length());
+      if (!(length > 0))
+        return false;
+      auto [inner, outer] = cut(over, t[i], out / length);
+      if (inner.empty())
+        return false;
+      if (!outer.empty())
+        beyond.push_back(std::move(outer));
+      over = std::move(inner);
+    }
+    if (beyond.empty())
+      return false;
+    for (Polygon& polygon : beyond)
+      pieces_.push_back({std::move(polygon), piece.cuts + 1});
+    if (!is_near(over, face, allowance))
+      halve({over, piece.cuts + 1}, middle_of(over));
+    return true;
+  }
+
+  void halve(const Piece& piece, const DistancePoint& middle) {
+    const DistanceVector along = farthest_from(middle, piece) - middle;
+    auto [first, second] = cut(piece.corners, middle, along / std::sqrt(along.squared_length()));
+    for (Polygon* half : {&first, &second})
+      if (!half->empty())
+        pieces_.push_back({std::move(*half), piece.cuts});
+  }
+
+  /// What is behind a plane, and what is before it. Of what reaches beyond it by a rounding only
+  /// that side is empty.
+  static std::array<Polygon, 2> cut(const Polygon& polygon, const DistancePoint& origin,
+                                    const DistanceVector& direction) {
+    std::vector<double> heights;
+    for (const DistancePoint& p : polygon)
+      heights.push_back((p - origin) * direction);
+    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    if (*highest <= rounding)
+      return {polygon, Polygon()};
+    if (*lowest >= -rounding)
+      return {Polygon(), polygon};
+    std::array<Polygon, 2> sides;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::size_t j = (i + 1) % polygon.size();
+      const double h = heights[i], k = heights[j];
+      if (h <= 0)
+        sides[0].push_back(polygon[i]);
+      if (h >= 0)
+        sides[1].push_back(polygon[i]);
+      if ((h < 0 && k > 0) || (h > 0 && k < 0))
+        for (Polygon& side : sides)
+          side.push_back(polygon[i] + h / (h - k) * (polygon[j] - polygon[i]));
+    }
+    return sides;
+  }
+
+  const AllowedFaces& faces_;
+  double error_, greatest_ = 0;
+  std::size_t guess_ = 0;
+  std::vector<Piece> pieces_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_VERIFY_GREATEST_EXCESS_H

@@ -1,0 +1,151 @@
+#ifndef QUADRILLE_INTERNAL_VERIFY_NORMAL_ANGLES_H
+#define QUADRILLE_INTERNAL_VERIFY_NORMAL_ANGLES_H
+
+#include <quadrille/internal/verify/checked_surface.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How far normals of a result are from those of the input faces that have come to lie on each face
+/// or on one of its edges, as a map of the vertices says: all faces by brute force, without cones.
+class NormalAngles {
+public:
+  /// In degrees. The truth is between both, which differ by how well doubles know the normals.
+  struct Greatest {
+    double at_least = 0, at_most = 0;
+    std::size_t unknown = 0; ///< faces of the result that none of the input has become
+  };
+
+  /// `images`: of each vertex of the input the one of the result that it has become; no vertex of
+  /// the result where it is none. Throws std::invalid_argument where these are not as many as the
+  /// vertices of the input.
+  NormalAngles(const CheckedSurface& input, const std::vector<std::size_t>& images,
+               const CheckedSurface& result)
+      : input_(input), images_(images), result_(result) {
+    if (images.size() != input.points.size())
+      throw std::invalid_argument(
+          "quadrille::verify: there are not as many images as vertices of the input");
+    std::set<Corners> fronts;
+    for (std::size_t face = 0; face < result.faces.size(); ++face)
+      if (is_front(result.faces[face], fronts)) {
+        const Corners& f = result.faces[face];
+        faces_[rotated(f)].push_back(face);
+        for (std::size_t i = 0; i < 3; ++i)
+          at_edges_[std::minmax(f[i], f[(i + 1) % 3])].push_back(face);
+      }
+  }
+
+  Greatest measure() const {
+    Greatest greatest;
+    std::set<Corners> fronts;
+    std::set<std::size_t> known;
+    for (const Corners& face : input_.faces) {
+      if (!is_front(face, fronts))
+        continue;
+      const std::vector<std::size_t> images = faces_of(face);
+      if (is_face(face))
+        known.insert(images.begin(), images.end());
+      if (const auto normal = normal_of(input_, face))
+        for (std::size_t image : images)
+          if (const auto other = normal_of(result_, result_.faces[image]))
+            take(*normal, *other, greatest);
+    }
+    for (const auto& [corners, faces] : faces_)
+      greatest.unknown += static_cast<std::size_t>(std::count_if(
+          faces.begin(), faces.end(), [&](std::size_t face) { return !known.contains(face); }));
+    return greatest;
+  }
+
+private:
+  struct Normal {
+    Vector<3> direction;
+    double error; ///< in radians
+  };
+
+  static Corners rotated(Corners face) {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    return face;
+  }
+
+  /// Of both sides of a sheet the first one stands for both.
+  static bool is_front(const Corners& face, std::set<Corners>& fronts) {
+    if (fronts.contains(rotated({face[1], face[0], face[2]})))
+      return false;
+    fronts.insert(rotated(face));
+    return true;
+  }
+
+  /// Has it become one?
+  bool is_face(const Corners& face) const {
+    const std::size_t a = images_[face[0]], b = images_[face[1]], c = images_[face[2]];
+    return a != b && b != c && c != a;
+  }
+
+  /// Those that a face of the input lies on, or of which it lies on an edge.
+  std::vector<std::size_t> faces_of(const Corners& face) const {
+    const Corners image{images_[face[0]], images_[face[1]], images_[face[2]]};
+    if (std::any_of(image.begin(), image.end(),
+                    [&](std::size_t v) { return v >= result_.points.size(); }))
+      return {};
+    const std::set<std::size_t> different(image.begin(), image.end());
+    if (different.size() == 3)
+      return found(faces_, rotated(image), rotated({image[1], image[0], image[2]}));
+    if (different.size() == 2)
+      return found(at_edges_, std::pair(*different.begin(), *different.rbegin()));
+    return {};
+  }
+
+  /// What is under the first of the keys that there is.
+  template <class Map, class... Keys>
+  static std::vector<std::size_t> found(const Map& map, const Keys&... keys) {
+    std::vector<std::size_t> result;
+    (void)((map.contains(keys) && (result = map.at(keys), true)) || ...);
+    return result;
+  }
+
+  /// Nothing where doubles do not know it.
+  static std::optional<Normal> normal_of(const CheckedSurface& surface, const Corners& face) {
+    const auto edge = [&](std::size_t i) {
+      const auto& p = surface.points[face[0]];
+      const auto& q = surface.points[face[i]];
+      return Vector<3>{{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
+    };
+    const Vector<3> e = edge(1), f = edge(2), n = cross(e, f);
+    const double length = std::sqrt(squared_length(n));
+    const double error = 0x1p-49 * std::sqrt(squared_length(e)) * std::sqrt(squared_length(f));
+    if (!(length > 0 && error <= 0.1 * length))
+      return std::nullopt;
+    return Normal{1 / length * n, error / length};
+  }
+
+  static void take(const Normal& a, const Normal& b, Greatest& greatest) {
+    const double angle = std::atan2(std::sqrt(squared_length(cross(a.direction, b.direction))),
+                                    dot(a.direction, b.direction));
+    const double error = a.error + b.error;
+    constexpr double degrees = 180 / std::numbers::pi;
+    greatest.at_least = (std::max)(greatest.at_least, degrees * (angle - error));
+    greatest.at_most = (std::max)(greatest.at_most, degrees * (angle + error));
+  }
+
+  const CheckedSurface& input_;
+  const std::vector<std::size_t>& images_;
+  const CheckedSurface& result_;
+  std::map<Corners, std::vector<std::size_t>> faces_;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> at_edges_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_VERIFY_NORMAL_ANGLES_H
