@@ -14,6 +14,7 @@
 #include <quadrille/internal/file/part_cut.h>
 #include <quadrille/internal/file/part_scatter.h>
 #include <quadrille/internal/file/part_threads.h>
+#include <quadrille/internal/file/part_tree.h>
 #include <quadrille/internal/file/schedule.h>
 #include <quadrille/internal/file/stl_weld.h>
 #include <quadrille/internal/file/true_borders.h>
@@ -114,6 +115,35 @@ TEST_CASE("Space is cut into parts of as many vertices") {
   const PartCut whole(cells, 16'000, 0.5);
   CHECK(whole.size() == 1);
   CHECK(whole.part_of({{9, 9, 9}}) == 0);
+}
+
+TEST_CASE("Where a cell is crowded, it is cut by itself") {
+  std::vector<test::Position> points;
+  const Soup soup = test::with_noise(test::torus(100, 40), 3, 0.01);
+  for (const double size : {1e-7, 1e-3, 1.0}) // the larger one has the smaller ones in a cell
+    for (const test::Position& p : soup.points)
+      points.push_back({{size * p[0], size * p[1], size * p[2] + 3 * size}});
+  points.push_back({{1000, 0, 0}});
+  const auto tree_of = [](const std::vector<test::Position>& list) {
+    FileBox box;
+    for (const test::Position& p : list)
+      box.add(p);
+    return PartTree(box, list.size(), 500, 0.5, [&](auto take) {
+      for (const test::Position& p : list)
+        take(p);
+    });
+  };
+  const PartTree tree = tree_of(points);
+  std::vector<std::uint64_t> sizes(tree.size());
+  for (const test::Position& p : points)
+    ++sizes[tree.part_of(p)];
+  CHECK(sizes == tree.sizes());
+  CHECK(*std::max_element(sizes.begin(), sizes.end()) <= 1000);
+  CHECK(sizes.size() > 24);
+  CHECK(sizes.size() < 120);
+  CHECK(tree.part_of({{1e-7, 0, 3e-7}}) != tree.part_of({{-1e-7, 0, 3e-7}}));
+  const std::vector<test::Position> together(3000, test::Position{{1, 2, 3}});
+  CHECK(tree_of(together).sizes() == std::vector<std::uint64_t>{3000});
 }
 
 TEST_CASE("Requests come once each, by vertex") {

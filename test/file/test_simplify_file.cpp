@@ -214,6 +214,21 @@ TEST_CASE("Several pieces and vertices without a face") {
   CHECK(report.counted_faces == 8400);
 }
 
+TEST_CASE("A surface that is small beside something far away is cut as evenly") {
+  const Folder folder;
+  const Soup input = test::joined(surface(), test::octahedron(), {{3000, 0, 0}});
+  folder.file("in.ply", ply_of(input));
+  const FileReport report = run(folder, in_parts(folder, part_of_16), 808);
+  CHECK(report.parts > 12);
+  const Soup output = read_ply(folder.path("out.ply"));
+  const auto topology = topology_of(output);
+  CHECK(topology.is_closed());
+  CHECK(topology.components == 2);
+  CHECK(topology.genus() == 1);
+  CHECK(topology.faces == 808);
+  CHECK(rms(input, output) < 1.03 * rms_in_memory<MemorylessQuadric>(input, 808));
+}
+
 TEST_CASE("Labels of faces go along, and their regions stay") {
   const Folder folder;
   const Soup input = surface();

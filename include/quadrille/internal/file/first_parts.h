@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_FILE_FIRST_PARTS_H
 
 #include <quadrille/internal/file/cell_counts.h>
-#include <quadrille/internal/file/part_cut.h>
 #include <quadrille/internal/file/part_scatter.h>
+#include <quadrille/internal/file/part_tree.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/rows.h>
 
@@ -16,18 +16,10 @@
 
 namespace quadrille::internal {
 
-/// How many cells a box has along its longest side, as a power of two, so that so many parts can be
-/// cut evenly: a surface meets about the square of that.
-inline unsigned cell_bits(std::uint64_t parts) {
-  unsigned bits = 5;
-  while (bits < 8 && (std::uint64_t{1} << (2 * bits)) < 256 * parts)
-    ++bits;
-  return bits;
-}
-
 /// From a file to the parts of the first phase. Reads vertices four times and faces once, all in
-/// the order of the file. Memory: two bytes for each vertex, six for each time that a vertex is in
-/// another part than it lies in, the cells, and `buffers`.
+/// the order of the file; vertices of a crowded surface some more times. Memory: two bytes for each
+/// vertex, six for each time that a vertex is in another part than it lies in, the cells, and
+/// `buffers`.
 class FirstParts {
 public:
   FirstParts(const PlyInput& input, InputFacts& facts) : input_(input), facts_(facts) {
@@ -48,7 +40,7 @@ public:
       };
     };
     measure(from(0, 0.15, facts_.vertices));
-    const PartCut cut = count(part_vertices, from(0.15, 0.3, facts_.vertices));
+    const PartTree cut = count(part_vertices, from(0.15, 0.3, facts_.vertices));
     const std::vector<PartNumber> homes = find_homes(cut, from(0.3, 0.4, facts_.vertices));
     LabelTable labels(input_.labels());
     PartScatter scatter(folder, 1, cut.size(), facts_.vertices, buffers, has_labels());
@@ -84,29 +76,27 @@ private:
   }
 
   template <class Tell>
-  PartCut count(std::uint64_t part_vertices, Tell tell) {
-    CellCounts cells(CellGridOfBox(facts_.box, cell_bits(facts_.vertices / part_vertices + 1)));
-    for_vertices([&](VertexId id, const Vector<3>& p) {
-      tell(id);
-      cells.add(p);
+  PartTree count(std::uint64_t part_vertices, Tell tell) {
+    PartTree cut(facts_.box, facts_.vertices, part_vertices, 0.5, [&](auto take) {
+      for_vertices([&](VertexId id, const Vector<3>& p) {
+        tell(id);
+        take(p);
+      });
     });
-    PartCut cut(cells, part_vertices, 0.5);
     require_even(cut, part_vertices);
     return cut;
   }
 
-  void require_even(const PartCut& cut, std::uint64_t part_vertices) const {
+  void require_even(const PartTree& cut, std::uint64_t part_vertices) const {
     for (const std::uint64_t size : cut.sizes())
       if (size > 2 * part_vertices)
-        fail_file(input_.file().path(), "has " + std::to_string(size) +
-                                            " vertices within a 256th of its size, and a "
-                                            "part may have " +
-                                            std::to_string(part_vertices) +
-                                            ": more memory is needed");
+        fail_file(input_.file().path(),
+                  "has " + std::to_string(size) + " vertices at one place, and a part may have " +
+                      std::to_string(part_vertices) + ": more memory is needed");
   }
 
   template <class Tell>
-  std::vector<PartNumber> find_homes(const PartCut& cut, Tell tell) const {
+  std::vector<PartNumber> find_homes(const PartTree& cut, Tell tell) const {
     std::vector<PartNumber> homes(static_cast<std::size_t>(facts_.vertices));
     for_vertices([&](VertexId id, const Vector<3>& p) {
       tell(id);

@@ -2,10 +2,9 @@
 #define QUADRILLE_INTERNAL_FILE_NEXT_PARTS_H
 
 #include <quadrille/internal/file/cell_counts.h>
-#include <quadrille/internal/file/first_parts.h>
 #include <quadrille/internal/file/id_index.h>
-#include <quadrille/internal/file/part_cut.h>
 #include <quadrille/internal/file/part_scatter.h>
+#include <quadrille/internal/file/part_tree.h>
 #include <quadrille/internal/file/survivors.h>
 
 #include <algorithm>
@@ -95,7 +94,7 @@ private:
 };
 
 /// From what is left of the parts of a phase to the parts of the next. Each file is read three
-/// times, one after the other.
+/// times, one after the other, and once more where vertices remember.
 class NextParts {
 public:
   NextParts(const JobFolder& folder, unsigned phase, std::vector<SurvivorsHeader> old_parts,
@@ -126,14 +125,15 @@ public:
   /// Writes the parts of the next phase, cut at `fraction`.
   PartScatter write(const FileBox& box, std::uint64_t ids, std::uint64_t part_vertices,
                     double fraction, std::uint64_t buffers) {
-    CellCounts cells(CellGridOfBox(box, cell_bits(vertices() / part_vertices + 1)));
-    for_survivors([&](const Survivors& part) {
-      for (const VertexRow& v : part.vertices)
-        cells.add(v.position);
-      memories_.add(part);
+    const PartTree cut(box, vertices(), part_vertices, fraction, [&](auto take) {
+      for_survivors([&](const Survivors& part) {
+        for (const VertexRow& v : part.vertices)
+          take(v.position);
+      });
     });
+    if (memories_.size() > 0)
+      for_survivors([&](const Survivors& part) { memories_.add(part); });
     memories_.sum_up();
-    const PartCut cut(cells, part_vertices, fraction);
     PartScatter scatter(folder_, phase_ + 1, cut.size(), ids, buffers, has_labels());
     for_survivors([&](const Survivors& part) { give_faces(scatter, part, cut); });
     scatter.end_faces();
@@ -157,7 +157,7 @@ private:
 
   // Calls take(corners, their places, their homes).
   template <class Take>
-  static void for_faces(const Survivors& part, const PartCut& cut, Take take) {
+  static void for_faces(const Survivors& part, const PartTree& cut, Take take) {
     std::vector<VertexId> ids;
     std::vector<PartNumber> homes;
     for (const VertexRow& v : part.vertices) {
@@ -176,7 +176,7 @@ private:
     }
   }
 
-  static void give_faces(PartScatter& scatter, const Survivors& part, const PartCut& cut) {
+  static void give_faces(PartScatter& scatter, const Survivors& part, const PartTree& cut) {
     std::size_t face = 0;
     for_faces(part, cut, [&](const FaceRow& corners, const auto&, const auto& homes) {
       const std::uint32_t label = part.labels.empty() ? 0 : part.labels[face++];
@@ -184,7 +184,7 @@ private:
     });
   }
 
-  void give_vertices(PartScatter& scatter, const Survivors& part, const PartCut& cut) const {
+  void give_vertices(PartScatter& scatter, const Survivors& part, const PartTree& cut) const {
     Requests requests;
     for_faces(part, cut, [&](const FaceRow&, const auto& places, const auto& homes) {
       const PartNumber to = std::min({homes[0], homes[1], homes[2]});

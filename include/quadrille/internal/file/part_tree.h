@@ -1,0 +1,141 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PART_TREE_H
+#define QUADRILLE_INTERNAL_FILE_PART_TREE_H
+
+#include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/part_cut.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How many cells a box has along its longest side, as a power of two, so that so many parts can be
+/// cut evenly: a surface meets about the square of that.
+inline unsigned cell_bits(std::uint64_t parts) {
+  unsigned bits = 5;
+  while (bits < 8 && (std::uint64_t{1} << (2 * bits)) < 256 * parts)
+    ++bits;
+  return bits;
+}
+
+/// Space cut into parts of about as many vertices each, however crowded they are: where a single
+/// cell holds more than twice as many as a part may have, the box of these vertices has cells of
+/// its own, and is cut by itself.
+class PartTree {
+public:
+  /// for_points(take) calls take(position) for each of all vertices; that is done once, and twice
+  /// for each level of cells in cells.
+  template <class ForPoints>
+  PartTree(const FileBox& box, std::uint64_t vertices, std::uint64_t most, double fraction,
+           ForPoints for_points)
+      : most_(most), fraction_(fraction) {
+    CellCounts cells(CellGridOfBox(box, cell_bits(vertices / most + 1)));
+    for_points([&](const Vector<3>& p) { cells.add(p); });
+    add_node(cells);
+    for (unsigned level = 0; level < most_levels && refine(for_points); ++level) {
+    }
+    number(0);
+  }
+
+  std::size_t size() const { return sizes_.size(); }
+  /// Vertices of each part. Where more than twice as many as a part may have lie at one place, they
+  /// are in one part all the same.
+  const std::vector<std::uint64_t>& sizes() const { return sizes_; }
+  PartNumber part_of(const Vector<3>& p) const {
+    const Leaf leaf = leaf_of(p);
+    return nodes_[leaf.first].numbers[leaf.second];
+  }
+
+private:
+  static constexpr unsigned most_levels = 12;
+  static constexpr std::size_t no_node = static_cast<std::size_t>(-1);
+
+  using Leaf = std::pair<std::size_t, PartNumber>; // a node, and a part of its cut
+
+  struct Node {
+    PartCut cut;
+    std::vector<std::size_t> finer;  // of each part, the node that cuts it, or no_node
+    std::vector<PartNumber> numbers; // of each part that is not cut further
+  };
+
+  struct Crowd {
+    FileBox box;
+    std::vector<CellCounts> cells; // one, once the box is known
+  };
+
+  std::size_t add_node(const CellCounts& cells) {
+    PartCut cut(cells, most_, fraction_);
+    const std::size_t size = cut.size();
+    nodes_.push_back({std::move(cut), std::vector<std::size_t>(size, no_node), {}});
+    return nodes_.size() - 1;
+  }
+
+  Leaf leaf_of(const Vector<3>& p) const {
+    std::size_t node = 0;
+    while (true) {
+      const PartNumber part = nodes_[node].cut.part_of(p);
+      if (nodes_[node].finer[part] == no_node)
+        return {node, part};
+      node = nodes_[node].finer[part];
+    }
+  }
+
+  // False if no leaf is crowded, or none can be cut.
+  template <class ForPoints>
+  bool refine(ForPoints for_points) {
+    std::map<Leaf, Crowd> crowds;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      for (std::size_t part = 0; part < nodes_[n].finer.size(); ++part)
+        if (nodes_[n].finer[part] == no_node && nodes_[n].cut.sizes()[part] > 2 * most_)
+          crowds[{n, static_cast<PartNumber>(part)}];
+    if (crowds.empty())
+      return false;
+    const auto for_crowds = [&](auto take) {
+      for_points([&](const Vector<3>& p) {
+        if (const auto found = crowds.find(leaf_of(p)); found != crowds.end())
+          take(found->second, p);
+      });
+    };
+    for_crowds([](Crowd& crowd, const Vector<3>& p) { crowd.box.add(p); });
+    for (auto& [leaf, crowd] : crowds)
+      crowd.cells.emplace_back(CellGridOfBox(
+          crowd.box, cell_bits(nodes_[leaf.first].cut.sizes()[leaf.second] / most_ + 1)));
+    for_crowds([](Crowd& crowd, const Vector<3>& p) { crowd.cells.front().add(p); });
+    bool is_cut = false;
+    for (auto& [leaf, crowd] : crowds)
+      if (crowd.cells.front().counts.size() > 1) { // else they lie at one place
+        nodes_[leaf.first].finer[leaf.second] = add_node(crowd.cells.front());
+        is_cut = true;
+      }
+    return is_cut;
+  }
+
+  void number(std::size_t node) {
+    nodes_[node].numbers.resize(nodes_[node].finer.size());
+    for (std::size_t part = 0; part < nodes_[node].finer.size(); ++part)
+      if (nodes_[node].finer[part] != no_node) {
+        number(nodes_[node].finer[part]);
+      } else {
+        if (sizes_.size() >= most_parts)
+          throw std::invalid_argument("quadrille::OutOfCore: there would be more than " +
+                                      std::to_string(most_parts) +
+                                      " parts: they have to be larger, which takes more memory");
+        nodes_[node].numbers[part] = static_cast<PartNumber>(sizes_.size());
+        sizes_.push_back(nodes_[node].cut.sizes()[part]);
+      }
+  }
+
+  std::uint64_t most_;
+  double fraction_;
+  std::vector<Node> nodes_; // the first is the whole box
+  std::vector<std::uint64_t> sizes_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PART_TREE_H
