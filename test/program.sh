@@ -844,6 +844,14 @@ expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promis
 expect stdout '; intersecting pairs of faces: 0 promised, 0 measured$'
 grep -c '"held": true' out.json | grep -q '^2$' || fail "no figures of what was verified"
 run 0 --weld halves.off ball.off --keep 100%
+run 0 ball.off plain_limit.off --error 2% --both-ways
+run 0 ball.off out.off --error 2% --both-ways --calibrated --verify --report out.json
+expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promised, [0-9.e-]+ measured; '
+grep -q '"calibrated": true' out.json || fail "no word of calibration"
+[ "$(sed -n 2p out.off | cut -d' ' -f2)" -lt "$(sed -n 2p plain_limit.off | cut -d' ' -f2)" ] ||
+  fail "a limit that is measured leaves as many faces as one that is added up"
+run 2 ball.off out.off --error 2% --both-ways --calibrated --record out.qlv
+expect stderr '^--calibrated does not go with --record'
 run 0 --solid --verify --faces 100 ball.off out.off
 expect stdout ', 0 -> 0 pairs of faces intersect, [0-9.]+ % of the volume$'
 expect stdout 'verified: .*; Euler number: 2 promised, 2 measured; .*; bounds a volume: 1 promised, 1 measured$'

@@ -49,6 +49,11 @@ inline void add_target(CLI::App& app, Options& options) {
          "thin spikes stay")
       ->group(target_group)
       ->needs("--error");
+  app.add_flag("--calibrated", target.is_calibrated,
+               "go as far as --error is measured to allow, both ways, in several runs: half of the "
+               "faces or less, for many times the time")
+      ->group(target_group)
+      ->needs("--both-ways");
   app.add_option(
          "--tolerance", target.tolerance,
          "the same where the limit varies: no face of IN is further from OUT than the least "
@@ -167,6 +172,8 @@ inline void require_consistency(const Options& options) {
   refuse_if(options.keeps_solid && topology(options) != quadrille::Topology::kept,
             "--solid keeps the topology: it does not go with --topology free, --pairs or "
             "--drop-parts");
+  refuse_if(options.target.is_calibrated && !options.record.empty(),
+            "--calibrated does not go with --record: it runs several times");
   refuse_if(options.verifies && !options.target.is_limited() && !options.forbids_intersections &&
                 !options.keeps_solid && options.normal_degrees == 180,
             "--verify needs something that is promised: --error, --tolerance, "

@@ -69,6 +69,10 @@ bool run(Options options, ProgressLine& progress) {
   };
   if (options.verifies && is_page(output_extension(options)))
     throw std::runtime_error(options.output + ": --verify is for files of meshes, not for pages");
+  if (options.target.is_calibrated &&
+      (is_page(output_extension(options)) || is_gltf(output_extension(options))))
+    throw std::runtime_error(options.output + ": --calibrated is for files of one mesh, not for " +
+                             "glTF and pages");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
   if (!options.scratch.empty())

@@ -111,6 +111,8 @@ Json json_of(const Target& target) {
     json[target.error->is_percentage ? "relative_error" : "error"] = target.error->value;
   if (target.both_ways)
     json["both_ways"] = true;
+  if (target.is_calibrated)
+    json["calibrated"] = true;
   if (!target.tolerance.empty())
     json["tolerance"] = target.tolerance;
   return json;

@@ -2,6 +2,7 @@
 #include "../mesh_io.h"
 #include "../mesh_io/replace_file.h"
 #include "../mesh_io/winding.h"
+#include "calibration.h"
 #include "figures.h"
 #include "outcome.h"
 #include "position_recorder.h"
@@ -162,14 +163,16 @@ public:
 
 private:
   /// A run to one target; `simplify` is what simplifies a mesh, and tells what points become.
-  template <class Simplify>
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options,
-                   Simplify simplify) {
+                   const Simplify& simplify) {
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
     std::vector<std::size_t> images;
-    const quadrille::Report report = with_errors_of_file(
-        options, [&] { return simplify(mesh, options, options.verifies ? &images : nullptr); });
+    std::vector<std::size_t>* const asked = options.verifies ? &images : nullptr;
+    const quadrille::Report report = with_errors_of_file(options, [&] {
+      return options.target.is_calibrated ? simplify_calibrated(mesh, options, asked, simplify)
+                                          : simplify(mesh, options, asked);
+    });
     require_not_interrupted(options);
     outcomes_.push_back({file, options.target, report, diagonal_});
     if (input)

@@ -22,6 +22,7 @@ struct Target {
   std::optional<double> ratio = {}; ///< of the faces, in [0, 1]
   std::optional<Amount> error = {}; ///< a distance from the input
   bool both_ways = false;           ///< and of the input from the result
+  bool is_calibrated = false;       ///< is it measured instead of added up?
   std::string tolerance = {};       ///< the scalar of vertices that limits it instead; empty: none
 
   bool is_given() const { return faces || vertices || ratio || is_limited(); }

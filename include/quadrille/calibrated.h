@@ -2,21 +2,25 @@
 //
 // Simplifies as far as a measured distance allows.
 //
-// Licence: this file is MIT, but it includes quadrille/distance.h, which includes code of CGAL
-// under GPL-3.0-or-later (or commercial). A program that includes it is bound by its terms.
+// Licence: this file is MIT, but it includes quadrille/distance.h and more that includes code
+// of CGAL under GPL-3.0-or-later (or commercial). A program that includes it is bound by its terms.
 
 #ifndef QUADRILLE_CALIBRATED_H
 #define QUADRILLE_CALIBRATED_H
 
 #include <quadrille/distance.h>
+#include <quadrille/internal/verify/checked_surface.h>
+#include <quadrille/internal/verify/tolerance_check.h>
 #include <quadrille/report.h>
 #include <quadrille/simplified.h>
 #include <quadrille/stop.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace quadrille {
 
@@ -26,6 +30,15 @@ struct Calibrated {
   Mesh mesh;         ///< the simplified copy
   Report report;     ///< of its run; Report::hausdorff_bound is the one that is proved
   double factor = 1; ///< of the limit, with which it ran
+};
+
+/// The same of a soup.
+template <class Points, class Triangles>
+struct CalibratedSoup {
+  Points points;       ///< of the simplified copy
+  Triangles triangles; ///< of the simplified copy
+  Report report;       ///< of its run; Report::hausdorff_bound is the one that is proved
+  double factor = 1;   ///< of the limit, with which it ran
 };
 
 /// How calibrated() looks for it.
@@ -45,55 +58,33 @@ struct Calibration {
 
 namespace internal {
 
-/// If both meshes are proved to be within a distance of each other, a bound of it; else infinity.
-/// Samples refuse what is clearly beyond.
-template <class Mesh>
-double proved_distance(const Mesh& a, const Mesh& b, double distance, double error) {
+/// If both surfaces are proved to be within a distance of each other, a bound of it that is at most
+/// `error` too large; else infinity. Samples refuse what is clearly beyond.
+inline double proved_distance(const CheckedSurface& a, const CheckedSurface& b, double distance,
+                              double error) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (faces(b).begin() == faces(b).end() ||
-      surface_distance(a, b, {.samples = 20'000}).hausdorff > distance)
+  if (b.faces.empty() ||
+      surface_distance(a.points, a.faces, b.points, b.faces, {.samples = 20'000}).hausdorff >
+          distance)
     return infinity;
-  const double bound = bounded_hausdorff(a, b, error) + error;
+  const ToleranceCheck beyond_nothing(a, std::vector<double>(a.points.size(), 0), b);
+  const double bound =
+      (std::max)(beyond_nothing.of_input(error), beyond_nothing.of_result(error)) + error;
   return bound <= distance ? bound : infinity;
 }
 
-} // namespace internal
-
-inline namespace QUADRILLE_THREADING {
-
-/// A simplified copy of a mesh that is within a limit both ways, with about as few faces as there
-/// can be: proved by measuring, not by adding up.
-///
-/// The bound of a HausdorffLimit adds up what contractions move, and is several times what is
-/// measured. So this runs with 2, 4, 8, … times the limit as long as the result, measured by
-/// bounded_hausdorff(), is within the limit itself, then between the last two; and gives back the
-/// coarsest that was. That with the limit itself needs no measuring. The arguments are those of
-/// `simplified`; maps that `simplify` writes to, and visitors, see each run.
-///
-/// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
-/// which take longer. Throws what `simplified` and bounded_hausdorff() throw.
-template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
-          class... Arguments>
-requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
-                                                               HausdorffLimit limit,
-                                                               const Calibration& calibration,
-                                                               const Arguments&... arguments) {
-  limit.validate();
-  calibration.validate();
-  const auto run = [&](double factor) {
-    auto [coarse, report] = simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
-    return Calibrated<Mesh>{std::move(coarse), report, factor};
-  };
-  Calibrated<Mesh> best = run(1);
-  const double distance = limit.distance(internal::diagonal(internal::distance_box(mesh)));
+/// The coarsest of what run(factor) makes within multiples of a limit, a report and a factor among
+/// it, of which bound_of(it, error) proves that it is within the limit itself.
+template <class Run, class BoundOf>
+auto calibrate(double distance, const Calibration& calibration, Run run, BoundOf bound_of) {
+  auto best = run(1.0);
   if (!(distance > 0) || best.report.stop != StopReason::target_met)
     return best;
   const auto try_with = [&](double factor) {
-    Calibrated<Mesh> next = run(factor);
+    auto next = run(factor);
     if (next.report.faces_after >= best.report.faces_after)
       return false;
-    const double bound =
-        internal::proved_distance(mesh, next.mesh, distance, calibration.error * distance);
+    const double bound = bound_of(next, calibration.error * distance);
     if (!(bound <= distance))
       return false;
     next.report.distance_bound = next.report.hausdorff_bound = bound;
@@ -112,11 +103,88 @@ requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
   return best;
 }
 
+/// The distance of a limit, of a surface.
+inline double distance_of(const HausdorffLimit& limit, const CheckedSurface& surface) {
+  return limit.distance(surface.faces.empty() ? 0 : diagonal(surface.box()));
+}
+
+} // namespace internal
+
+inline namespace QUADRILLE_THREADING {
+
+/// A simplified copy of a mesh that is within a limit both ways, with about as few faces as there
+/// can be: proved by measuring, not by adding up.
+///
+/// The bound of a HausdorffLimit adds up what contractions move, and is several times what is
+/// measured. So this runs with 2, 4, 8, … times the limit as long as the result, measured with an
+/// error that Calibration tells, is within the limit itself, then between the last two; and gives
+/// back the coarsest that was. That with the limit itself needs no measuring. The arguments are
+/// those of `simplified`; maps that `simplify` writes to, and visitors, see each run.
+///
+/// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
+/// which take longer. Throws what `simplified` throws, and std::invalid_argument for a surface that cannot be measured: see verify().
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
+          class... Arguments>
+requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
+                                                               HausdorffLimit limit,
+                                                               const Calibration& calibration,
+                                                               const Arguments&... arguments) {
+  limit.validate();
+  calibration.validate();
+  const internal::CheckedSurface input = internal::checked_surface(mesh);
+  const double distance = internal::distance_of(limit, input);
+  return internal::calibrate(
+      distance, calibration,
+      [&](double factor) {
+        auto [coarse, report] =
+            simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
+        return Calibrated<Mesh>{std::move(coarse), report, factor};
+      },
+      [&](const Calibrated<Mesh>& coarse, double error) {
+        return internal::proved_distance(input, internal::checked_surface(coarse.mesh), distance,
+                                         error);
+      });
+}
+
 /// The same with the usual calibration.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh>
 requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
                                                                HausdorffLimit limit) {
   return calibrated<Cost, Placement>(mesh, limit, Calibration{});
+}
+
+/// The same of a soup, which may be non-manifold: of points with x(), y() and z(), or three numbers
+/// by index, and of triples of indices. Maps and vectors of channels and labels would be written by
+/// each run: pass none.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::MeasurableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit,
+           const Calibration& calibration, const Arguments&... arguments) {
+  limit.validate();
+  calibration.validate();
+  const internal::CheckedSurface input = internal::checked_surface(points, triangles);
+  const double distance = internal::distance_of(limit, input);
+  using Coarse = CalibratedSoup<Points, Triangles>;
+  return internal::calibrate(
+      distance, calibration,
+      [&](double factor) {
+        auto [p, t, report] =
+            simplified<Cost, Placement>(points, triangles, limit.times(factor), arguments...);
+        return Coarse{std::move(p), std::move(t), report, factor};
+      },
+      [&](const Coarse& coarse, double error) {
+        return internal::proved_distance(
+            input, internal::checked_surface(coarse.points, coarse.triangles), distance, error);
+      });
+}
+
+/// The same with the usual calibration.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles>
+requires internal::MeasurableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit) {
+  return calibrated<Cost, Placement>(points, triangles, limit, Calibration{});
 }
 
 } // namespace QUADRILLE_THREADING

@@ -1,4 +1,5 @@
 // A calibrated limit is kept, by another measure, and goes further than the sum of steps.
+#include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
 
@@ -6,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
@@ -37,6 +40,34 @@ TEST_CASE("A calibrated limit leaves fewer faces, and is kept as measured") {
     CHECK(other.factor <= 2);
     CHECK(other.report.hausdorff_bound <= limit);
   }
+}
+
+TEST_CASE("A calibrated limit of a soup") {
+  // Three pages with a line in common.
+  test::Soup pages;
+  for (double angle : {0.0, 2.0, 4.0}) {
+    const auto page =
+        test::mapped(test::with_noise(test::grid(12, 12), 5, 0.004), [&](const test::Position& p) {
+          return test::Position{{p[0] * std::cos(angle) - p[2] * std::sin(angle), p[1],
+                                 p[0] * std::sin(angle) + p[2] * std::cos(angle)}};
+        });
+    pages = pages.points.empty() ? page : test::joined(pages, page);
+  }
+  const auto points = test::points_of(pages);
+  const auto [coarse, triangles, report, factor] =
+      calibrated<MemorylessQuadric>(points, pages.triangles, HausdorffLimit{0.03});
+  test::Soup result{{}, triangles};
+  for (const test::Point& p : coarse)
+    result.points.push_back(test::to_position(p));
+  test::PointSoup by_sum(pages);
+  const Report sum =
+      simplify<MemorylessQuadric>(by_sum.points, by_sum.triangles, HausdorffLimit{0.03});
+  CHECK(factor > 1);
+  CHECK(report.faces_after == triangles.size());
+  CHECK(report.faces_after < sum.faces_after);
+  CHECK(report.hausdorff_bound <= 0.03);
+  CHECK(std::max(test::farthest(result, pages, 8), test::farthest(pages, result, 8)) <=
+        report.hausdorff_bound);
 }
 
 TEST_CASE("A calibrated limit of nothing, or of what holds no more, is the plain one") {
