@@ -13,7 +13,7 @@ if [ "${1-}" = --built ]; then
   built=$2
   shift 2
 fi
-all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance seams time"
+all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance walls seams time"
 for name in "$@"; do
   case " $all " in
     *" $name "*) ;;
@@ -202,6 +202,16 @@ draw_seams() {
   drawn seams.png --size 420,400 --colours 160 --from -0.3,0.12,1 --up 0,1,0 --edges 0.35 \
     $out/parts.ply='In 16 parts|borders of phase 1 red, of phase 2 blue' --lines $out/borders-1.obj,205,45,45,1.6 \
     --lines $out/borders-2.obj,40,80,200,1.6 $out/parts.ply='The same|{} faces' $out/borders-one.ply='In one part|{} faces'
+}
+
+draw_walls() {
+  made spiral $out/spiral.off
+  simplified $out/spiral.off spiral_250.off --cost memoryless --faces 250
+  simplified $out/spiral.off spiral_apart.off --cost memoryless --faces 250 --no-self-intersection
+  pairs=$(made crossing $out/spiral_250.off $out/spiral_250.ply)
+  drawn walls.png --size 420,400 --colours 120 --from 0.1,-0.35,1 --up 0,1,0 --edges 0 $out/spiral.off='{} faces' \
+    --edges 0.8 $out/spiral_250.ply="{} faces|$pairs pairs of them pass through each other" \
+    $out/spiral_apart.off='NoSelfIntersection|{} faces, of which none do'
 }
 
 # Of the first table of doc/benchmarks.md.

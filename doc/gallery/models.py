@@ -6,6 +6,8 @@
 #   models.py regions IN.off OUT.ply [NAME]   eight regions as colours of faces, or as a property NAME
 #   models.py tolerance IN.off OUT.ply        a scalar of vertices, and its colours
 #   models.py painted IN.ply OUT.ply NAME     the property NAME of the faces as colours of these
+#   models.py spiral OUT.off            a closed wall that winds around, four times as far from itself as it is thick
+#   models.py crossing IN.off OUT.ply   with faces in red that pass through others; prints how many such pairs there are
 #   models.py debris IN.off OUT.off     with 40 small balls around it
 #   models.py sheet OUT.off             a dome with a wavy border
 import colorsys
@@ -287,6 +289,48 @@ def sheet(target, rings=44, lobes=9):
             else:
                 triangles += [(first + i, second + i, second + n), (first + i, second + n, first + n)]
     write_off(target, points, triangles)
+
+
+def spiral(target, turns=4, steps=400, height=16, thickness=0.02, pitch=0.1):
+    """A wall around the origin, from one radius to a larger one, as a tube of `height` squares with closed ends."""
+    ring = [(0, i) for i in range(height + 1)] + [(1, i) for i in range(height, -1, -1)]
+    points, triangles, n = [], [], len(ring)
+    for step in range(steps + 1):
+        angle = 2 * np.pi * turns * step / steps
+        for side, level in ring:
+            radius = 0.4 + pitch * angle / (2 * np.pi) + thickness * side
+            points.append((radius * np.cos(angle), radius * np.sin(angle), 0.4 * level / height))
+    for step in range(steps):
+        for i in range(n):
+            a, b = step * n + i, step * n + (i + 1) % n
+            triangles += [(a, a + n, b + n), (a, b + n, b)]
+    for first, is_end in ((0, False), (steps * n, True)):
+        for i in range(height):
+            a, b, c, d = first + i, first + i + 1, first + n - 2 - i, first + n - 1 - i
+            triangles += [(a, c, b), (a, d, c)] if is_end else [(a, b, c), (a, c, d)]
+    write_off(target, points, triangles)
+
+
+def crossing(source, target):
+    points, triangles = read_off(source)
+    corners = points[triangles]
+    a, u, v = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    pairs, e = set(), 1e-9
+    for i in range(3):  # do these sides of faces go through other faces?
+        p, d = corners[:, i], corners[:, (i + 1) % 3] - corners[:, i]
+        for face in range(len(triangles)):
+            normal = np.cross(u[face], v[face])
+            with np.errstate(all="ignore"):
+                along = (a[face] - p) @ normal / (d @ normal)
+                q = p + along[:, np.newaxis] * d - a[face]
+                s, t = np.cross(q, v[face]) @ normal / (normal @ normal), np.cross(u[face], q) @ normal / (normal @ normal)
+            for other in np.flatnonzero((along > e) & (along < 1 - e) & (s > e) & (t > e) & (s + t < 1 - e)):
+                pairs.add((min(face, other), max(face, other)))
+    colours = ["226 220 205"] * len(triangles)
+    for face in {face for pair in pairs for face in pair}:
+        colours[face] = "205 60 40"
+    write_ply(target, points, triangles, "".join(f"property uchar {c}\n" for c in ("red", "green", "blue")), colours)
+    print(len(pairs))
 
 
 if __name__ == "__main__":
