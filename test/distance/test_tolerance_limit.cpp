@@ -2,6 +2,7 @@
 // result, and each point of the result within that of some face, measured apart by CGAL.
 #include "farthest.h"
 #include "meshes.h"
+#include "point_replay.h"
 #include "soups.h"
 
 #include <quadrille/simplify.h>
@@ -203,6 +204,32 @@ TEST_CASE("A small tolerance is handed on to the faces that come to lie there") 
       check_within(input, tolerances,
                    simplified(input, tolerances, AnyOf{ToleranceLimit{}, FaceCount{faces}}));
   }
+}
+
+TEST_CASE("Points that a record carries along stay within their tolerances") {
+  const Soup input = test::with_noise(test::sphere(3), 7, 0.005);
+  std::vector<double> tolerances;
+  for (const Position& p : input.points)
+    tolerances.push_back(0.1 * std::pow(10, p[0]));
+  const auto check = [&](const auto& limit, const auto& order, const auto& topology) {
+    test::Log log;
+    const auto [report, result] =
+        simplified(input, tolerances, limit, order, topology, record_into(log));
+    REQUIRE(report.faces_after < report.faces_before);
+    test::PointReplay replay(log, 5000, 1);
+    replay.run();
+    const test::Nearest of_result(result);
+    double used = 0;
+    for (const test::CarriedPoint& p : replay.points()) {
+      CHECK(of_result.distance(p.now) < 1e-12);
+      used = std::max(used, std::sqrt(squared_distance(p.begin, p.now)) /
+                                tolerance_of(input.triangles[p.begin_face], tolerances));
+    }
+    CHECK(used < 1);
+    CHECK(used > 0.1);
+  };
+  check(ToleranceLimit{}, GreedyOrder{}, Topology::kept);
+  check(ToleranceLimit{}, RelaxedOrder{}, Topology::free);
 }
 
 TEST_CASE("One tolerance for all is a Hausdorff limit") {
