@@ -76,7 +76,7 @@ struct FileReport : Report {
   unsigned phases = 0;                        ///< in which parts were simplified
   std::size_t parts = 0;                      ///< of the first phase
   std::vector<std::uint64_t> faces_of_phases; ///< left by each
-  bool is_count_exact = false;  ///< the last phase was a run over the whole, to the target itself
+  bool is_count_exact = false;  ///< the target itself is what is left, or as near as faces allow
   std::uint64_t bytes_read = 0; ///< of files, about
   std::uint64_t bytes_written = 0;   ///< the same
   double diagonal = 0;               ///< of the input's bounding box

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -267,6 +268,19 @@ TEST_CASE("Phases aim at four and two times the target, by steps that are not to
   CHECK(counts(1'000'000'000, 10'000'000, 2'000'000) == Counts{40'000'000, 20'000'000});
   CHECK(counts(64'000, 640, 500) == Counts{16'000, 4'000, 2'560, 1'280});
   CHECK(Schedule(100, 0, 10).wanted(0, 0) <= 25);
+}
+
+TEST_CASE("Faces that are too many are shared out by the sizes of parts") {
+  const std::uint64_t faces[] = {100, 333, 0, 500, 67};
+  std::uint64_t begin = 0, sum = 0;
+  for (const std::uint64_t own : faces) {
+    const std::uint64_t share = Schedule::share(41, begin, begin + own, 1000);
+    CHECK(std::abs(static_cast<double>(share) - 0.041 * static_cast<double>(own)) <= 2.1);
+    CHECK((share % 2 == 0 || own == 67));
+    begin += own;
+    sum += share;
+  }
+  CHECK(sum == 41);
 }
 
 TEST_CASE("Tasks are run once each, and the first failure is told") {

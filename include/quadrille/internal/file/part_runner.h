@@ -48,9 +48,9 @@ public:
     auto piece = Pieces::piece(std::move(loaded), plan.input.box);
     const PieceChannels channels = job.channels(scalars);
     const auto result =
-        plan.is_last ? run(std::move(piece), channels,
-                           FaceCount{static_cast<std::size_t>(job.target())}, is_cancelled)
-                     : run(std::move(piece), channels, limit(plan, plan.limit), is_cancelled);
+        plan.is_last || plan.is_exact
+            ? run(std::move(piece), channels, job.count(part), is_cancelled)
+            : run(std::move(piece), channels, limit(plan, plan.limit), is_cancelled);
     if (result.report.stop == StopReason::cancelled)
       return false;
     Survivors survivors = Pieces::survivors(result, ids, is_shared, given, labels);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/part_cut.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -14,13 +15,17 @@
 
 namespace quadrille::internal {
 
-/// How many cells a box has along its longest side, as a power of two, so that so many parts can be
-/// cut evenly: a surface meets about the square of that.
-inline unsigned cell_bits(std::uint64_t parts) {
+/// Cells of a box for so many vertices, of which a part may have `most`, so that parts can be cut
+/// evenly: of 2^bits cells along its longest side, a surface meets about the square. There are no
+/// more than take a few bytes for each vertex of a part: where that is too coarse, see PartTree.
+inline CellGridOfBox grid_for_parts(const FileBox& box, std::uint64_t vertices,
+                                    std::uint64_t most) {
+  const std::uint64_t parts = vertices / most + 1;
   unsigned bits = 5;
-  while (bits < 8 && (std::uint64_t{1} << (2 * bits)) < 256 * parts)
+  while (bits < 8 && (std::uint64_t{1} << (2 * bits)) < 256 * parts &&
+         CellGridOfBox(box, bits + 1).size() <= std::max<std::uint64_t>(1U << 21U, 64 * most))
     ++bits;
-  return bits;
+  return {box, bits};
 }
 
 /// Space cut into parts of about as many vertices each, however crowded they are: where a single
@@ -34,7 +39,7 @@ public:
   PartTree(const FileBox& box, std::uint64_t vertices, std::uint64_t most, double fraction,
            ForPoints for_points)
       : most_(most), fraction_(fraction) {
-    CellCounts cells(CellGridOfBox(box, cell_bits(vertices / most + 1)));
+    CellCounts cells(grid_for_parts(box, vertices, most));
     for_points([&](const Vector<3>& p) { cells.add(p); });
     add_node(cells);
     for (unsigned level = 0; level < most_levels && refine(for_points); ++level) {
@@ -103,8 +108,8 @@ private:
     };
     for_crowds([](Crowd& crowd, const Vector<3>& p) { crowd.box.add(p); });
     for (auto& [leaf, crowd] : crowds)
-      crowd.cells.emplace_back(CellGridOfBox(
-          crowd.box, cell_bits(nodes_[leaf.first].cut.sizes()[leaf.second] / most_ + 1)));
+      crowd.cells.emplace_back(
+          grid_for_parts(crowd.box, nodes_[leaf.first].cut.sizes()[leaf.second], most_));
     for_crowds([](Crowd& crowd, const Vector<3>& p) { crowd.cells.front().add(p); });
     bool is_cut = false;
     for (auto& [leaf, crowd] : crowds)

@@ -44,6 +44,21 @@ public:
                           importance_);
   }
   std::uint64_t target() const { return target_.faces(plan_.input.counted_faces); }
+  /// Of a part, where the phase ends with a count and not at a limit.
+  FaceCount count(std::size_t part) const {
+    if (plan_.is_last)
+      return FaceCount{static_cast<std::size_t>(target())};
+    std::uint64_t all = 0, begin = 0;
+    for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
+      const std::uint64_t faces = plan_.parts[p].faces.size / sizeof(FaceRow);
+      begin += p < part ? faces : 0;
+      all += faces;
+    }
+    const std::uint64_t own = plan_.parts[part].faces.size / sizeof(FaceRow);
+    const std::uint64_t share =
+        Schedule::share(all - std::min(all, target()), begin, begin + own, all);
+    return FaceCount{static_cast<std::size_t>(own - share)};
+  }
   Schedule schedule() const {
     return {plan_.input.counted_faces, target(), budget_.part_vertices()};
   }
@@ -120,9 +135,10 @@ public:
     const bool fits = next.faces() <= budget_.whole_faces();
     const std::vector<std::uint64_t>& left = plan_.faces_after_phases;
     const std::uint64_t before = left.empty() ? plan_.input.counted_faces : left.back();
-    if (plan_.is_last ||
-        (!fits && schedule().is_enough(plan_.step, before, next.faces(), target())))
+    const bool is_enough = schedule().is_enough(plan_.step, before, next.faces(), target());
+    if (plan_.is_last || plan_.is_exact || (!fits && is_enough && next.faces() <= target()))
       return false;
+    plan.is_exact = !fits && is_enough;
     plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target());
     folder_.begin_phase(plan.phase);
     const std::uint64_t most = plan.is_last ? next.vertices() : budget_.part_vertices();
@@ -143,7 +159,6 @@ public:
     report.parts = static_cast<std::size_t>(plan_.first_parts);
     report.shared_vertices = plan_.first_shared;
     report.faces_of_phases = plan_.faces_after_phases;
-    report.is_count_exact = plan_.is_last;
     report.diagonal = Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal();
     report.peak_memory = MemoryBudget::peak();
     add_tally(plan_, report);
@@ -160,6 +175,7 @@ public:
     for (const SurvivorsHeader& h : parts)
       left += h.faces;
     report.faces_of_phases.push_back(left);
+    report.is_count_exact = plan_.is_last || left == target();
     report.stop =
         plan_.is_last ? static_cast<StopReason>(parts.front().tally.stop) : StopReason::target_met;
   }
@@ -232,7 +248,7 @@ private:
     }
     plan_ = plan;
     plan_.faces_wanted = schedule().wanted(plan.step, target());
-    if (!plan.is_last)
+    if (!plan.is_last && !plan.is_exact)
       plan_.limit = static_cast<double>(limit());
     plan_.write(folder_.plan(plan.phase));
     folder_.remove_welded();

@@ -42,6 +42,7 @@ struct PhasePlan {
   unsigned phase = 0;             ///< from 1 on
   unsigned step = 0;              ///< of the schedule
   bool is_last = false;           ///< one part, which is simplified to the target itself
+  bool is_exact = false;          ///< each part gives its share of the faces that are too many
   double limit = 0;               ///< up to which cost, in the engine's unit, if it is not the last
   std::uint64_t faces_wanted = 0; ///< at which the limit is aimed
   InputFacts input;
@@ -97,7 +98,7 @@ struct PhasePlan {
   }
 
 private:
-  static inline const std::string magic = "quadrille phase 2";
+  static inline const std::string magic = "quadrille phase 3";
 
   static std::string end_of(const std::string& content) {
     FileChecksum checksum;
@@ -120,9 +121,9 @@ private:
         pass_item(item);
     };
     const auto pass_content = [&](auto& file) { pass_all(file.size, file.checksum); };
-    pass_all(plan.key, plan.phase, plan.step, plan.is_last, plan.limit, plan.faces_wanted,
-             plan.first_parts, plan.first_shared, plan.bytes_read, plan.bytes_written,
-             plan.contractions, plan.error);
+    pass_all(plan.key, plan.phase, plan.step, plan.is_last, plan.is_exact, plan.limit,
+             plan.faces_wanted, plan.first_parts, plan.first_shared, plan.bytes_read,
+             plan.bytes_written, plan.contractions, plan.error);
     for (auto& number : plan.rejections)
       pass(number);
     auto& input = plan.input;

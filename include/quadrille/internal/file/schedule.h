@@ -15,7 +15,8 @@ namespace quadrille::internal {
 /// Vertices that parts share stay for a phase. A part of V vertices that keeps r of them has about
 /// 2 / (r √V) of those among what is left, since a compact patch has 4 √V around it; so no phase
 /// keeps less than 40 / √V, with 5 % of them. It ends with four and two times the target, then
-/// the whole or, where that does not fit into memory, the target itself several times.
+/// the whole. Where that does not fit into memory, it aims a little above the target, as samples do
+/// not tell it exactly, and the few faces that are too many then are shared out among all parts.
 class Schedule {
 public:
   Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t part_vertices) {
@@ -35,17 +36,31 @@ public:
   std::size_t size() const { return wanted_.size(); }
   /// At phase `step`, from 0 on; from size() on it is the target.
   std::uint64_t wanted(std::size_t step, std::uint64_t target) const {
-    return step < wanted_.size() ? wanted_[step] : target;
+    return step < wanted_.size() ? wanted_[step] : target + target / 25;
   }
-  /// Where the whole does not fit into memory: is it enough after phase `step`, which has begun
-  /// with `before` faces and has left `after`? The target itself is aimed at twice and, as long as
-  /// that takes more than two in a hundred, up to four times.
+  /// Where the whole does not fit into memory: is it close enough after phase `step`, which has
+  /// begun with `before` faces and has left `after`? It is aimed at up to four times, as long as
+  /// that takes more than two in a hundred.
   bool is_enough(std::size_t step, std::uint64_t before, std::uint64_t after,
                  std::uint64_t target) const {
     if (step < wanted_.size())
       return false;
     const std::size_t times = step - wanted_.size() + 1;
-    return after <= target || times >= 4 || (times >= 2 && after > before - before / 50);
+    return after <= target + target / 12 || times >= 4 ||
+           (times >= 2 && after > before - before / 50);
+  }
+  /// How many of the faces that are too many a part gives which has those from `begin` to `end` of
+  /// all faces: in proportion, and an even number, since inside of a surface a contraction takes
+  /// two; what is odd the last part gives.
+  static std::uint64_t share(std::uint64_t too_many, std::uint64_t begin, std::uint64_t end,
+                             std::uint64_t all) {
+    const auto given_before = [&](std::uint64_t faces) {
+      const double part = static_cast<double>(faces) / static_cast<double>(all);
+      return faces == all
+                 ? too_many
+                 : static_cast<std::uint64_t>(part * static_cast<double>(too_many)) / 2 * 2;
+    };
+    return given_before(end) - given_before(begin);
   }
 
   /// Where the parts of phase k, from 1 on, are cut.
