@@ -76,10 +76,10 @@ struct FileReport : Report {
   unsigned phases = 0;                        ///< in which parts were simplified
   std::size_t parts = 0;                      ///< of the first phase
   std::vector<std::uint64_t> faces_of_phases; ///< left by each
-  bool is_count_exact = false;  ///< the target itself is what is left, or as near as faces allow
-  std::uint64_t bytes_read = 0; ///< of files, about
-  std::uint64_t bytes_written = 0;   ///< the same
-  double diagonal = 0;               ///< of the input's bounding box
+  bool is_count_exact = false;     ///< the target itself is what is left, or as near as faces allow
+  std::uint64_t bytes_read = 0;    ///< of files, about
+  std::uint64_t bytes_written = 0; ///< the same
+  double diagonal = 0;             ///< of the input's bounding box
   std::uint64_t shared_vertices = 0; ///< in the first phase
   std::uint64_t peak_memory = 0;     ///< of the process so far, in bytes, as the system counts it
   std::vector<std::string> dropped;  ///< elements and properties that were read over
