@@ -1,29 +1,49 @@
 #!/bin/sh
-# Passes if SOURCE does not compile and the compiler says what it should.
-#   sh compile_fail.sh SOURCE REGEX... -- COMPILER FLAG...
+# Passes if a compiler has said of SOURCE what it should.
+#   sh compile_fail.sh SAID SOURCE REGEX...
+# SAID is a file of all that it said, of SOURCE and of others: see compile_mistakes.sh.
 # Each line of SOURCE that ends in "// mistake" must begin an error, and every extended regular
 # expression must be found in what the compiler says of it, up to the next error. Only a static
-# assertion may lie in the library: then the line and the expressions must be found anywhere. The
-# first expression must be found within 20 lines: nobody reads on for the mistake.
+# assertion may lie in the library: then the line and the expressions must be found in what is said
+# of SOURCE. The first expression must be found within 20 lines: nobody reads on for the mistake.
 # With -DREMEDY, SOURCE must compile, as it is wrong in nothing but what it is there to show: the test
 # "compile_fail: remedies" compiles all of them at once.
 set -u
-source=$1
-shift
-regexes=
-while [ "$1" != -- ]; do
-  regexes="$regexes$1
-"
-  shift
-done
-shift
+all=$1
+source=$2
+shift 2
 
 fail() {
   printf '%s\n\nFAILED: %s\n' "$output" "$1"
   exit 1
 }
 
-output=$("$@" "$source" 2>&1) && fail "it compiles"
+# Errors that name SOURCE, each with the lines before it that tell where it is, and the notes after it.
+# One that names no source of the folder goes on with the one before.
+output=$(awk -v source="$source:" -v folder="${source%/*}/" '
+  { line[NR] = $0 }
+  / (fatal )?error: / { error[++errors] = NR }
+  END {
+    for (i = 1; i <= errors; ++i) {
+      first[i] = error[i]
+      while (first[i] > 1 && line[first[i] - 1] ~ /^In file included|^  +from |: In |:   (recursively )?required /)
+        --first[i]
+    }
+    first[errors + 1] = NR + 1
+    for (i = 1; i <= errors; ++i) {
+      text = names = ""
+      for (n = first[i]; n < first[i + 1]; ++n) {
+        text = text line[n] "\n"
+        if (line[n] !~ /^In file included|^  +from /)
+          names = names line[n]
+      }
+      if (index(names, folder))
+        is_of_source = index(names, source)
+      if (is_of_source)
+        printf "%s", text
+    }
+  }' "$all")
+[ "$output" ] || fail "nothing is said of it"
 
 lines=$(grep -n '// mistake$' "$source" | cut -d: -f1)
 [ "$lines" ] || fail "no line is marked as a mistake"
@@ -45,10 +65,10 @@ for line in $lines; do
       inside')
     [ "$said" ] || fail "line $line is no error"
   fi
-  printf '%s\n' "$said" | head -n 20 | grep -E -q -e "$(printf '%s' "$regexes" | head -n 1)" ||
+  printf '%s\n' "$said" | head -n 20 | grep -E -q -e "$1" ||
     fail "the first 20 lines of what is said of line $line do not name the mistake"
-  printf '%s' "$regexes" | while IFS= read -r regex; do
+  for regex; do
     printf '%s\n' "$said" | grep -E -q -e "$regex" ||
       fail "what is said of line $line does not match: $regex"
-  done || exit 1
+  done
 done

@@ -84,5 +84,4 @@ int main() {
   compute_at_random();
   simplify_sphere<Quadric>();
   simplify_sphere<MemorylessQuadric>();
-  simplify_sphere<ThinFeatureQuadric>();
 }

@@ -1053,7 +1053,7 @@ fi
 
 # Ctrl-C while it works: a file is as it was, unless what is there shall be kept
 awk 'BEGIN {
-  n = 700
+  n = 400
   print "OFF\n" (n + 1) * (n + 1), n * n, 0
   for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print i, j, sin(i * j / 9)
   for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
@@ -1064,7 +1064,7 @@ awk 'BEGIN {
 interrupt() { # arguments...
   arguments=$*
   # In the foreground it sends one signal, else a second one to all that it has started.
-  timeout --foreground --preserve-status --signal=INT 2 "$program" "$@" >stdout 2>stderr
+  timeout --foreground --preserve-status --signal=INT 1 "$program" "$@" >stdout 2>stderr
   status=$?
 }
 cp plain.off out.off
@@ -1080,7 +1080,7 @@ else
   [ $status -eq 1 ] || fail "exit status $status instead of 1"
   expect stderr '^out.off: the target was not reached: cancelled$'
   cmp -s out.off plain.off && fail "nothing is kept"
-  run 0 out.off again.off --faces 1000
+  run 0 out.off again.off --ratio 1
 fi
 if command -v script >/dev/null; then # a terminal has a line that tells how far it is
   script -qec "'$program' large.off out.off --keep 80%" /dev/null >terminal </dev/null
@@ -1224,12 +1224,12 @@ for bad in 'plain.off out.ply' 'whole.ply out.off' 'whole.ply -' 'whole.ply out.
 done
 run 2 whole.ply out.ply --memory 1G
 expect stderr '.*--out-of-core'
-awk 'BEGIN { printf "ply\nformat binary_little_endian 1.0\nelement vertex 9000000\nproperty float x\nproperty float y\n" \
-  "property float z\nelement face 18000000\nproperty list uchar int vertex_indices\nend_header\n" }' >short.ply
-truncate -s 130000000 short.ply
-if (ulimit -v 2000000 && "$program" --version) >stdout 2>&1; then # with a sanitizer it takes more
-  (ulimit -v 2000000 && "$program" short.ply out.ply) >stdout 2>stderr
-  expect stderr '^short.ply: its 18,000,000 faces take about 4.5 GB of memory, more than there are: --out-of-core'
+awk 'BEGIN { printf "ply\nformat binary_little_endian 1.0\nelement vertex 1500000\nproperty float x\nproperty float y\n" \
+  "property float z\nelement face 3000000\nproperty list uchar int vertex_indices\nend_header\n" }' >short.ply
+truncate -s 22000000 short.ply
+if (ulimit -v 500000 && "$program" --version) >stdout 2>&1; then # with a sanitizer it takes more
+  (ulimit -v 500000 && "$program" short.ply out.ply) >stdout 2>stderr
+  expect stderr '^short.ply: its 3,000,000 faces take about 750 MB of memory, more than there are: --out-of-core'
 fi
 rm short.ply
 

@@ -52,7 +52,7 @@ template <class Kind, class... Policies>
 void check(const Soup& soup, const Policies&... policies) {
   HeapNoise shake;
   const std::vector<std::byte> first = bytes_of(Kind::run(soup, policies...));
-  for (int run = 2; run <= 8; ++run) {
+  for (int run = 2; run <= 3; ++run) {
     CAPTURE(run);
     shake();
     const bool is_same = bytes_of(Kind::run(soup, policies...)) == first;
@@ -62,7 +62,7 @@ void check(const Soup& soup, const Policies&... policies) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("Eight runs give the same bytes", "", (std::tuple<Quadric, GreedyOrder>),
+TEMPLATE_TEST_CASE("Three runs give the same bytes", "", (std::tuple<Quadric, GreedyOrder>),
                    (std::tuple<Quadric, RelaxedOrder>),
                    (std::tuple<MemorylessQuadric, GreedyOrder>),
                    (std::tuple<MemorylessQuadric, RelaxedOrder>),

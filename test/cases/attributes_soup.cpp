@@ -1,3 +1,3 @@
 #include "engine.h"
 
-template void test::simplify_soup(const Case&, Outcome&, const quadrille::AttributeQuadric<2>&);
+template void test::simplify_soup(const Case&, Outcome&, const quadrille::TextureQuadric&);

@@ -365,7 +365,7 @@ void simplify_by_cost(const Case& input, Outcome& outcome) {
   case CostName::edge_length:
     return simplify_with(input, outcome, EdgeLength{});
   case CostName::attributes: {
-    AttributeQuadric<2> cost;
+    TextureQuadric cost;
     cost.boundary_weight = call.boundary_weight;
     cost.weighting = call.weighting;
     if (input.weights)

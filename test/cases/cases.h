@@ -107,7 +107,7 @@ struct Call {
   std::size_t cancel_at = std::numeric_limits<std::size_t>::max(); ///< the call of the visitor
 };
 
-/// What AttributeQuadric<2> sees of a vertex.
+/// What TextureQuadric sees of a vertex.
 using Numbers = std::array<double, 2>;
 
 /// A surface with all that a call may look at.

@@ -64,8 +64,8 @@ quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify s
 // The attributes that a cost looks at, if any.
 template <class Cost, class Numbers, class Colors, class Parameters>
 auto with_attributes(const Numbers& numbers, const Colors& colors, const Parameters& parameters) {
-  if constexpr (std::is_same_v<Cost, quadrille::AttributeQuadric<2>>)
-    return quadrille::parameters::vertex_attribute_map(numbers, parameters);
+  if constexpr (std::is_same_v<Cost, quadrille::TextureQuadric>)
+    return parameters.vertex_texture_map(numbers);
   else if constexpr (Cost::dimension == 6)
     return parameters.vertex_color_map(colors);
   else

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_COMPILED_ENGINES_H
 #define QUADRILLE_COMPILED_ENGINES_H
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/internal/call/engine.h>
 #include <quadrille/internal/contraction/distance_check.h>
@@ -14,8 +15,9 @@
 
 /// \file
 /// The engines that quadrille::compiled has: of each cost in space with a placement that is built
-/// in, bare and with channels. A program that links it compiles adapters only, and gets the same
-/// results to the last bit; calls with other costs and placements compile engines of their own.
+/// in, bare and with channels, and of colours and texture coordinates, bare. A program that links
+/// it compiles adapters only, and gets the same results to the last bit; calls with other costs and
+/// placements compile engines of their own.
 
 namespace quadrille::internal {
 
@@ -26,7 +28,8 @@ using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
 /// `template` in the one source that defines them.
 #define QUADRILLE_ENGINE(KEYWORDS, COST, HAS_CHANNELS)                                             \
   KEYWORDS std::optional<Result<COST>> simplify_input<UsualPolicies<COST, HAS_CHANNELS>>(          \
-      SurfaceInput<3>, const UsualPolicies<COST, HAS_CHANNELS>&, bool, Report&, StopWatch&);       \
+      SurfaceInput<COST::dimension>, const UsualPolicies<COST, HAS_CHANNELS>&, bool, Report&,      \
+      StopWatch&);                                                                                 \
   KEYWORDS bool run_passes<UsualPolicies<COST, HAS_CHANNELS>>(                                     \
       WorkingSurface<UsualPolicies<COST, HAS_CHANNELS>>&, const RelaxedOrder&);                    \
   KEYWORDS std::unique_ptr<Recording<UsualPolicies<COST, HAS_CHANNELS>>>                           \
@@ -46,6 +49,8 @@ QUADRILLE_ENGINES(extern template, Quadric);
 QUADRILLE_ENGINES(extern template, MemorylessQuadric);
 QUADRILLE_ENGINES(extern template, ThinFeatureQuadric);
 QUADRILLE_ENGINES(extern template, EdgeLength);
+QUADRILLE_ENGINE(extern template, ColorQuadric, false);
+QUADRILLE_ENGINE(extern template, TextureQuadric, false);
 #endif
 
 } // namespace quadrille::internal

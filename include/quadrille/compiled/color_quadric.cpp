@@ -1,0 +1,5 @@
+#include <quadrille/compiled/engines.h>
+
+namespace quadrille::internal {
+QUADRILLE_ENGINE(template, ColorQuadric, false);
+} // namespace quadrille::internal
