@@ -122,9 +122,9 @@ private:
     for (const std::string& dropped : report.dropped)
       print_remark(options_, "left out: " + dropped);
     if (!report.is_count_exact)
-      print_remark(options_, "the count of faces is near and not exact, since " +
-                                 with_commas(report.faces_after) +
-                                 " faces do not fit into the memory");
+      print_remark(options_,
+                   "the count of faces is near and not exact: " + with_commas(report.faces_after) +
+                       ", since the whole does not fit into the memory at the end");
     Options options = options_;
     options.is_quiet = options.is_quiet || is_step;
     return tell(options,

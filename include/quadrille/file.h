@@ -26,8 +26,8 @@
 /// The file is cut into parts by a kd-tree. Each part is simplified by itself, up to the same cost
 /// limit in all of them, while vertices that parts share stay. What is left is cut elsewhere, so
 /// that old borders lie inside of new parts, and simplified up to the limit of a lower count; and
-/// so on, until the whole fits into memory, which then is simplified to the target itself. For
-/// POSIX systems.
+/// so on, until the whole fits into memory, which then is simplified to the target itself; or each
+/// part gives its share of the last few faces. For POSIX systems.
 
 namespace quadrille {
 
@@ -201,8 +201,9 @@ private:
 ///   input
 /// - colours, normals and other numbers of vertices go along as channels, and integers of faces as
 ///   labels, with their names and types, and in the range that they had
-/// - stop: a FaceCount or a FaceRatio. The count is met exactly if what is left of some phase fits
-///   into memory (FileReport::is_count_exact); else it is near
+/// - stop: a FaceCount or a FaceRatio. The count is met exactly, as far as faces allow, if what is
+///   left of some phase fits into memory, or no phase takes too many (FileReport::is_count_exact);
+///   else it is near
 /// - policies: what `simplify` takes beside, as it is told to each part
 ///
 /// The result depends on OutOfCore::memory (or part_faces), but not on how many parts are in

@@ -281,6 +281,9 @@ TEST_CASE("Faces that are too many are shared out by the sizes of parts") {
     sum += share;
   }
   CHECK(sum == 41);
+  CHECK(Schedule::can_share(1250, 1000));
+  CHECK_FALSE(Schedule::can_share(1000, 1000));
+  CHECK_FALSE(Schedule::can_share(1251, 1000)); // labels, or hubs, hold what is left
 }
 
 TEST_CASE("Tasks are run once each, and the first failure is told") {

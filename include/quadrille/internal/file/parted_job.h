@@ -136,7 +136,8 @@ public:
     const std::vector<std::uint64_t>& left = plan_.faces_after_phases;
     const std::uint64_t before = left.empty() ? plan_.input.counted_faces : left.back();
     const bool is_enough = schedule().is_enough(plan_.step, before, next.faces(), target());
-    if (plan_.is_last || plan_.is_exact || (!fits && is_enough && next.faces() <= target()))
+    if (plan_.is_last || plan_.is_exact ||
+        (!fits && is_enough && !Schedule::can_share(next.faces(), target())))
       return false;
     plan.is_exact = !fits && is_enough;
     plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target());

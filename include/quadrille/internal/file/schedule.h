@@ -49,6 +49,11 @@ public:
     return after <= target + target / 12 || times >= 4 ||
            (times >= 2 && after > before - before / 50);
   }
+  /// Are there some faces too many, and not so many that parts which can't give theirs would be
+  /// destroyed by a count?
+  static bool can_share(std::uint64_t faces, std::uint64_t target) {
+    return faces > target && faces <= target + target / 4;
+  }
   /// How many of the faces that are too many a part gives which has those from `begin` to `end` of
   /// all faces: in proportion, and an even number, since inside of a surface a contraction takes
   /// two; what is odd the last part gives.
