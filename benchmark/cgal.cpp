@@ -13,8 +13,11 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_triangle_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Polyhedral_envelope_filter.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <cmath>
 
 namespace bench {
 namespace {
@@ -57,6 +60,29 @@ Answer lindstrom_turk(Mesh& mesh, std::size_t faces) {
   return {};
 }
 
+Answer lindstrom_turk_unfiltered(Mesh& mesh, std::size_t faces) {
+  SMS::edge_collapse(mesh, FaceCountStop{faces},
+                     CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
+                         .get_placement(SMS::LindstromTurk_placement<Mesh>()));
+  return {};
+}
+
+/// Within a hundredth of the diagonal, which a tenth of the faces does not need.
+Answer lindstrom_turk_in_envelope(Mesh& mesh, std::size_t faces) {
+  CGAL::Bbox_3 box;
+  for (const auto v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  const double diagonal =
+      std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  SMS::edge_collapse(
+      mesh, FaceCountStop{faces},
+      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
+          .get_placement(SMS::LindstromTurk_placement<Mesh>())
+          .filter(SMS::Polyhedral_envelope_filter<Kernel, SMS::Bounded_normal_change_filter<>>(
+              0.01 * diagonal, SMS::Bounded_normal_change_filter<>())));
+  return {};
+}
+
 Answer plane_on_polyhedron(Mesh& mesh, std::size_t faces) {
   Polyhedron polyhedron;
   CGAL::copy_face_graph(mesh, polyhedron);
@@ -94,6 +120,12 @@ std::vector<Contender> cgal_contenders() {
       {"CGAL Lindstrom-Turk",
        "LindstromTurk_cost and _placement, Bounded_normal_change_filter, Surface_mesh",
        lindstrom_turk},
+      {"CGAL Lindstrom-Turk unfiltered", "LindstromTurk_cost and _placement, Surface_mesh",
+       lindstrom_turk_unfiltered},
+      {"CGAL Lindstrom-Turk in envelope",
+       "the same with Bounded_normal_change_filter and Polyhedral_envelope_filter of 1 % of the "
+       "diagonal",
+       lindstrom_turk_in_envelope, true},
       {"CGAL GH plane on Polyhedron_3",
        "GarlandHeckbert_plane_policies, Bounded_normal_change_filter, Polyhedron_3 with ids",
        plane_on_polyhedron},

@@ -57,6 +57,7 @@ struct Contender {
   /// Brings the mesh, in place, to `faces` faces or as near as it can. The whole call is timed.
   /// Faces that are only marked as removed may stay in the mesh.
   std::function<Answer(Mesh& mesh, std::size_t faces)> simplify;
+  bool is_slow = false; ///< does it take part only where it is named?
 };
 
 std::vector<Contender> our_contenders();

@@ -23,7 +23,7 @@ std::vector<Contender> contenders(const Settings& settings) {
   for (const auto& family : {our_contenders(), cgal_contenders(), meshoptimizer_contenders(),
                              openmesh_contenders(), vtk_contenders()})
     std::ranges::copy_if(family, std::back_inserter(chosen), [&](const Contender& contender) {
-      return settings.takes(contender.name);
+      return settings.takes(contender.name, contender.is_slow);
     });
   return chosen;
 }

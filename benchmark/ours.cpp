@@ -5,6 +5,8 @@
 #include "contender.h"
 
 #include <quadrille/cluster.h>
+#include <quadrille/normal_deviation.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 
 namespace bench {
@@ -33,6 +35,23 @@ auto simplify_by(Quadric cost, double noise = 0) {
     simplify(mesh, cost, FaceCount{faces});
     return Answer{};
   };
+}
+
+/// With what promises something more.
+template <class Cost>
+auto simplify_with(const auto& promise) {
+  return [promise](Mesh& mesh, std::size_t faces) {
+    simplify<Cost, quadrille::OptimalPlacement>(mesh, FaceCount{faces}, promise);
+    return Answer{};
+  };
+}
+
+/// With a limit that is never reached, so that what it costs to know the distance is measured.
+template <class Limit>
+Answer simplify_knowing(Mesh& mesh, std::size_t faces) {
+  simplify<Quadric, quadrille::OptimalPlacement>(
+      mesh, quadrille::AnyOf{FaceCount{faces}, Limit::relative(1)});
+  return {};
 }
 
 auto cluster_with(quadrille::ClusterPlacement placement) {
@@ -77,6 +96,16 @@ std::vector<Contender> our_contenders() {
           {"Quadrille triangle quadrics",
            "Quadric{.weighting = Weighting::by_squared_area}, Surface_mesh",
            simplify_by(Quadric{.weighting = Weighting::by_squared_area})},
+          {"Quadrille error limit", "Quadric, ErrorLimit beside the count, Surface_mesh",
+           simplify_knowing<ErrorLimit>},
+          {"Quadrille both ways", "Quadric, HausdorffLimit beside the count, Surface_mesh",
+           simplify_knowing<HausdorffLimit>},
+          {"Quadrille normals", "Quadric, NormalDeviation{60}, Surface_mesh",
+           simplify_with<Quadric>(NormalDeviation{60})},
+          {"Quadrille apart", "Quadric, NoSelfIntersection, Surface_mesh",
+           simplify_with<Quadric>(NoSelfIntersection{})},
+          {"Quadrille memoryless apart", "MemorylessQuadric, NoSelfIntersection, Surface_mesh",
+           simplify_with<MemorylessQuadric>(NoSelfIntersection{})},
           {"Quadrille clustering", "cluster_vertices, mean; double points",
            cluster_with(ClusterPlacement::mean)},
           {"Quadrille clustering quadrics", "cluster_vertices, quadric; double points",

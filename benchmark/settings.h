@@ -48,8 +48,8 @@ struct Settings {
     app.add_option("--out", out, "Folder for the results")->capture_default_str();
   }
 
-  bool takes(const std::string& contender) const {
-    return only.empty() || std::ranges::find(only, contender) != only.end();
+  bool takes(const std::string& contender, bool is_slow) const {
+    return (only.empty() && !is_slow) || std::ranges::find(only, contender) != only.end();
   }
   std::size_t target(std::size_t input_faces) const {
     return faces != 0
