@@ -337,6 +337,71 @@ TEST_CASE("Faces around a vertex do not fold upon each other") {
   CHECK_FALSE(faces.makes_intersection(star, 6, 7, {{0.75, 0.75, 0}}));
 }
 
+TEST_CASE("A surface does not pass over what it would not meet before or afterwards") {
+  using Triangle = internal::TriangleComplex::Triangle;
+  const auto refuses = [](const std::vector<Vector<3>>& places, const std::vector<Triangle>& faces,
+                          const Vector<3>& target) {
+    internal::Array<Vector<3>> points;
+    for (const Vector<3>& p : places)
+      points.push_back(p);
+    internal::Array<Triangle> triangles;
+    for (const Triangle& t : faces)
+      triangles.push_back(t);
+    internal::TriangleComplex complex(points.size(), triangles);
+    const internal::Geometry<3> geometry(complex, points, {}, internal::Threads());
+    internal::FaceIntersections<3> checked(complex, geometry);
+    checked.begin();
+    REQUIRE(checked.count() == 0);
+    internal::PairStar star;
+    star.gather(complex, 4, 5);
+    return checked.makes_intersection(star, 4, 5, target);
+  };
+  // A pair, 4 and 5, on a square.
+  std::vector<Vector<3>> places{{{-2, -2, 0}}, {{2, -2, 0}}, {{2, 2, 0}},
+                                {{-2, 2, 0}},  {{-1, 0, 0}}, {{1, 0, 0}}};
+  std::vector<Triangle> faces{{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {3, 0, 4}};
+  SECTION("a small tetrahedron over it") {
+    for (const Vector<3>& p :
+         {Vector<3>{{0.1, 0.1, 0.5}}, {{0.3, 0.1, 0.5}}, {{0.1, 0.3, 0.5}}, {{0.1, 0.1, 0.7}}})
+      places.push_back(p);
+    for (const Triangle& t : {Triangle{6, 8, 7}, {6, 7, 9}, {7, 8, 9}, {8, 6, 9}})
+      faces.push_back(t);
+    CHECK_FALSE(refuses(places, faces, {{0, 0, 0.1}}));
+    CHECK_FALSE(refuses(places, faces, {{0, 0, -4}}));
+    CHECK(refuses(places, faces, {{0, 0, 0.6}})); // through it
+    CHECK(refuses(places, faces, {{0, 0, 4}}));
+  }
+  SECTION("a face along the side of a tetrahedron between two") {
+    places.insert(places.end(), {{{0.2, 0, 0.5}}, {{0.6, 0, 0.5}}, {{0.3, 0, 0.8}}});
+    faces.push_back({6, 7, 8});
+    CHECK(refuses(places, faces, {{0, 0, 4}}));
+  }
+  SECTION("the other side of a body that is nothing else") {
+    faces.push_back({0, 2, 1}); // with a roof
+    faces.push_back({0, 3, 2});
+    places[4][2] = places[5][2] = 1;
+    CHECK_FALSE(refuses(places, faces, {{0, 0, 0.1}}));
+    CHECK_FALSE(refuses(places, faces, {{0, 0, 4}}));
+    CHECK(refuses(places, faces, {{0, 0, -0.1}}));
+  }
+  SECTION("of two bodies that touch along an edge, one between the faces of the other") {
+    places = {{{0, 0, 1}}, {{1, 0, 0.5}}, {{8.66, -5, 0.5}},   {{-10, 0, 0.5}},
+              {{0, 0, 0}}, {{1, 1, -5}},  {{0.5, 0.866, 0.5}}, {{1, 0, -5}}};
+    faces = {{4, 0, 1}, {4, 2, 0}, {4, 0, 3}, {4, 6, 0}, {5, 1, 7}};
+    CHECK_FALSE(refuses(places, faces, {{0.1, 0.05, 0}}));
+    CHECK(refuses(places, faces, {{3, -1, 0}}));
+  }
+  SECTION("where it goes within its plane nothing is passed over") {
+    for (Vector<3>& p : places)
+      p = {{p[0] + 0.3 * p[1], p[1] - 0.7 * p[0], 0.31 * p[0] + 0.17 * p[1]}};
+    places.push_back({{1.9, 0.4, 0.31 * 1.9 + 0.17 * 0.4 + 1e-9}});
+    places.push_back({{2.1, 0.4, 0.31 * 2.1 + 0.17 * 0.4 + 1e-9}});
+    places.push_back({{2.1, 0.6, 0.31 * 2.1 + 0.17 * 0.6 + 1e-9}});
+    faces.push_back({6, 7, 8}); // just over it
+    CHECK_FALSE(refuses(places, faces, {{0.31, 0.2, 0.31 * 0.31 + 0.17 * 0.2}}));
+  }
+}
+
 TEST_CASE("What intersects may stay so while its vertices move") {
   Soup soup = test::grid(40, 1); // all of it, through one face
   soup.points.insert(soup.points.end(), {{{-1, 0.5, -1}}, {{3, 0.5, -1}}, {{0.5, 0.5, 3}}});

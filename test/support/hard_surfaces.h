@@ -36,7 +36,7 @@ inline Soup comb(int teeth, int length, int height) {
 }
 
 /// Two tori that go through each other's holes.
-inline Soup tori_in_each_other(int n) {
+inline Soup tori_in_each_other(std::uint32_t n) {
   const Soup torus = test::torus(2 * n, n);
   Soup other = torus;
   double reach = 0, height = 0;
@@ -50,7 +50,7 @@ inline Soup tori_in_each_other(int n) {
 }
 
 /// Two wavy sheets, one over the other, so far apart.
-inline Soup close_sheets(int n, double gap) {
+inline Soup close_sheets(std::uint32_t n, double gap) {
   const Soup sheet = mapped(grid(n, n), [](const Position& p) {
     return Position{{p[0], p[1], 0.05 * std::sin(9 * p[0]) * std::cos(7 * p[1])}};
   });

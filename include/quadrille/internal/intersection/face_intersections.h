@@ -5,9 +5,12 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/intersection/box_tree.h>
+#include <quadrille/internal/intersection/edge_order.h>
 #include <quadrille/internal/intersection/face_sides.h>
 #include <quadrille/internal/intersection/flat_fan.h>
 #include <quadrille/internal/intersection/intersection_check.h>
+#include <quadrille/internal/intersection/swept_space.h>
+#include <quadrille/internal/intersection/tree_order.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/vector.h>
@@ -48,8 +51,8 @@ public:
                begin_to_meet(changed, other);
       });
     };
-    return (!fan_.is(changed_) && meets_itself()) ||
-           std::any_of(changed_.begin(), changed_.end(), meets_near);
+    return (!fan_.is(changed_) && (meets_itself() || turns_inside_out(star, first, second))) ||
+           std::any_of(changed_.begin(), changed_.end(), meets_near) || passes_over_near();
   }
 
   void follow(const PairStar& star, Index first) override {
@@ -119,28 +122,12 @@ private:
   // In the order of the tree. Boxes are about one of their places, so that they lose no more of
   // their coordinates than they have to.
   void sort_faces() {
-    struct Centre {
-      Index face;
-      std::array<float, 3> point;
-      bool operator<(const Centre& other) const { return face < other.face; }
-    };
-    std::vector<Centre> centres;
-    for (Index face = 0; face < complex_.face_capacity(); ++face) {
-      if (complex_.is_removed(face))
-        continue;
-      if (centres.empty())
+    for (Index face = 0; face < complex_.face_capacity(); ++face)
+      if (!complex_.is_removed(face)) {
         origin_ = corners_of(face).points[0];
-      const FloatBox box = box_of(face);
-      Centre centre{face, {}};
-      for (std::size_t i = 0; i < 3; ++i)
-        centre.point[i] = box.low[i] + box.high[i];
-      centres.push_back(centre);
-    }
-    sort_for_box_tree(centres.data(), centres.data() + centres.size(),
-                      [](const Centre& centre) { return centre.point; });
-    faces_.reserve(centres.size());
-    for (const Centre& centre : centres)
-      faces_.push_back(centre.face);
+        break;
+      }
+    faces_ = faces_in_tree_order(complex_, [this](Index face) { return box_of(face); });
   }
 
   void plant() {
@@ -182,6 +169,8 @@ private:
   void gather(const PairStar& star, Index first, Index second, const Vector<3>& target) {
     changed_.clear();
     near_.clear();
+    swept_.begin(target);
+    old_.clear();
     FloatBox around = FloatBox::empty();
     const Index kept = star.hub == none ? first : star.hub;
     for_each_changed(star, first, [&](const StarFace& f) {
@@ -191,7 +180,10 @@ private:
       const FloatBox box = box_of(corners);
       changed_.push_back({f.face, box, corners});
       around.add(box);
+      sweep(f.face, around);
     });
+    for (const StarFace& f : star.shared)
+      sweep(f.face, around);
     const auto is_changed = [&](Index face) {
       const auto& v = complex_.vertices(face);
       return std::any_of(v.begin(), v.end(),
@@ -200,6 +192,25 @@ private:
     boxes_.for_each_meeting(around, [&](std::size_t slot, const FloatBox& box) {
       if (const Index face = faces_[slot]; !complex_.is_removed(face) && !is_changed(face))
         near_.push_back({face, box, corners_of(face)});
+    });
+  }
+
+  void sweep(Index face, FloatBox& around) {
+    const FaceCorners corners = corners_of(face);
+    swept_.add(corners.points);
+    old_.push_back(face);
+    around.add(box_of(corners));
+  }
+
+  // Does the surface pass over one of the faces near it? Of one that meets it neither before nor
+  // afterwards a point tells, which lies on no line that is likely to be a side of something.
+  bool passes_over_near() const {
+    return std::any_of(near_.begin(), near_.end(), [this](const PlacedFace& face) {
+      const auto& [a, b, c] = face.corners.points;
+      return swept_.has(0.4142 * a + 0.3183 * b + 0.2675 * c) && !is_degenerate(face.corners) &&
+             std::none_of(old_.begin(), old_.end(), [&](Index old) {
+               return TrianglePair(corners_of(old), face.corners).intersect();
+             });
     });
   }
 
@@ -220,6 +231,27 @@ private:
           return true;
     }
     return false;
+  }
+
+  // Do faces change places around an edge of four or more at the new vertex? A hub has others
+  // there.
+  bool turns_inside_out(const PairStar& star, Index first, Index second) const {
+    const auto alternates_now = [&](Index v, Index w) {
+      EdgeOrder order(space(geometry_.position(v)), space(geometry_.position(w)));
+      for (const Index face : old_)
+        order.add(corners_of(face), v, w);
+      return order.alternates();
+    };
+    const auto is_wrong_at = [&](const Vector<3>& target, Index w) {
+      EdgeOrder order(target, space(geometry_.position(w)));
+      for (const PlacedFace& face : changed_)
+        order.add(face.corners, first, w);
+      return !order.alternates() && alternates_now(first, w) && alternates_now(second, w);
+    };
+    return star.hub == none &&
+           std::any_of(changed_.begin(), changed_.end(), [&](const PlacedFace& face) {
+             return is_wrong_at(face.corners.points[0], face.corners.vertices[1]);
+           });
   }
 
   // Of a face in one of eight slots and another one behind it, those that intersect.
@@ -250,6 +282,8 @@ private:
   BoxTree boxes_;
   std::size_t left_ = 0;
   std::vector<PlacedFace> changed_, near_; // see gather()
+  std::vector<Index> old_;                 // faces that a contraction would change, or take away
+  SweptSpace swept_;                       // by these
   FlatFan fan_;
 };
 
