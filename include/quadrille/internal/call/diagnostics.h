@@ -6,14 +6,55 @@
 #include <quadrille/internal/call/meshes.h>
 #include <quadrille/report.h>
 
+#include <concepts>
 #include <cstddef>
+#include <ranges>
 #include <type_traits>
 
 /// What a compiler says of a call of `simplify` that is wrong. `simplify` takes arguments of any
 /// type, so that it is told here, in a sentence and before all else, what is wrong with them; and
 /// it is declared, but deleted, for surfaces that cannot be changed.
 
+namespace quadrille {
+class Levels;
+}
+
 namespace quadrille::internal {
+
+/// A filter or a stop policy but for a const that it lacks.
+template <class Argument, class Cost>
+concept FilterThatChanges = requires(
+    Argument filter, const typename SeenByFilter<Argument, Cost>::Contraction contraction) {
+  { filter.allows(contraction) } -> std::convertible_to<bool>;
+};
+template <class Argument>
+concept StopThatChanges = requires(Argument stop, const Status status) {
+  { stop(status) } -> std::convertible_to<bool>;
+};
+
+/// A stop predicate of CGAL::Surface_mesh_simplification.
+template <class Argument>
+concept StopOfCgal = requires(const Argument stop, double cost, std::size_t edges) {
+  { stop(cost, 0, edges, edges) } -> std::convertible_to<bool>;
+};
+
+/// Is an argument of a kind but for one thing, or what goes into another one?
+template <class Argument, class Cost>
+concept NearlyKnown = std::same_as<Argument, Levels> || StopOfCgal<Argument> ||
+    FilterThatChanges<Argument, Cost> || StopThatChanges<Argument>;
+
+/// Does not compile, for an argument that is NearlyKnown, and says what is missing.
+template <class Argument, class Call>
+void refuse_nearly_known() {
+  constexpr bool is_levels = std::same_as<Argument, Levels>;
+  constexpr bool is_stop_of_cgal = StopOfCgal<Argument>;
+  static_assert(!is_levels, "Levels are no policy: write record_into(levels).");
+  static_assert(!is_stop_of_cgal, "A stop predicate of CGAL's is no stop policy here: write "
+                                  "FaceCount{n}, FaceRatio{r} or VertexCount{n}.");
+  static_assert(is_levels || is_stop_of_cgal,
+                "A filter or stop policy is asked as a constant: declare its member function "
+                "const, and leave mutable out of a lambda.");
+}
 
 /// Does not compile, since an argument is of no kind, and says what it lacks to be of each.
 template <class Cost, class UnknownArgument, class Call>
@@ -39,20 +80,31 @@ void refuse_argument() {
   }
 }
 
+/// Is the first argument no range, as triangles would be?
+template <class... Arguments>
+inline constexpr bool has_no_range_first = true;
+template <class First, class... Others>
+inline constexpr bool has_no_range_first<First, Others...> = !std::ranges::range<First>;
+
 /// Does not compile, for arguments that are not Fitting. `position` is that of the first policy
 /// among all arguments, counted from 1; each Call is refused anew.
 template <std::size_t position, class Call, class Cost, class Placement, class... Arguments>
 Report refuse() {
   using UsedCost = CostOf<Cost, Arguments...>;
-  if constexpr (!CostPolicy<UsedCost>)
+  using UnknownArgument = Unknown<position, Cost, Arguments...>;
+  if constexpr (!CostPolicy<UsedCost>) {
     static_assert(CostPolicy<UsedCost>,
                   "The cost of this call is no CostPolicy: see <quadrille/concepts.h>.");
-  else if constexpr (!AllAreKnown<Unknown<position, Cost, Arguments...>>)
-    refuse_argument<UsedCost, Unknown<position, Cost, Arguments...>, Call>();
-  else
+  } else if constexpr (!AllAreKnown<UnknownArgument>) {
+    if constexpr (NearlyKnown<typename UnknownArgument::type, UsedCost>)
+      refuse_nearly_known<typename UnknownArgument::type, Call>();
+    else
+      refuse_argument<UsedCost, UnknownArgument, Call>();
+  } else {
     static_assert(PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, UsedCost>,
                   "The placement of this call is no PlacementPolicy for its cost: see "
                   "<quadrille/concepts.h>.");
+  }
   return {};
 }
 
@@ -75,6 +127,16 @@ requires internal::ReadableGraph<Graph> &&
   static_assert(internal::FaceGraph<Graph>,
                 "This graph can be read only, as a Face_filtered_graph: simplify the mesh that it "
                 "is a view of, with quadrille::parameters::face_is_selected_map for its faces.");
+  return {};
+}
+
+/// Does not compile, for points without triangles.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class... Arguments>
+requires internal::PointContainer<Points> && internal::has_no_range_first<Arguments...>
+    Report simplify(Points&, const Arguments&...) {
+  static_assert(!internal::PointContainer<Points>,
+                "A soup has triangles as well as points: simplify(points, triangles, ...).");
   return {};
 }
 
