@@ -18,13 +18,14 @@ curvature_importance, view_importance  for simplify(importance=...): where more 
 Costs are those of Garland and Heckbert 1997, and what came of them: see the manual of the C++ library.
 """
 
+from . import _core
 from ._core import Report, Status
-from ._core import version as __version__
 from ._files import read_mesh, write_mesh
 from ._importance import curvature_importance, view_importance
 from ._levels import Level, Levels
 from ._mesh import Channel, Mesh, Simplified
 from ._simplify import simplify
 
+__version__: str = _core.version
 __all__ = ["Channel", "Level", "Levels", "Mesh", "Report", "Simplified", "Status",
            "curvature_importance", "read_mesh", "simplify", "view_importance", "write_mesh"]

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Optional, Sequence, Union
+from typing import Optional, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._mesh import Mesh
 
 
-def curvature_importance(points: Union[np.ndarray, Mesh], triangles: Optional[np.ndarray] = None, /,
+def curvature_importance(points: Union[ArrayLike, Mesh], triangles: Optional[ArrayLike] = None, /,
                          *, strength: float = 3.0) -> np.ndarray:
     """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
     curved: (1 + k / mean(k)) ** strength, where k**2 is the sum of the squares of both principal
@@ -23,12 +24,12 @@ def curvature_importance(points: Union[np.ndarray, Mesh], triangles: Optional[np
 
     Raises ValueError for what is wrong with an argument.
     """
-    points, faces = _surface(points, triangles)
-    return _core.curvature_importance(points, faces, float(strength))
+    vertices, faces = _surface(points, triangles)
+    return _core.curvature_importance(vertices, faces, float(strength))
 
 
-def view_importance(points: Union[np.ndarray, Mesh], triangles: Optional[np.ndarray] = None, /, *,
-                    eye: Sequence[float], turned_away: float = 1 / 64,
+def view_importance(points: Union[ArrayLike, Mesh], triangles: Optional[ArrayLike] = None, /, *,
+                    eye: ArrayLike, turned_away: float = 1 / 64,
                     outline: float = 8.0) -> np.ndarray:
     """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
     seen from a place: in proportion to distance ** -3, so that errors look alike large at any distance.
@@ -39,11 +40,11 @@ def view_importance(points: Union[np.ndarray, Mesh], triangles: Optional[np.ndar
 
     Raises ValueError for what is wrong with an argument.
     """
-    eye = np.asarray(eye, dtype=np.float64)
-    if eye.shape != (3,):
-        raise ValueError(f"eye has the shape {eye.shape}, not (3,)")
-    points, faces = _surface(points, triangles)
-    return _core.view_importance(points, faces, eye.tolist(), float(turned_away), float(outline))
+    place = np.asarray(eye, dtype=np.float64)
+    if place.shape != (3,):
+        raise ValueError(f"eye has the shape {place.shape}, not (3,)")
+    vertices, faces = _surface(points, triangles)
+    return _core.view_importance(vertices, faces, place.tolist(), float(turned_away), float(outline))
 
 
 def _surface(points, triangles):

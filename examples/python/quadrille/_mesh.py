@@ -99,7 +99,7 @@ class Simplified(Mesh):
     input_faces  of each face, which face of the input it is
     """
 
-    report: Any = None
+    report: _core.Report = None  # type: ignore[assignment] # simplify() gives it
     image: Optional[np.ndarray] = None
     input_faces: Optional[np.ndarray] = None
 

@@ -6,6 +6,7 @@ import operator
 from typing import Callable, Dict, Optional, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._levels import Levels
@@ -13,8 +14,8 @@ from ._mesh import Mesh, Simplified, Values, _choice, read_channels, set_channel
 
 
 def simplify(
-    points: Union[np.ndarray, Mesh],
-    triangles: Optional[np.ndarray] = None,
+    points: Union[ArrayLike, Mesh],
+    triangles: Optional[ArrayLike] = None,
     /,
     *,
     faces: Optional[int] = None,
@@ -23,7 +24,7 @@ def simplify(
     error: Optional[float] = None,
     relative_error: Optional[float] = None,
     both_ways: bool = False,
-    tolerance: Optional[np.ndarray] = None,
+    tolerance: Optional[ArrayLike] = None,
     cost: str = "quadric",
     placement: Optional[str] = None,
     order: str = "greedy",
@@ -41,10 +42,10 @@ def simplify(
     normal_deviation: float = 180.0,
     no_self_intersection: bool = False,
     keep_solid: bool = False,
-    fixed: Optional[np.ndarray] = None,
-    selected: Optional[np.ndarray] = None,
-    importance: Optional[np.ndarray] = None,
-    labels: Optional[np.ndarray] = None,
+    fixed: Optional[ArrayLike] = None,
+    selected: Optional[ArrayLike] = None,
+    importance: Optional[ArrayLike] = None,
+    labels: Optional[ArrayLike] = None,
     label_border_weight: float = 1.0,
     uv: Optional[Values] = None,
     normals: Optional[Values] = None,
