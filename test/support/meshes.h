@@ -6,7 +6,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -40,13 +39,8 @@ Position to_position(const P& p) {
   return {{CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])}};
 }
 
-/// A model of Debian's libcgal-demo, by its name.
-inline Mesh read_model(const std::string& name) {
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
-    throw std::runtime_error(name + ".off cannot be read");
-  return mesh;
-}
+/// A model of Debian's libcgal-demo, by its name. Throws std::runtime_error if it cannot be read.
+Mesh read_model(const std::string& name);
 
 inline std::vector<Point> points_of(const Soup& soup) {
   std::vector<Point> points;
