@@ -58,8 +58,7 @@ std::uint64_t digest_of(const Result& result) {
     if (const auto rejection = static_cast<Rejection>(cause);
         rejection != Rejection::seam && rejection != Rejection::texture &&
         rejection != Rejection::hull && rejection != Rejection::volume &&
-        rejection != Rejection::self_intersection &&
-        rejection != Rejection::normal_deviation &&
+        rejection != Rejection::self_intersection && rejection != Rejection::normal_deviation &&
         rejection != Rejection::chord) // the table is older
       digest.add(std::uint64_t{result.report.rejections[cause]});
   return digest.value();
