@@ -133,6 +133,7 @@ TEST_CASE("The same bits as before, by the default order") {
 TEST_CASE("The same bits as before, of other costs") {
   check_all("thin features", ThinFeatureQuadric{}, FaceRatio{0.1});
   check_all("edge length", EdgeLength{}, MidpointPlacement{}, FaceRatio{0.2});
+  check_all("colours", ColorQuadric{}, FaceRatio{0.1});
   check_all("texture in passes", TextureQuadric{}, RelaxedOrder{}, FaceRatio{0.1});
 }
 #endif
@@ -141,10 +142,6 @@ TEST_CASE("The same bits as before, in passes") {
   check_all("quadric in passes", Quadric{}, RelaxedOrder{}, FaceRatio{0.1});
   check_all("memoryless in passes", MemorylessQuadric{}, RelaxedOrder{}, FaceRatio{0.1});
   check_all("free in passes", Quadric{}, RelaxedOrder{}, Topology::free, FaceRatio{0.1});
-}
-
-TEST_CASE("The same bits as before, with attributes") {
-  check_all("colours", ColorQuadric{}, FaceRatio{0.1});
 }
 
 TEST_CASE("The same bits as before, free, with other pairs and with bounds") {
