@@ -1229,7 +1229,7 @@ awk 'BEGIN { printf "ply\nformat binary_little_endian 1.0\nelement vertex 150000
 truncate -s 22000000 short.ply
 if (ulimit -v 500000 && "$program" --version) >stdout 2>&1; then # with a sanitizer it takes more
   (ulimit -v 500000 && "$program" short.ply out.ply) >stdout 2>stderr
-  expect stderr '^short.ply: its 3,000,000 faces take about 750 MB of memory, more than there are: --out-of-core'
+  expect stderr '^short.ply: its 3,000,000 faces take about 0.75 GB of memory, more than there are: --out-of-core'
 fi
 rm short.ply
 
