@@ -55,6 +55,16 @@ inline CLI::Option* take_one_of(CLI::Option* option, const std::vector<std::stri
   return option->check(CLI::IsMember(words).description(""))->type_name(type);
 }
 
+/// A number, at least 0 and no percentage, of which `is_good` says that it is one.
+template <class IsGood>
+CLI::Validator number_that(IsGood is_good, const std::string& what) {
+  const auto is_good_word = [=](const std::string& word) {
+    const std::optional<Amount> value = parse_amount(word);
+    return value && !value->is_percentage && is_good(value->value);
+  };
+  return word_that(is_good_word, what);
+}
+
 inline Amount amount_of(const std::string& word) {
   return parse_amount(word).value();
 }

@@ -195,6 +195,8 @@ inline void add_options(CLI::App& app, Options& options) {
   add_boundary(app, options);
   add_quadric(app, options);
   add_topology(app, options);
+  add_promises(app, options);
+  add_seams(app, options);
   add_order(app, options);
   add_files(app, options);
   add_figures(app, options);

@@ -49,14 +49,11 @@ inline void add_cost(CLI::App& app, Options& options) {
                              "length)"),
               {"optimal", "endpoint", "midpoint"})
       ->group("Policies");
-  const auto is_angle = [](const std::string& word) {
-    const std::optional<Amount> value = parse_amount(word);
-    return value && !value->is_percentage && value->value <= 180;
-  };
+  const auto is_angle = [](double degrees) { return degrees <= 180; };
   app.add_option("--crease", options.crease_degrees,
                  "edges with a greater angle between the normals of their two faces hold like "
                  "boundaries, with --cost quadric, color or texture")
-      ->check(word_that(is_angle, "an angle from 0 to 180 degrees"))
+      ->check(number_that(is_angle, "an angle from 0 to 180 degrees"))
       ->type_name("DEGREES")
       ->group("Policies");
 }
@@ -70,24 +67,18 @@ inline void add_quadric(CLI::App& app, Options& options) {
         ->type_name(type)
         ->group("Policies");
   };
-  const auto is_weight = [](const std::string& word) {
-    const std::optional<Amount> value = parse_amount(word);
-    return value && !value->is_percentage;
-  };
+  const auto is_weight = [](double) { return true; };
   add(
       "--lines", [&](const std::string& word) { options.line_weight = amount_of(word).value; },
       "how firmly vertices keep to the lines along their normals: 0.001 gives better triangles for "
       "a little more distance, 0.01 much better ones for more, with --cost quadric; 0 by default",
-      word_that(is_weight, "a weight"), "WEIGHT");
-  const auto is_angle = [](const std::string& word) {
-    const std::optional<Amount> value = parse_amount(word);
-    return value && !value->is_percentage && value->value < 90;
-  };
+      number_that(is_weight, "a weight"), "WEIGHT");
+  const auto is_angle = [](double degrees) { return degrees < 90; };
   add(
       "--normal-noise",
       [&](const std::string& word) { options.normal_noise = amount_of(word).value; },
       "the normals of IN are wrong by so much, as a standard deviation, with --cost quadric",
-      word_that(is_angle, "an angle from 0 to less than 90 degrees"), "DEGREES");
+      number_that(is_angle, "an angle from 0 to less than 90 degrees"), "DEGREES");
   add(
       "--noise", [&](const std::string& word) { options.position_noise = amount_of(word); },
       "so are the vertices of IN, in its units or, with %, in parts of the diagonal", distance(),
@@ -119,22 +110,26 @@ inline void add_topology(CLI::App& app, Options& options) {
                "small parts may vanish whole where that is the cheapest thing to do; else topology "
                "is kept")
       ->group("Policies");
+}
+
+/// What is kept of the surface beside its topology.
+inline void add_promises(CLI::App& app, Options& options) {
   app.add_flag("--no-self-intersection", options.forbids_intersections,
                "no faces of OUT intersect that do not in IN; takes several times as long")
       ->group("Policies");
-  const auto is_angle = [](const std::string& word) {
-    const std::optional<Amount> value = parse_amount(word);
-    return value && !value->is_percentage && value->value > 0 && value->value <= 180;
-  };
+  const auto is_angle = [](double degrees) { return degrees > 0 && degrees <= 180; };
   app.add_option("--normals", options.normal_degrees,
                  "no normal of OUT is further from those of IN that it stands for")
-      ->check(word_that(is_angle, "an angle above 0 and up to 180 degrees"))
+      ->check(number_that(is_angle, "an angle above 0 and up to 180 degrees"))
       ->type_name("DEGREES")
       ->group("Policies");
   app.add_flag("--solid", options.keeps_solid,
                "OUT is a closed solid, as IN has to be: no faces intersect, and topology is kept; "
                "takes several times as long")
       ->group("Policies");
+}
+
+inline void add_seams(CLI::App& app, Options& options) {
   using quadrille::Seams;
   const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},
                                                          {"held", Seams::held},

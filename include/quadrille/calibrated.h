@@ -122,7 +122,8 @@ inline namespace QUADRILLE_THREADING {
 /// those of `simplified`; maps that `simplify` writes to, and visitors, see each run.
 ///
 /// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
-/// which take longer. Throws what `simplified` throws, and std::invalid_argument for a surface that cannot be measured: see verify().
+/// which take longer. Throws what `simplified` throws, and std::invalid_argument for a surface that
+/// cannot be measured: see verify().
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,

@@ -70,6 +70,12 @@ std::string content_at_once(const Folder& folder, const OutOfCore& options) {
   return content;
 }
 
+// Ends before parts are made anew for the second phase.
+OutOfCore ended_early(OutOfCore options) {
+  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
+  return options;
+}
+
 double rms(const Soup& a, const Soup& b) {
   return surface_distance(a.points, a.triangles, b.points, b.triangles, {20'000, 0}).rms;
 }
@@ -382,9 +388,7 @@ TEST_CASE("Colours and other numbers of vertices go along") {
   }
   CHECK(heat_error < 2e4);
   OutOfCore options = in_parts(folder, part_of_16, 2);
-  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
-  CHECK(run<Quadric>(folder, options).stop == StopReason::cancelled);
-  options.proceed = {};
+  CHECK(run<Quadric>(folder, ended_early(options)).stop == StopReason::cancelled);
   options.restart = true;
   run<Quadric>(folder, options);
   CHECK(content_of(folder.path("out.ply")) == once);
@@ -397,9 +401,7 @@ TEST_CASE("How much they count is told, and they may be left out") {
   run(folder, options);
   const double usual = Coloured(content_of(folder.path("out.ply"))).color_error();
   options.attribute_importance = 0.01;
-  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
-  run(folder, options);
-  options.proceed = {};
+  run(folder, ended_early(options));
   options.restart = true;
   options.attribute_importance = 1;
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("of another file, or of another"));
@@ -498,10 +500,8 @@ TEST_CASE("A run ends when the user says so, and goes on") {
   const Folder folder;
   OutOfCore options = in_parts(folder, part_of_16, 2);
   const std::string once = content_at_once(folder, options);
-  options.proceed = [](const FileStatus& status) { return status.stage != FileStage::regroup; };
-  CHECK(run(folder, options).stop == StopReason::cancelled);
+  CHECK(run(folder, ended_early(options)).stop == StopReason::cancelled);
   CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
-  options.proceed = {};
   CHECK_THROWS_WITH(run(folder, options), Catch::Contains("has a job in it"));
   options.restart = true;
   CHECK_THROWS_WITH(run(folder, options, 900), Catch::Contains("of another file, or of another"));

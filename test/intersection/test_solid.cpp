@@ -1,4 +1,5 @@
 // With keep_solid() a solid stays one, as CGAL sees it.
+#include "hard_surfaces.h"
 #include "meshes.h"
 #include "soups.h"
 
@@ -73,20 +74,6 @@ Soup thin_walls(int n, double thickness) {
   const double inner = 1 - 2 * thickness;
   Soup cavity = turned(scaled(cube, {{inner, inner, inner}}));
   return with_bumps(test::joined(cube, cavity, {{thickness, thickness, thickness}}), 0.05);
-}
-
-/// Two tori that go through each other's holes.
-Soup linked_tori() {
-  const Soup torus = test::torus(48, 24);
-  Soup other = torus;
-  double reach = 0, height = 0;
-  for (Position& p : other.points) {
-    reach = std::max(reach, p[0]);
-    height = std::max(height, p[2]);
-    std::swap(p[1], p[2]);
-    p[1] = -p[1];
-  }
-  return test::joined(torus, other, {{reach - height, 0, 0}});
 }
 
 /// The surface as CGAL's exact kernel sees it.
@@ -170,7 +157,7 @@ TEST_CASE("keep_solid: what would pass through itself stays a solid") {
 }
 
 TEST_CASE("keep_solid: nested parts, links, handles, and cubes that nearly touch") {
-  check_solid(linked_tori(), FaceCount{100});
+  check_solid(test::tori_in_each_other(24), FaceCount{100});
   check_solid(test::plate_with_holes(3, 4), FaceRatio{0.2});
   const Soup cube = test::cube(6);
   check_solid(test::joined(cube, cube, {{1.000001, 0, 0}}), FaceCount{30});

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -40,6 +42,30 @@ inline Soup read_soup(const std::string& file, std::size_t most_faces) {
                               static_cast<std::uint32_t>(polygon[2])});
   }
   return soup;
+}
+
+/// Calls check(name, soup) for each model, which tells whether all promises are held; says which
+/// models are skipped. The exit status of the program.
+template <class Check>
+int check_models(const std::vector<std::string>& files, std::size_t most_faces, Check check) {
+  bool holds = true;
+  for (const std::string& file : files) {
+    Soup soup;
+    try {
+      soup = read_soup(file, most_faces);
+    } catch (const std::runtime_error& skipped) {
+      std::printf("%s: skipped: %s\n", name_of(file).c_str(), skipped.what());
+      continue;
+    }
+    try {
+      holds &= check(name_of(file), soup);
+    } catch (const std::exception& error) {
+      std::printf("%s: BROKEN: %s\n", file.c_str(), error.what());
+      holds = false;
+    }
+  }
+  std::puts(holds ? "all promises are held" : "a promise is BROKEN");
+  return holds ? 0 : 1;
 }
 
 /// Tolerances that grow from `least` along the first axis, a hundredfold in a diagonal.

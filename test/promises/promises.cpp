@@ -151,38 +151,22 @@ private:
   bool all_hold_ = true;
 };
 
-bool check(const std::string& file) {
-  const std::string name = test::name_of(file);
-  try {
-    const Soup soup = test::read_soup(file, most_faces);
-    const double far = 1e5 * test::diagonal(soup);
-    const Soup moved = test::mapped(soup, [&](const Position& p) {
-      return p + Position{{far, -far, far}};
-    });
-    bool holds = true;
-    for (const auto& [part, ratio] : {std::array{0.001, 0.2}, {0.003, 0.05}, {0.01, 0.01}}) {
-      holds &= Promises<double>(name, soup).check(part, ratio);
-      holds &= Promises<float>(name + " in floats", soup).check(part, ratio);
-      holds &= Promises<double>(name + " far away", moved).check(part, ratio);
-    }
-    return holds;
-  } catch (const std::runtime_error& skipped) {
-    std::printf("%s: skipped: %s\n", name.c_str(), skipped.what());
-    return true;
+bool check(const std::string& name, const Soup& soup) {
+  const double far = 1e5 * test::diagonal(soup);
+  const Soup moved = test::mapped(soup, [&](const Position& p) {
+    return p + Position{{far, -far, far}};
+  });
+  bool holds = true;
+  for (const auto& [part, ratio] : {std::array{0.001, 0.2}, {0.003, 0.05}, {0.01, 0.01}}) {
+    holds &= Promises<double>(name, soup).check(part, ratio);
+    holds &= Promises<float>(name + " in floats", soup).check(part, ratio);
+    holds &= Promises<double>(name + " far away", moved).check(part, ratio);
   }
+  return holds;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  bool holds = true;
-  for (int i = 1; i < argc; ++i)
-    try {
-      holds &= check(argv[i]);
-    } catch (const std::exception& error) {
-      std::printf("%s: BROKEN: %s\n", argv[i], error.what());
-      holds = false;
-    }
-  std::puts(holds ? "all promises are held" : "a promise is BROKEN");
-  return holds ? 0 : 1;
+  return test::check_models({argv + 1, argv + argc}, most_faces, check);
 }

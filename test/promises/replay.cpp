@@ -18,8 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -120,28 +118,10 @@ private:
   bool all_hold_ = true;
 };
 
-bool check(const std::string& file) {
-  const std::string name = test::name_of(file);
-  try {
-    const Soup soup = test::read_soup(file, most_faces);
-    return ReplayedModel(name, soup).check();
-  } catch (const std::runtime_error& skipped) {
-    std::printf("%s: skipped: %s\n", name.c_str(), skipped.what());
-    return true;
-  }
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
-  bool holds = true;
-  for (int i = 1; i < argc; ++i)
-    try {
-      holds &= check(argv[i]);
-    } catch (const std::exception& error) {
-      std::printf("%s: BROKEN: %s\n", argv[i], error.what());
-      holds = false;
-    }
-  std::puts(holds ? "all promises are held" : "a promise is BROKEN");
-  return holds ? 0 : 1;
+  return test::check_models(
+      {argv + 1, argv + argc}, most_faces,
+      [](const std::string& name, const Soup& soup) { return ReplayedModel(name, soup).check(); });
 }
