@@ -70,6 +70,7 @@ int main(int argc, char* argv[]) try {
     std::printf("\n");
   }
   std::printf("The meshes are in %s\n", folder.c_str());
+  return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "figures: %s\n", error.what());
   return 2;

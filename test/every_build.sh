@@ -1,22 +1,36 @@
 #!/bin/sh
-# What the tests do by one compiler, by both: Debug and Release builds of g++ and clang give the same
-# results to the last digit, of four costs, and costs are the same with and without vectors; calls of
-# the documents compile without a warning. It takes about eight minutes of a processor.
-#   sh test/every_build.sh MODEL.off
+# What the tests do by one compiler, in one build, by both: Debug and Release builds of g++ and clang
+# give the same results to the last digit, of four costs, and those of the headers alone are those of
+# the library, which test_digests holds; costs are the same with and without vectors; calls of the
+# documents compile without a warning. It takes about ten minutes of a processor.
+#   sh test/every_build.sh [MODEL.off]
+# The model is cow.off by default, of the models of a configured build: CGAL_DATA_DIR, or that of
+# `cmake --preset test`.
 set -eu
 export LC_ALL=C
-here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
-[ $# -eq 1 ] || { echo "usage: sh test/every_build.sh MODEL.off" >&2; exit 2; }
+[ $# -eq 0 ] || set -- "$(realpath -- "$1")"
+cd -- "$(dirname -- "$0")/.."
+export CGAL_DATA_DIR="${CGAL_DATA_DIR:-$PWD/build/test/data}"
+model=${1:-$CGAL_DATA_DIR/meshes/cow.off}
+[ -f "$model" ] || {
+  echo "no models in $CGAL_DATA_DIR: configure a build first, cmake --preset test" >&2
+  exit 2
+}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
 
 for cost in Quadric MemorylessQuadric ThinFeatureQuadric ColorQuadric; do
   echo "$cost"
-  sh "$here/debug_and_release.sh" "$1" -std=c++20 "-I$here/../include" -DCOST=$cost -- \
+  sh test/debug_and_release.sh "$model" -std=c++20 -Iinclude -DCOST=$cost -- \
     'g++ -O0' 'g++ -O2 -DNDEBUG' 'clang++ -O0' 'clang++ -O2 -DNDEBUG'
 done
 
 for compiler in g++ clang++; do
   echo "$compiler"
-  sh "$here/lanes.sh" $compiler -std=c++20 "-I$here/../include"
-  sh "$here/documented_calls.sh" "$here/.." $compiler -std=c++20 "-I$here/../include" -fsyntax-only \
-    -Wall -Wextra -Wno-unused-local-typedefs -Wdouble-promotion -Werror
+  $compiler -std=c++20 -O2 -ffp-contract=off -Iinclude -Itest -Itest/support test/main.cpp \
+    test/support/read_model.cpp test/programs/test_digests.cpp -lOpenMeshCore -lmpfr -lgmp -o "$folder/digests"
+  "$folder/digests"
+  sh test/lanes.sh $compiler -std=c++20 -Iinclude
+  sh test/documented_calls.sh . $compiler -std=c++20 -Iinclude -fsyntax-only -Wall -Wextra \
+    -Wno-unused-local-typedefs -Wdouble-promotion -Werror
 done

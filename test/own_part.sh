@@ -30,5 +30,5 @@ insert_after 'return std::tie(self.recording_,' 'self.merged_,'
 
 compiler=$1
 shift
-"$compiler" "-I$folder/include" "$@" -O1 "$here/own_part/main.cpp" -o "$folder/main"
+"$compiler" "-I$folder/include" "$@" -O0 "$here/own_part/main.cpp" -o "$folder/main"
 "$folder/main"

@@ -14,10 +14,20 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <exception>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
+
+// The example, which has the same figures: compiled here, it takes nothing more.
+namespace example {
+#include "../examples/figures.cpp"
+}
 
 using namespace figures;
 
@@ -77,10 +87,8 @@ TEST_CASE("Figure 2: by pairs the bones of a foot grow together") {
   CHECK(figure.by_pairs.report.non_manifold_edges == 61); // as in the paper
   CHECK(figure.by_edges.error.hausdorff > 2.3 * figure.by_pairs.error.hausdorff);
   CHECK(figure.by_edges.error.rms > 1.2 * figure.by_pairs.error.rms);
-}
 
-TEST_CASE("Figure 2: clustering joins the bones of a foot and loses their shape") {
-  const Figure2 figure(QUADRILLE_MODELS_DIR);
+  // Clustering joins the bones and loses their shape.
   CHECK(figure.clustering.faces_after + figure.clustering.doubled_faces == 262); // as in the paper
   CHECK(figure.by_clustering.soup.triangles.size() == 217);
   CHECK(figure.by_clustering.report.components_after == 1);
@@ -89,10 +97,9 @@ TEST_CASE("Figure 2: clustering joins the bones of a foot and loses their shape"
   CHECK(figure.by_clustering_with_quadrics.error.rms < figure.by_clustering.error.rms);
   CHECK(figure.by_clustering_with_quadrics.error.rms > 1.5 * figure.by_pairs.error.rms);
   CHECK(figure.by_clustering.error.hausdorff > 2.3 * figure.by_pairs.error.hausdorff);
-}
 
-TEST_CASE("Figure 2: the foot has the size of the paper's") {
-  const CGAL::Bbox_3 foot = box(Figure2(QUADRILLE_MODELS_DIR).original);
+  // The foot has the size of the paper's.
+  const CGAL::Bbox_3 foot = box(figure.original);
   CHECK(foot.x_span() == Approx(11.27).margin(0.01));
   CHECK(foot.y_span() == Approx(3.72).margin(0.01));
   CHECK(foot.z_span() == Approx(4.25).margin(0.01));
@@ -180,4 +187,10 @@ TEST_CASE("Figure 9: the bones of a foot lie close to each other") {
   const Figure9 figure(QUADRILLE_MODELS_DIR);
   CHECK(figure.count(true) == 6306); // 3/2 of the faces: all parts are closed
   CHECK(figure.count(false) == 7826);
+}
+
+TEST_CASE("The example of the figures says how it is called") {
+  char name[] = "figures";
+  char* arguments[] = {name, nullptr};
+  CHECK(example::main(1, arguments) == 2);
 }

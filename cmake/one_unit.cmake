@@ -1,0 +1,15 @@
+# quadrille_configure_unit(name source...): writes a source to the build folder that is all of these in
+# one: each in a namespace of its own, after what they include.
+function(quadrille_configure_unit name)
+  set(includes)
+  set(scopes)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source STEM stem)
+    file(STRINGS "${source}" included REGEX "^#include [<\"]")
+    list(APPEND includes ${included})
+    string(APPEND scopes "namespace ${stem}_unit {\n#include \"${source}\"\n}\n")
+  endforeach()
+  list(REMOVE_DUPLICATES includes)
+  list(JOIN includes "\n" includes)
+  file(CONFIGURE OUTPUT ${name} CONTENT "@includes@\n@scopes@int main() {}\n")
+endfunction()
