@@ -2,7 +2,7 @@
 # What the tests do by one compiler, in one build, by both: Debug and Release builds of g++ and clang
 # give the same results to the last digit, of four costs, and those of the headers alone are those of
 # the library, which test_digests holds; costs are the same with and without vectors; calls of the
-# documents compile without a warning. It takes about ten minutes of a processor.
+# documents compile without a warning. It takes about a quarter of an hour of a processor.
 #   sh test/every_build.sh [MODEL.off]
 # The model is cow.off by default, of the models of a configured build: CGAL_DATA_DIR, or that of
 # `cmake --preset test`.
