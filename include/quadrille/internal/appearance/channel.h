@@ -88,14 +88,12 @@ public:
   bool has_fold(const TriangleComplex& complex, Index face, Index other, Index v, Index w) const {
     if (!is_texture_)
       return false;
-    const auto side = [&](Index f) {
-      const auto& corners = complex.vertices(f);
-      const auto third =
-          std::find_if(corners.begin(), corners.end(), [&](Index x) { return x != v && x != w; });
-      return third == corners.end()
-                 ? 0.0
-                 : doubled_area(texture_at(complex, f, v), texture_at(complex, f, w),
-                                texture_at(complex, f, *third));
+    const auto side = [&](Index f) { // to the left of the way from v to w, if positive
+      const auto& [p, q, r] = complex.vertices(f);
+      const double area = doubled_area(records_.texture_at(table_.at(f, 0, p)),
+                                       records_.texture_at(table_.at(f, 1, q)),
+                                       records_.texture_at(table_.at(f, 2, r)));
+      return (p == v && q == w) || (q == v && r == w) || (r == v && p == w) ? area : -area;
     };
     const double one = side(face), two = side(other);
     return (one > 0 && two > 0) || (one < 0 && two < 0);
@@ -156,17 +154,15 @@ public:
 
   /// Does the contraction of a pair only join the one wedge of each of its ends, freely?
   QUADRILLE_ALWAYS_INLINE bool joins_two(const ContractedPair& pair) const {
-    return are_pairs_edges_ && table_.has_one(pair.first) && table_.has_one(pair.second) &&
-           !pair.is_first_fixed && !pair.is_second_fixed && !records_.holds_border(pair.first) &&
-           !records_.holds_border(pair.second);
+    return joins_two(pair.first, pair.second) && !pair.is_first_fixed && !pair.is_second_fixed;
+  }
+  /// The same if neither end is fixed.
+  QUADRILLE_ALWAYS_INLINE bool joins_two(Index first, Index second) const {
+    return are_pairs_edges_ && table_.has_one(first) && table_.has_one(second) &&
+           !records_.holds_border(first) && !records_.holds_border(second);
   }
 
-  /// Adds what these disagree about.
-  QUADRILLE_ALWAYS_INLINE void add_difference(const ContractedPair& pair,
-                                              QuadricForm<3>& form) const {
-    add_difference(pair.first, pair.second, pair.to_second, form);
-  }
-  /// The same of a wedge of each end.
+  /// Adds what the wedges of two ends disagree about, about the first end.
   QUADRILLE_ALWAYS_INLINE void add_difference(Index first, Index second, const Vector<3>& to_second,
                                               QuadricForm<3>& form) const {
     joiner_.add_difference(records_.weight(first), records_.maps(first), records_.weight(second),
@@ -181,8 +177,7 @@ public:
   }
   /// Carries the contraction of a pair out that joins two wedges: see joins_two().
   void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
-                  Index kept, const Vector<3>& target, QuadricForm<3>& form) {
-    add_difference(pair, form);
+                  Index kept, const Vector<3>& target) {
     records_.join(pair.first, pair.second, pair.to_second, target, kept, joiner_.squared_weights());
     if (table_.has_seams())
       rename_corners(complex, star, pair, [kept](Index) { return kept; });

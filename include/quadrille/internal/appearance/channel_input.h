@@ -47,6 +47,7 @@ struct ChannelInput {
   /// rounded to its type. False if it would leave the old ones. as_written(values, has_changed)
   std::function<bool(std::span<double>, bool)> as_written;
 
+  std::size_t size() const { return components == 0 ? 0 : values.size() / components; }
   double value(Index i, std::size_t component) const { return values[i * components + component]; }
   /// Of a corner of an input face, which is at an input vertex.
   Index value_at(Index face, std::size_t corner, Index vertex) const {

@@ -27,13 +27,12 @@ public:
   void read_wedges(WedgeTable& table, WedgeRecords& records, bool may_stay_empty) const {
     Array<Index> origins(complex_.vertex_capacity(), none, complex_.workspace());
     table.build(
-        complex_,
-        [&](Index face, Index i, Index other, Index j) {
-          return input_.are_equal(value_at(face, i), value_at(other, j));
-        },
-        [&](Index wedge, Index face, Index i) {
-          origins.resize((std::max)(origins.size(), std::size_t{wedge} + 1), none);
-          origins[wedge] = value_at(face, i);
+        complex_, [&](Index face, Index i) { return value_at(face, i); },
+        [&](Index value, Index other) { return input_.are_equal(value, other); },
+        [&](Index wedge, Index value) {
+          if (wedge >= origins.size())
+            origins.resize(std::size_t{wedge} + 1, none);
+          origins[wedge] = value;
         });
     if (may_stay_empty)
       table.simplify_if_possible(complex_.vertex_capacity());

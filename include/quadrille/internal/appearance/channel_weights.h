@@ -33,14 +33,16 @@ public:
                 const Array<Index>& labels)
       : low_(channel.components, (std::numeric_limits<double>::max)()),
         high_(channel.components, std::numeric_limits<double>::lowest()) {
+    Array<unsigned char> is_used(channel.size(), 0, complex.workspace());
     for (Index face = 0; face < complex.face_capacity(); ++face) {
       if (complex.is_removed(face))
         continue;
       const auto& v = complex.vertices(face);
       std::array<Index, 3> values;
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i) {
         values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
-      add_values(channel, values);
+        is_used[values[i]] = 1;
+      }
       if (!channel.is_texture)
         continue;
       const std::size_t label = labels.empty() ? 0 : labels[face];
@@ -49,6 +51,9 @@ public:
           normal_vector(space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
       areas_[label].texture += texture_area(channel, values);
     }
+    for (Index value = 0; value < is_used.size(); ++value)
+      if (is_used[value])
+        add_value(channel, value);
   }
 
   /// Area of the surface / area of the texture; 0 if either is 0.
@@ -75,12 +80,11 @@ public:
   }
 
 private:
-  void add_values(const ChannelInput& channel, const std::array<Index, 3>& values) {
-    for (std::size_t c = 0; c < channel.components; ++c)
-      for (Index value : values) {
-        low_[c] = (std::min)(low_[c], channel.value(value, c));
-        high_[c] = (std::max)(high_[c], channel.value(value, c));
-      }
+  void add_value(const ChannelInput& channel, Index value) {
+    for (std::size_t c = 0; c < channel.components; ++c) {
+      low_[c] = (std::min)(low_[c], channel.value(value, c));
+      high_[c] = (std::max)(high_[c], channel.value(value, c));
+    }
   }
   static double texture_area(const ChannelInput& channel, const std::array<Index, 3>& values) {
     const auto difference = [&](std::size_t i, std::size_t c) {

@@ -105,16 +105,15 @@ public:
   /// The weight of a pair with what channels add, divided by that of the shape alone: an error is a
   /// distance by the latter.
   double error_factor(const PairOf<Cost>& pair, Index a, Index b) const {
-    double weight = 0, joins = 0;
+    double weight = 0;
+    QuadricForm<3> form;
     if constexpr (remembers_forms<Cost>) {
       weight = pair.memory.trace();
-      joins = weight - memories_[a].trace() - memories_[b].trace();
     } else if constexpr (sees_forms<Cost>) {
       weight = pair.current.quadric.trace();
-      QuadricForm<3> form;
       add_joins(form, contracted(a, b));
-      joins = form.trace();
     }
+    const double joins = trace_of_joins(pair, a, b, form);
     const double of_shape = weight - (traces_[a] + traces_[b] + joins);
     return of_shape > 0 ? weight / of_shape : 1;
   }
@@ -128,11 +127,18 @@ public:
   /// What the joins of a pair cost, about its first end.
   QUADRILLE_ALWAYS_INLINE void add_joins(QuadricForm<3>& form, const ContractedPair& pair) const {
     for (const Channel& channel : channels_)
-      if (channel.joins_two(pair))
-        channel.add_difference(pair, form);
-      else
-        ChannelContraction(channel, complex_, pair).add_joins(form);
+      add_joins(channel, pair, form);
   }
+  /// The same of one channel.
+  QUADRILLE_ALWAYS_INLINE void add_joins(const Channel& channel, const ContractedPair& pair,
+                                         QuadricForm<3>& form) const {
+    if (channel.joins_two(pair))
+      channel.add_difference(pair.first, pair.second, pair.to_second, form);
+    else
+      ChannelContraction(channel, complex_, pair).add_joins(form);
+  }
+  /// What channels have left at a vertex, where its memory does not hold it.
+  const QuadricForm<3>& form(Index v) const { return forms_[v]; }
 
   /// Would a contraction turn a face over in a texture?
   bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
@@ -155,12 +161,15 @@ public:
     QuadricForm<3> joins;
     for (Channel& channel : channels_)
       if (channel.joins_two(pair)) {
-        channel.apply_join(complex_, contraction.star(), pair, event.kept, target, joins);
+        if constexpr (!remembers_forms<Cost>)
+          channel.add_difference(pair.first, pair.second, pair.to_second, joins);
+        channel.apply_join(complex_, contraction.star(), pair, event.kept, target);
       } else {
         const ChannelContraction change(channel, complex_, pair);
         change.apply(channel, contraction.star(), event.kept, change.changes(target, joins));
       }
-    traces_[event.kept] = traces_[pair.first] + traces_[pair.second] + joins.trace();
+    traces_[event.kept] = traces_[pair.first] + traces_[pair.second] +
+                          trace_of_joins(contraction.pair(), pair.first, pair.second, joins);
     if constexpr (!remembers_forms<Cost>) {
       joins +=
           QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
@@ -226,6 +235,15 @@ private:
       return memories_[v];
     else
       return forms_[v];
+  }
+
+  // Of the joins of a pair, which are given where its memory does not hold them.
+  double trace_of_joins(const PairOf<Cost>& pair, Index a, Index b,
+                        const QuadricForm<3>& joins) const {
+    if constexpr (remembers_forms<Cost>)
+      return pair.memory.trace() - memories_[a].trace() - memories_[b].trace();
+    else
+      return joins.trace();
   }
 
   // All that the attributes of a pair cost, about its first end.

@@ -94,6 +94,12 @@ public:
   SymmetricMatrix<3> join_face(Index wedge, double weight, const std::vector<Vector<3>>& gradients,
                                const std::vector<double>& squared_weights) {
     SymmetricMatrix<3> difference;
+    if (weights_[wedge] == 0) { // the first one agrees with itself
+      for (std::size_t c = 0; c < components_; ++c)
+        maps_[wedge * components_ + c].gradient = gradients[c];
+      weights_[wedge] = weight;
+      return difference;
+    }
     const double part = weight / (weights_[wedge] + weight);
     for (std::size_t c = 0; c < components_; ++c) {
       Vector<3>& gradient = maps_[wedge * components_ + c].gradient;

@@ -35,15 +35,22 @@ public:
   bool has_one(Index vertex) const { return !has_seams() || next_[vertex] == none; }
 
   /// Makes wedges of corners: those around a vertex that are connected by edges at which
-  /// are_one(face, i, face', j) holds of both corners at v, or all of them, if it holds of all.
-  /// Calls found(wedge, face, i) for a
-  /// corner of each wedge.
-  template <class AreOne, class Found>
-  void build(const TriangleComplex& complex, AreOne are_one, Found found) {
+  /// are_equal(value_at(face, i), value_at(face', j)) holds of both corners at v, or all of them, if
+  /// it holds of all. Calls found(wedge, value) with the value of a corner of each wedge.
+  template <class ValueAt, class AreEqual, class Found>
+  void build(const TriangleComplex& complex, ValueAt value_at, AreEqual are_equal, Found found) {
+    const auto are_one = [&](Index face, Index i, Index other, Index j) {
+      return are_equal(value_at(face, i), value_at(other, j));
+    };
     corners_.assign(complex.face_capacity(), Corners{none, none, none});
     next_.assign(complex.vertex_capacity(), none);
     Fans fans;
     for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+      if (const Index value = sole_value(complex, v, value_at); value != none) {
+        complex.for_each_corner(v, [&](Index face, Index i) { corners_[face][i] = v; });
+        found(v, value);
+        continue;
+      }
       fans.gather(complex, v, are_one);
       Index last = none;
       fans.for_each([&](const auto& corners) {
@@ -51,7 +58,7 @@ public:
         last = wedge;
         for (const auto& [face, i] : corners)
           corners_[face][i] = wedge;
-        found(wedge, corners.front().first, corners.front().second);
+        found(wedge, value_at(corners.front().first, corners.front().second));
       });
     }
   }
@@ -139,6 +146,19 @@ public:
 private:
   static std::size_t place(const TriangleComplex::Triangle& vertices, Index vertex) {
     return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
+  }
+
+  // The value that all corners of a vertex have; none if they have several, or it has no corners.
+  template <class ValueAt>
+  static Index sole_value(const TriangleComplex& complex, Index v, ValueAt value_at) {
+    Index first = none;
+    bool is_sole = true;
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      const Index value = value_at(face, i);
+      first = first == none ? value : first;
+      is_sole = is_sole && value == first;
+    });
+    return is_sole ? first : none;
   }
 
   Index add_behind(Index last) {

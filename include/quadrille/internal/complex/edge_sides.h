@@ -30,6 +30,17 @@ public:
     complex.for_each_corner(v, [&](Index face, Index i) { add(star_face_at(complex, face, i)); });
   }
 
+  /// The same of the edges to higher vertices.
+  void gather_above(const TriangleComplex& complex, Index v) {
+    clear();
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex, face, i);
+      for (Index other : {f.second, f.third})
+        if (other > v)
+          add(other, face);
+    });
+  }
+
   /// Calls visit(other, sides) for each edge, in the order of the other ends.
   template <class Visit>
   void for_each(Visit visit) {
@@ -51,11 +62,8 @@ template <class Visit>
 void for_each_edge(const TriangleComplex& complex, Visit visit) {
   EdgeSides edges;
   for (Index v = 0; v < complex.vertex_capacity(); ++v) {
-    edges.gather(complex, v);
-    edges.for_each([&](Index w, std::span<const EdgeSides::Side> sides) {
-      if (v < w)
-        visit(v, w, sides);
-    });
+    edges.gather_above(complex, v);
+    edges.for_each([&](Index w, const auto& sides) { visit(v, w, sides); });
   }
 }
 

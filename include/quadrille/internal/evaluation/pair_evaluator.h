@@ -190,8 +190,7 @@ private:
   // Of which importance they are does not count yet.
   QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
                                               VertexLabels& labels) const {
-    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type> &&
-                  (!counts_channels || remembers_forms<Cost>))
+    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type>)
       if (is_optimal(policies_.placement)) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
         if (complex_.hubs().any())

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/lanes.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
+#include <quadrille/internal/evaluation/two_channel_forms.h>
 #include <quadrille/internal/evaluation/two_quadrics.h>
 #include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
@@ -67,11 +68,12 @@ public:
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
     const auto& memories = evaluator_.memories();
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
-      const Two two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
+      const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
+      const std::array<Vector<3>, 2> to_seconds = ways(two);
       const Lanes values = least_values({&memories[p.first], &memories[q.first]},
-                                        {&memories[p.second], &memories[q.second]}, ways(two),
-                                        squared_reaches(two), joins(two));
+                                        {&memories[p.second], &memories[q.second]}, to_seconds,
+                                        squared_reaches(two), channel_forms(two, to_seconds));
       write(two, values, keys + i);
     }
     rewrite_fixed(pairs, keys);
@@ -99,22 +101,15 @@ public:
   }
 
 private:
-  using Two = std::array<VertexPair, 2>;
 
   const auto& positions() const { return evaluator_.geometry().positions(); }
 
-  // What channels disagree about at each pair.
-  auto joins(const Two& two) const {
-    if constexpr (Evaluator::counts_channels) {
-      std::array<QuadricForm<3>, 2> forms;
-      for (std::size_t k = 0; k < 2; ++k) {
-        const auto& channels = evaluator_.channels();
-        channels.add_joins(forms[k], channels.contracted(two[k].first, two[k].second));
-      }
-      return forms;
-    } else {
+  // What channels add to what each pair remembers, or to what it sees.
+  auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& ways) const {
+    if constexpr (Evaluator::counts_channels)
+      return two_channel_forms<Cost>(evaluator_.channels(), two, ways);
+    else
       return NothingAdded{};
-    }
   }
 
   template <class Star>
@@ -122,13 +117,14 @@ private:
                        std::size_t end, float* keys) const {
     const auto& terms = evaluator_.terms();
     for (; i < end; i += 2) {
-      const Two two = {pairs[i], pairs[(std::min)(i + 1, end - 1)]};
+      const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, end - 1)]};
       const auto& [p, q] = two;
+      const std::array<Vector<3>, 2> to_seconds = ways(two);
       auto [values, minimizers] =
           minima(terms[p.first], {&terms[p.second], &terms[q.second]},
                  {star.shared_with(p.second, evaluator_.cost(), positions()),
                   star.shared_with(q.second, evaluator_.cost(), positions())},
-                 ways(two), squared_reaches(two));
+                 to_seconds, squared_reaches(two), channel_forms(two, to_seconds));
       if constexpr (CountsLosses<Cost>)
         values += losses(two, minimizers);
       write(two, values, keys + i);
@@ -136,7 +132,7 @@ private:
   }
 
   // Both pairs have their first vertex in common.
-  Lanes losses(const Two& two, const LaneVector& minimizers) const {
+  Lanes losses(const TwoPairs& two, const LaneVector& minimizers) const {
     const auto& [p, q] = two;
     const auto planes = [&](Index v) -> const auto& {
       return evaluator_.memories()[v].planes;
@@ -148,7 +144,7 @@ private:
         trace);
   }
 
-  void write(const Two& two, Lanes values, float* keys) const {
+  void write(const TwoPairs& two, Lanes values, float* keys) const {
     for (std::size_t k = 0; k < 2; ++k)
       keys[k] = std::isnan(values[k]) ? evaluator_.key_alike(two[k]) : Evaluator::as_key(values[k]);
   }
@@ -164,12 +160,12 @@ private:
         keys[i] = evaluator_.key_alike(pairs[i]);
   }
 
-  std::array<Vector<3>, 2> ways(const Two& two) const {
+  std::array<Vector<3>, 2> ways(const TwoPairs& two) const {
     const auto& [p, q] = two;
     const auto& at = positions();
     return {at[p.second] - at[p.first], at[q.second] - at[q.first]};
   }
-  Lanes squared_reaches(const Two& two) const {
+  Lanes squared_reaches(const TwoPairs& two) const {
     const auto reach = [&](const VertexPair& p) {
       const auto& geometry = evaluator_.geometry();
       return static_cast<double>(

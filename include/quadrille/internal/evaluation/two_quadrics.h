@@ -112,6 +112,45 @@ inline Lanes value_if_found(Lanes value, const LaneFactorization& factorization,
   return select(factorization.is_regular() & is_within, value, Lanes{no_number, no_number});
 }
 
+/// Two quadrics in space.
+struct LaneForm {
+  LaneMatrix matrix;
+  LaneVector gradient;
+  Lanes constant;
+
+  static LaneForm of(const QuadricForm<3>& a, const QuadricForm<3>& b) {
+    return {LaneMatrix::of(a.matrix(), b.matrix()), LaneVector::of(a.gradient(), b.gradient()),
+            Lanes{a.constant(), b.constant()}};
+  }
+  /// See QuadricForm::sum_about_first.
+  static LaneForm sum_about_first(const LaneForm& first, const LaneForm& second,
+                                  const LaneVector& d) {
+    const LaneVector ad = second.matrix * d;
+    return {first.matrix + second.matrix, first.gradient + second.gradient - ad,
+            first.constant + second.constant + dot(d, ad) - 2.0 * dot(second.gradient, d)};
+  }
+
+  LaneForm& operator+=(const LaneForm& other) {
+    matrix = matrix + other.matrix;
+    gradient = gradient + other.gradient;
+    constant += other.constant;
+    return *this;
+  }
+  /// Adds weight · (normal · x + offset)².
+  QUADRILLE_ALWAYS_INLINE void add_squared_plane(const LaneVector& normal, Lanes offset,
+                                                 Lanes weight) {
+    const LaneVector n = weight * normal;
+    matrix.xx += n.x * normal.x;
+    matrix.yx += n.y * normal.x;
+    matrix.yy += n.y * normal.y;
+    matrix.zx += n.z * normal.x;
+    matrix.zy += n.z * normal.y;
+    matrix.zz += n.z * normal.z;
+    gradient = gradient + offset * n;
+    constant += weight * offset * offset;
+  }
+};
+
 struct NothingAdded {};
 
 /// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
@@ -119,7 +158,7 @@ struct NothingAdded {};
 /// that can't be had so, because the matrix is singular or the position lies further than √reach
 /// from both points, is NaN.
 ///
-/// `added` are further quadrics about the first points, or NothingAdded.
+/// `added` are further quadrics about the first points, a LaneForm, or NothingAdded.
 template <class Added>
 QUADRILLE_ALWAYS_INLINE inline Lanes
 least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
@@ -134,15 +173,15 @@ least_values(const std::array<const QuadricForm<3>*, 2>& firsts,
   const LaneVector h = LaneVector::of(r->gradient(), s->gradient());
   LaneMatrix a = LaneMatrix::of(p->matrix(), q->matrix()) + b;
   if constexpr (!std::same_as<Added, NothingAdded>)
-    a = a + LaneMatrix::of(added[0].matrix(), added[1].matrix());
+    a = a + added.matrix;
   const Lanes weight = shape_weight * a.trace(); // half of it at each end
   const LaneVector bd = b * d + 0.5 * weight * d;
   LaneVector g = LaneVector::of(p->gradient(), q->gradient()) + h - bd;
   Lanes c = Lanes{p->constant(), q->constant()} + Lanes{r->constant(), s->constant()} + dot(d, bd) -
             2.0 * dot(h, d);
   if constexpr (!std::same_as<Added, NothingAdded>) {
-    g = g + LaneVector::of(added[0].gradient(), added[1].gradient());
-    c = c + Lanes{added[0].constant(), added[1].constant()};
+    g = g + added.gradient;
+    c = c + added.constant;
   }
 
   const LaneFactorization factorization(a + weight);
@@ -157,29 +196,38 @@ struct LaneMinima {
 };
 
 /// The same for memoryless costs: see MemorylessQuadric::join and minimizer.
-inline LaneMinima minima(const MemorylessQuadric::Current& first,
-                         const std::array<const MemorylessQuadric::Current*, 2>& others,
-                         const std::array<MemorylessQuadric::Current, 2>& shared,
-                         const std::array<Vector<3>, 2>& displacements, Lanes squared_reach) {
+template <class Added>
+LaneMinima minima(const MemorylessQuadric::Current& first,
+                  const std::array<const MemorylessQuadric::Current*, 2>& others,
+                  const std::array<MemorylessQuadric::Current, 2>& shared,
+                  const std::array<Vector<3>, 2>& displacements, Lanes squared_reach,
+                  [[maybe_unused]] const Added& added) {
   const auto& [p, q] = others;
   const auto& [s, t] = shared;
   const LaneVector d = LaneVector::of(displacements[0], displacements[1]);
   const LaneMatrix b = LaneMatrix::of(p->matrix, q->matrix);
-  const LaneMatrix a = LaneMatrix::twice(first.matrix) + b - LaneMatrix::of(s.matrix, t.matrix);
+  LaneMatrix a = LaneMatrix::twice(first.matrix) + b - LaneMatrix::of(s.matrix, t.matrix);
+  if constexpr (!std::same_as<Added, NothingAdded>)
+    a = a + added.matrix;
   const Lanes weight = shape_weight * a.trace(); // half of it at each end
-  const LaneVector bd = b * d + 0.5 * weight * d;
+  LaneVector bd = b * d + 0.5 * weight * d;
+  Lanes c = dot(bd, d);
+  if constexpr (!std::same_as<Added, NothingAdded>) {
+    bd = bd - added.gradient;
+    c = c + added.constant;
+  }
   const LaneVector other_area = LaneVector::of(p->doubled_area, q->doubled_area);
   const LaneVector normal = LaneVector::twice(first.doubled_area) + other_area -
                             LaneVector::of(s.doubled_area, t.doubled_area);
 
   const LaneFactorization factorization(a + weight);
-  const LaneVector x = factorization.solve(bd); // without the plane: it costs dᵀBd − dᵀBx
+  const LaneVector x = factorization.solve(bd); // without the plane: it costs c − dᵀBx
   const LaneVector across = factorization.solve(normal);
   const Lanes slope = dot(normal, across);
   const Lanes off = dot(other_area, d) - dot(normal, x);
   const Lanes way = select(slope > Lanes{}, off / slope, Lanes{});
   const LaneVector position = x + way * across;
-  return {value_if_found(dot(bd, d) - dot(bd, x) + way * way * slope, factorization, position, d,
+  return {value_if_found(c - dot(bd, x) + way * way * slope, factorization, position, d,
                          squared_reach),
           position};
 }

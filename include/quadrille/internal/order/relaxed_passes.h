@@ -9,6 +9,7 @@
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/block_stars.h>
 #include <quadrille/internal/order/cost_stop.h>
+#include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/order/pass_plan.h>
 #include <quadrille/internal/order/pass_stop.h>
 #include <quadrille/internal/order/proposals.h>
@@ -35,7 +36,7 @@ public:
   RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
       : surface_(surface), order_(order),
         count_(surface.is_topology_kept(), surface.complex().backs()), cost_stop_(surface),
-        stars_(surface.complex().workspace()) {
+        hold_(surface), stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())
       workers_.push_back(
@@ -99,12 +100,17 @@ private:
         contract_inside(block, worker);
       });
     }
-    for (Worker& worker : workers_)
+    std::size_t held = 0; // that this pass has refused
+    for (Worker& worker : workers_) {
+      held += Hold<Policies>::held(worker.scratch.tally);
       surface_.progress().count(worker.scratch.tally);
+    }
     contract_between(workers_.front());
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
     surface_.end_pass(order_.refresh);
+    if constexpr (Policies::has_channels)
+      is_held_ = hold_.is_of_most(held);
     let_parts_vanish(static_cast<double>(plan.cost_limit));
   }
 
@@ -263,7 +269,7 @@ private:
   bool is_left_to_greedy_order(Contraction& contraction) {
     TargetRules<Policies>& rules = surface_.target_rules();
     return is_stop_in_pass(surface_, contraction) ||
-           rules.overshoots(contraction, surface_.status()) || rules.is_destructive(contraction) ||
+           rules.overshoots(contraction, surface_.status()) || (is_held_ && rules.is_destructive(contraction)) ||
            cuts_off_touched(contraction);
   }
 
@@ -277,6 +283,8 @@ private:
   const RelaxedOrder& order_;
   ContractionCount count_;
   CostStop<Policies> cost_stop_;
+  Hold<Policies> hold_;
+  bool is_held_ = !Policies::has_channels;
   std::vector<Block> blocks_;
   BlockStars stars_;
   std::vector<Worker> workers_;
