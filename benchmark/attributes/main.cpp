@@ -20,7 +20,7 @@ std::vector<AttributeContender> contenders(const Settings& settings) {
   for (const auto& family : {our_attribute_contenders(), meshoptimizer_attribute_contenders(),
                              vtk_attribute_contenders()})
     std::ranges::copy_if(family, std::back_inserter(chosen),
-                         [&](const auto& contender) { return settings.takes(contender.name); });
+                         [&](const auto& contender) { return settings.takes(contender.name, false); });
   return chosen;
 }
 

@@ -51,7 +51,9 @@ public:
   Index& identity(Index wedge) { return identities_[wedge]; }
 
   /// Does a wedge hold the border of a chart?
-  bool holds_border(Index wedge) const { return !borders_.empty() && borders_[wedge] != Matrix2{}; }
+  bool holds_border(Index wedge) const {
+    return !borders_.empty() && borders_[wedge][0] + borders_[wedge][2] > 0;
+  }
 
   /// Wedges with the values of an input that `origins` names, or `none` for no value.
   void read(const ChannelInput& input, Array<Index> origins) {
