@@ -41,15 +41,6 @@ public:
     }
   }
 
-  /// How many refusals of a tally are by such causes.
-  static std::size_t held(const Tally& tally) {
-    std::size_t sum = 0;
-    for (std::size_t cause = 0; cause < rejection_causes; ++cause)
-      if (is_by(static_cast<Rejection>(cause)))
-        sum += tally.rejections[cause];
-    return sum;
-  }
-
   /// Is more than half of the edges held? They are looked at if enough pairs wait that have been
   /// refused for it, and once more when a tenth of the faces is gone: in linear time in all.
   bool is_of_most(std::size_t waiting) {

@@ -9,7 +9,6 @@
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/block_stars.h>
 #include <quadrille/internal/order/cost_stop.h>
-#include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/order/pass_plan.h>
 #include <quadrille/internal/order/pass_stop.h>
 #include <quadrille/internal/order/proposals.h>
@@ -36,7 +35,7 @@ public:
   RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
       : surface_(surface), order_(order),
         count_(surface.is_topology_kept(), surface.complex().backs()), cost_stop_(surface),
-        hold_(surface), stars_(surface.complex().workspace()) {
+        stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
     for (Scratch& scratch : surface.scratches())
       workers_.push_back(
@@ -54,7 +53,8 @@ public:
       pass(quota);
       if (!surface_.progress().proceed())
         return false;
-      if (surface_.status().contractions - before.contractions < least)
+      const std::size_t contractions = surface_.status().contractions - before.contractions;
+      if (contractions < least || (Policies::has_channels && contractions < left_))
         return true;
     }
   }
@@ -100,17 +100,15 @@ private:
         contract_inside(block, worker);
       });
     }
-    std::size_t held = 0; // that this pass has refused
+    left_ = 0;
     for (Worker& worker : workers_) {
-      held += Hold<Policies>::held(worker.scratch.tally);
+      left_ += worker.scratch.tally.left;
       surface_.progress().count(worker.scratch.tally);
     }
     contract_between(workers_.front());
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
     surface_.end_pass(order_.refresh);
-    if constexpr (Policies::has_channels)
-      is_held_ = hold_.is_of_most(held);
     let_parts_vanish(static_cast<double>(plan.cost_limit));
   }
 
@@ -257,8 +255,10 @@ private:
       refuse_in_pass(surface_, ends, *cause, candidate.error, star.scratch());
       return;
     }
-    if (is_left_to_greedy_order(contraction))
+    if (is_left_to_greedy_order(contraction)) {
+      ++star.scratch().tally.left;
       return;
+    }
     // Other blocks look at the vertices whose stars reach into them.
     const auto is_inside = [this](Index v) { return stars_.is_inside(v); };
     surface_.apply(contraction, InPass{is_inside});
@@ -269,7 +269,7 @@ private:
   bool is_left_to_greedy_order(Contraction& contraction) {
     TargetRules<Policies>& rules = surface_.target_rules();
     return is_stop_in_pass(surface_, contraction) ||
-           rules.overshoots(contraction, surface_.status()) || (is_held_ && rules.is_destructive(contraction)) ||
+           rules.overshoots(contraction, surface_.status()) || rules.is_destructive(contraction) ||
            cuts_off_touched(contraction);
   }
 
@@ -283,8 +283,7 @@ private:
   const RelaxedOrder& order_;
   ContractionCount count_;
   CostStop<Policies> cost_stop_;
-  Hold<Policies> hold_;
-  bool is_held_ = !Policies::has_channels;
+  std::size_t left_ = 0; // to greedy order, in the last pass, of what lay inside of blocks
   std::vector<Block> blocks_;
   BlockStars stars_;
   std::vector<Worker> workers_;
