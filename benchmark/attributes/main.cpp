@@ -19,8 +19,9 @@ std::vector<AttributeContender> contenders(const Settings& settings) {
   std::vector<AttributeContender> chosen;
   for (const auto& family : {our_attribute_contenders(), meshoptimizer_attribute_contenders(),
                              vtk_attribute_contenders()})
-    std::ranges::copy_if(family, std::back_inserter(chosen),
-                         [&](const auto& contender) { return settings.takes(contender.name, false); });
+    std::ranges::copy_if(family, std::back_inserter(chosen), [&](const auto& contender) {
+      return settings.takes(contender.name, false);
+    });
   return chosen;
 }
 

@@ -35,8 +35,8 @@ public:
   bool has_one(Index vertex) const { return !has_seams() || next_[vertex] == none; }
 
   /// Makes wedges of corners: those around a vertex that are connected by edges at which
-  /// are_equal(value_at(face, i), value_at(face', j)) holds of both corners at v, or all of them, if
-  /// it holds of all. Calls found(wedge, value) with the value of a corner of each wedge.
+  /// are_equal(value_at(face, i), value_at(face', j)) holds of both corners at v, or all of them,
+  /// if it holds of all. Calls found(wedge, value) with the value of a corner of each wedge.
   template <class ValueAt, class AreEqual, class Found>
   void build(const TriangleComplex& complex, ValueAt value_at, AreEqual are_equal, Found found) {
     const auto are_one = [&](Index face, Index i, Index other, Index j) {

@@ -37,8 +37,8 @@ QUADRILLE_ALWAYS_INLINE inline void add_differences(const Channel& channel, cons
   const std::vector<double>& squared_weights = channel.joiner().squared_weights();
   for (std::size_t i = 0; i < squared_weights.size(); ++i) {
     const LaneVector gradient = LaneVector::of(c[i].gradient, d[i].gradient);
-    const Lanes off = Lanes{c[i].value, d[i].value} - dot(gradient, to_seconds) -
-                      Lanes{a[i].value, b[i].value};
+    const Lanes off =
+        Lanes{c[i].value, d[i].value} - dot(gradient, to_seconds) - Lanes{a[i].value, b[i].value};
     form.add_squared_plane(gradient - LaneVector::of(a[i].gradient, b[i].gradient), off,
                            squared_weights[i] * weight);
   }
@@ -74,10 +74,10 @@ auto two_channel_forms(const Channels& channels, const TwoPairs& two,
     return two_joins(channels, two, to_seconds);
   } else if constexpr (sees_forms<Cost>) {
     const auto& [p, q] = two;
-    LaneForm form = LaneForm::sum_about_first(
-        LaneForm::of(channels.form(p.first), channels.form(q.first)),
-        LaneForm::of(channels.form(p.second), channels.form(q.second)),
-        LaneVector::of(to_seconds[0], to_seconds[1]));
+    LaneForm form =
+        LaneForm::sum_about_first(LaneForm::of(channels.form(p.first), channels.form(q.first)),
+                                  LaneForm::of(channels.form(p.second), channels.form(q.second)),
+                                  LaneVector::of(to_seconds[0], to_seconds[1]));
     form += two_joins(channels, two, to_seconds);
     return form;
   } else {

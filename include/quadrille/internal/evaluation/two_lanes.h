@@ -101,7 +101,6 @@ public:
   }
 
 private:
-
   const auto& positions() const { return evaluator_.geometry().positions(); }
 
   // What channels add to what each pair remembers, or to what it sees.

@@ -227,9 +227,9 @@ LaneMinima minima(const MemorylessQuadric::Current& first,
   const Lanes off = dot(other_area, d) - dot(normal, x);
   const Lanes way = select(slope > Lanes{}, off / slope, Lanes{});
   const LaneVector position = x + way * across;
-  return {value_if_found(c - dot(bd, x) + way * way * slope, factorization, position, d,
-                         squared_reach),
-          position};
+  return {
+      value_if_found(c - dot(bd, x) + way * way * slope, factorization, position, d, squared_reach),
+      position};
 }
 
 /// How much farther from the planes, in sum of squares, the positions x are than the points where
