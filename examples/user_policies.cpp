@@ -81,6 +81,23 @@ struct KeepAway {
   }
 };
 
+// A cost that is told indices: how far the ends move, times the importance of the most important
+// vertex of the input that they stand for.
+struct ByImportance {
+  static constexpr std::size_t dimension = 3;
+  struct Memory {
+    double importance = 0;
+    void operator+=(const Memory& m) { importance = std::max(importance, m.importance); }
+  };
+  const std::vector<double>* importance; // of each vertex
+  Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
+  Memory input_vertex(std::size_t index) const { return {(*importance)[index]}; }
+  double operator()(const auto& pair, const Vector<3>& x) const {
+    return pair.memory.importance *
+           (squared_distance(pair.first, x) + squared_distance(pair.second, x));
+  }
+};
+
 int main(int argc, char* argv[]) {
   Mesh mesh;
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cow.off");
@@ -91,6 +108,9 @@ int main(int argc, char* argv[]) {
   std::vector<bool> is_selected;
   for (const Mesh::Vertex_index v : mesh.vertices())
     is_selected.push_back(mesh.point(v).x() > 0);
+  std::vector<double> importance;
+  for (const bool selected : is_selected)
+    importance.push_back(selected ? 100 : 1);
   const auto run = [mesh](const char* name, const auto&... policies) {
     Mesh copy = mesh;
     std::cout << name << ": " << simplify(copy, policies...) << '\n';
@@ -101,5 +121,6 @@ int main(int argc, char* argv[]) {
   run("stop", Deadline{std::chrono::steady_clock::now() + std::chrono::milliseconds(2)});
   run("filter", NoStretch{}, FaceCount{1000});
   run("selection", KeepAway{&is_selected});
+  run("importance", ByImportance{&importance}, MidpointPlacement{});
   run("all", MovedArea{}, OnSegment{}, EdgesAndSeams{}, FaceCount{1000}, NoStretch{});
 }

@@ -52,6 +52,12 @@ namespace quadrille {
 /// - `C::Memory::sum_about_first(first, second, d)`: the sum of what two vertices remember, about
 ///   the first, where that is quicker than to move the second by −d and to add.
 /// - `cost.minimizer(pair)`: an optional position of least cost, which OptimalPlacement needs.
+/// - `C::asks_for_indices`, true: `pair.first_index` and `pair.second_index` tell which vertices of
+///   the input the ends are: see FilterPolicy. A cost that does not say it pays nothing for them.
+/// - `cost.input_vertex(index)`: the Memory that a vertex leaves of which the cost knows something
+/// by
+///   its index in the input. A vertex remembers that of all that have become part of it, so that
+///   `pair.memory` tells of all that the ends stand for.
 /// - `cost.boundary(p, q, r)`: the Memory that the boundary edge pq of the face pqr leaves at p.
 /// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease, an edge whose
 ///   normals differ by more than that, or that `edge_is_crease_map` names.
@@ -147,6 +153,8 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 ///
 /// - `placement.any_equal(cost, pair, x, predicate)`: tries other positions that cost what x does,
 ///   where filters refuse x: see OptimalPlacement.
+/// - `P::asks_for_indices`, true: `pair.first_index` and `pair.second_index` tell which vertices of
+///   the input the ends are: see FilterPolicy.
 /// - `P::asks_for_volume`, true: Report::volume_before and volume_after are told.
 /// - `P::needs_closed_surface`, true: a surface is refused of which an edge has not as many faces
 ///   on one side as on the other.

@@ -9,6 +9,7 @@
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/optional_checks.h>
+#include <quadrille/internal/evaluation/pair_names.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
@@ -99,13 +100,18 @@ private:
                                         contraction.second(), target))
         return Rejection::texture;
     if constexpr (looks_at_star<Placement>)
-      if (!cause && !policies_.placement.admits(contraction.pair(), star_view(contraction), target))
+      if (!cause &&
+          !policies_.placement.admits(seen_pair(contraction), star_view(contraction), target))
         return Placement::cause;
     if (!cause && optional_.is_any()) [[unlikely]]
       return optional_.refusal(contraction, space(target));
     return cause;
   }
 
+  decltype(auto) seen_pair(const Contraction& contraction) const {
+    return PairNames<Policies>(numbering_)
+        .for_placement(contraction.pair(), contraction.first(), contraction.second());
+  }
   auto star_view(const Contraction& contraction) const {
     return StarView<dimension>(contraction.star(), contraction.first(), contraction.second(),
                                geometry_.positions().data(), scale_);
@@ -122,17 +128,17 @@ private:
     };
     const auto& placement = policies_.placement; // a derived one may want none of these places
     if constexpr (requires {
-                    placement.any_further(policies_.cost, contraction.pair(),
+                    placement.any_further(policies_.cost, seen_pair(contraction),
                                           star_view(contraction), takes);
                   })
       if (cause == Placement::cause)
-        return placement.any_further(policies_.cost, contraction.pair(), star_view(contraction),
+        return placement.any_further(policies_.cost, seen_pair(contraction), star_view(contraction),
                                      takes);
     if constexpr (is_scale_free<Placement> && requires {
-                    placement.any_equal(policies_.cost, contraction.pair(), Position{}, takes);
+                    placement.any_equal(policies_.cost, seen_pair(contraction), Position{}, takes);
                   })
-      return placement.any_equal(policies_.cost, contraction.pair(), Position(contraction.target()),
-                                 takes);
+      return placement.any_equal(policies_.cost, seen_pair(contraction),
+                                 Position(contraction.target()), takes);
     else
       return false;
   }

@@ -79,7 +79,7 @@ public:
         recording_({policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
                     scratches_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, appearance_.channels(),
-                   importance_),
+                   importance_, numbering_),
         checks_(policies, scale_, complex_, numbering_, geometry_, shared_, link_condition_,
                 appearance_.seams(), appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
@@ -246,6 +246,7 @@ private:
     VertexLabels& labels = scratch().labels;
     memories_.remember(with_engine_lengths(policies_.cost, scale_), geometry_.positions(), complex_,
                        labels, creases_.left(numbering_), shared_, is_interior, policies_.threads);
+    memories_.remember_input(policies_.cost, numbering_);
     appearance_.remember();
     terms_.sum_up(labels);
   }

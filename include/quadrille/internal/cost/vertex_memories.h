@@ -38,6 +38,18 @@ public:
                                    is_interior, threads);
   }
 
+  /// Adds what vertices of the input leave that the cost knows by their indices, for a cost that
+  /// does: of all that a vertex stands for.
+  void remember_input([[maybe_unused]] const Cost& cost,
+                      [[maybe_unused]] const Numbering& numbering) {
+    if constexpr (RemembersByIndex<Cost>) {
+      const InputIndices numbers = numbering.vertices.inverse();
+      for (Index input = 0; input < numbering.vertices.input_count(); ++input)
+        if (const Index v = numbers[numbering.image(input)]; v != none)
+          memories_[v] += cost.input_vertex(input);
+    }
+  }
+
   /// Adds what further creases leave, with a weight of their own.
   void remember_creases(Cost cost, double weight, const Positions& positions,
                         TriangleComplex& complex,

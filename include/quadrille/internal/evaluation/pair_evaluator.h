@@ -12,6 +12,7 @@
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/evaluation/cost_units.h>
+#include <quadrille/internal/evaluation/pair_names.h>
 #include <quadrille/internal/evaluation/two_lanes.h>
 #include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
@@ -49,10 +50,11 @@ public:
 
   PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
                 const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
-                const Terms& terms, const Channels& channels, const VertexImportance& importance)
+                const Terms& terms, const Channels& channels, const VertexImportance& importance,
+                const Numbering& numbering)
       : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
         memories_(memories), terms_(terms), channels_(channels), importance_(importance),
-        cost_of_key_(cost_of_key(policies.cost, scale)) {}
+        names_(numbering), cost_of_key_(cost_of_key(policies.cost, scale)) {}
 
   const Cost& cost() const { return policies_.cost; }
   const Scale<Cost::dimension>& scale() const { return scale_; }
@@ -62,6 +64,7 @@ public:
   const Terms& terms() const { return terms_; }
   const Channels& channels() const { return channels_; }
   const VertexImportance& importance() const { return importance_; }
+  const PairNames<Policies>& names() const { return names_; }
 
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     geometry_.prefetch(v);
@@ -91,8 +94,8 @@ public:
       if (is_settled(a, b)) {
         candidate.target = target(a, b, candidate.pair);
       } else {
-        const auto x =
-            policies_.placement.settle(policies_.cost, candidate.pair, star_view(a, b, star));
+        const auto x = policies_.placement.settle(
+            policies_.cost, names_.for_placement(candidate.pair, a, b), star_view(a, b, star));
         if (!x)
           return false;
         candidate.target = *x;
@@ -217,7 +220,7 @@ private:
   Pair view(Index a, Index b) const {
     const Position &p = geometry_.position(a), &q = geometry_.position(b);
     Pair pair{
-        p, q, sum_about_first(memories_[a], memories_[b], q - p),
+        names_.of_cost(a, b), p, q, sum_about_first(memories_[a], memories_[b], q - p),
         static_cast<double>((std::max)(geometry_.squared_reach(a), geometry_.squared_reach(b)))};
     if constexpr (has_local_terms<Cost>)
       pair.current =
@@ -233,15 +236,16 @@ private:
     if (const Index hub = complex_.hubs().of_pair(a, b); hub != none)
       return hub == a ? pair.first : pair.second;
     if constexpr (is_scale_free<Placement>)
-      return policies_.placement(policies_.cost, pair);
+      return policies_.placement(policies_.cost, names_.for_placement(pair, a, b));
     else
-      return target_in_mesh_units(pair);
+      return target_in_mesh_units(pair, a, b);
   }
 
-  QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair) const {
+  QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair, Index a, Index b) const {
     const CostInMeshUnits<Cost> cost(policies_.cost, scale_);
     const PairInMeshUnits<Cost> seen(pair, scale_);
-    return seen.position_from_mesh(policies_.placement(cost, seen), scale_);
+    return seen.position_from_mesh(policies_.placement(cost, names_.for_placement(seen, a, b)),
+                                   scale_);
   }
 
   double key(const Pair& pair, const Position& target, double cost) const {
@@ -256,6 +260,7 @@ private:
   const Terms& terms_;
   const Channels& channels_;
   const VertexImportance& importance_;
+  QUADRILLE_NO_UNIQUE_ADDRESS PairNames<Policies> names_;
   double cost_of_key_;
 };
 

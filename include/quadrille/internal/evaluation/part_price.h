@@ -67,8 +67,13 @@ private:
 
   // The whole part as if it were a pair: its ends are vertices far apart, and it remembers all.
   PairOf<Cost> as_pair(std::span<const Index> vertices, const Position& centre) const {
-    const Position first = farthest(vertices, centre), second = farthest(vertices, first);
-    PairOf<Cost> pair{first, second, {}, squared_distance(space(first), space(second))};
+    const Index a = farthest(vertices, centre), b = farthest(vertices, position(a));
+    const Position first = position(a), second = position(b);
+    PairOf<Cost> pair{evaluator_.names().of_cost(a, b),
+                      first,
+                      second,
+                      {},
+                      squared_distance(space(first), space(second))};
     for (Index v : vertices) {
       typename Cost::Memory memory = evaluator_.memories()[v];
       move_origin(memory, first - position(v));
@@ -84,11 +89,11 @@ private:
     return pair;
   }
 
-  const Position& farthest(std::span<const Index> vertices, const Position& from) const {
+  Index farthest(std::span<const Index> vertices, const Position& from) const {
     const auto is_nearer = [&](Index v, Index w) {
       return squared_distance(position(v), from) < squared_distance(position(w), from);
     };
-    return position(*std::max_element(vertices.begin(), vertices.end(), is_nearer));
+    return *std::max_element(vertices.begin(), vertices.end(), is_nearer);
   }
 
   const PairEvaluator<Policies>& evaluator_;

@@ -25,6 +25,10 @@ class PartRunner {
 public:
   using Pieces = PieceOfPart<Cost>;
 
+  static_assert(!asks_for_indices<Placement>,
+                "quadrille: each part of a file counts its vertices anew: a placement that asks "
+                "for indices in the input is for surfaces in memory");
+
   PartRunner(Cost cost, Placement placement, Policies... policies)
       : cost_(std::move(cost)), placement_(std::move(placement)),
         policies_(std::move(policies)...) {}

@@ -25,6 +25,9 @@ struct PieceOfPart {
   static_assert(Cost::dimension == 3, "quadrille: a file is simplified with a cost in space");
   static_assert(std::is_trivially_copyable_v<Memory>,
                 "quadrille: what a vertex remembers is written to files, so it has to be bytes");
+  static_assert(!asks_for_indices<Cost> && !RemembersByIndex<Cost>,
+                "quadrille: each part of a file counts its vertices anew: a cost that asks for "
+                "indices in the input is for surfaces in memory");
 
   /// The box of the surface, and room for vertices that move out of it.
   static Box<3> box(const FileBox& box) {

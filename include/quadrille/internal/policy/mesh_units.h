@@ -136,13 +136,13 @@ private:
 /// What a policy of the user's is handed: a pair and its cost, or a contraction.
 template <class Placement, class Cost>
 struct SeenByPlacement {
-  using Pair = PairInMeshUnits<Cost>;
+  using Pair = PairFor<Placement, PairInMeshUnits<Cost>>;
   using Costs = CostInMeshUnits<Cost>;
 };
 template <class Placement, class Cost>
 requires is_scale_free<Placement>
 struct SeenByPlacement<Placement, Cost> {
-  using Pair = PairOf<Cost>;
+  using Pair = PairFor<Placement, PairOf<Cost>>;
   using Costs = Cost;
 };
 
