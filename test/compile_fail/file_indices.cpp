@@ -12,4 +12,4 @@ struct OfIndices {
 };
 
 // As simplify_file does for its cost.
-const bool has_memory = quadrille::internal::PieceOfPart<OfIndices>::has_memory;
+const bool has_memory = quadrille::internal::PieceOfPart<OfIndices>::has_memory; // mistake
