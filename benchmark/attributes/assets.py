@@ -95,4 +95,5 @@ def main():
                 print(*(f"{key} {row[key]:.4g}" if key not in ("model", "contender") else row[key] for key in COLUMNS), sep="  ", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

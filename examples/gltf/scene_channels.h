@@ -159,8 +159,8 @@ private:
                                            : Kind::normals;
   }
 
-  /// Displacements are lengths as they are; others count by default, but by the size of a mesh and
-  /// not of the scene, in which meshes may be far from each other.
+  /// Displacements are lengths as they are, normals and colours count by default; others as well,
+  /// but by the size of a mesh and not of the scene, in which meshes may be far from each other.
   static quadrille::ChannelOptions options_of(const GltfChannel& channel,
                                               const ChannelChoices& choices, double length) {
     if (channel.kind == AttributeKind::texture)
@@ -168,6 +168,8 @@ private:
     quadrille::ChannelOptions options{.importance = channel.kind == AttributeKind::color
                                                         ? choices.of_colors
                                                         : choices.of_normals};
+    if (channel.kind == AttributeKind::normal || channel.kind == AttributeKind::color)
+      return options;
     const double range = largest_range(channel.values);
     if (channel.name == skin || is_length(channel))
       options.weights.assign(channel.values.components, 1);

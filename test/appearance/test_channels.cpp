@@ -673,31 +673,6 @@ TEST_CASE("The firmer borders of charts are held, the less the texture bleeds") 
   CHECK(firmest < 0.7 * firm);
 }
 
-TEST_CASE("By default others count as 0.02 of the diagonal for their range") {
-  const Soup soup = with_noise(torus(24, 12), 1, 0.01);
-  const auto normals = corner_values<3>(soup, [&](std::size_t, std::uint32_t v) {
-    const Position& p = soup.points[v];
-    const Position off = p - 1 / std::hypot(p[0], p[1]) * Position{{p[0], p[1], 0}};
-    return 1 / std::sqrt(squared_length(off)) * off;
-  });
-  double range = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double low = infinity, high = -infinity;
-    for (const auto& triangle : normals)
-      for (const auto& normal : triangle)
-        low = std::min(low, normal[i]), high = std::max(high, normal[i]);
-    range = std::max(range, high - low);
-  }
-  const double weight = 0.02 * diagonal(soup) / range;
-  const NormalsResult expected = with_normals(soup, normals, 150);
-  CHECK(
-      is_same_surface(with_normals(soup, normals, 150, {.weights = {weight, weight, weight}}).soup,
-                      expected.soup, 1e-6));
-  CHECK_FALSE(is_same_surface(plain(soup, 150), expected.soup, 1e-6));
-  CHECK_FALSE(is_same_surface(with_normals(soup, normals, 150, {.importance = 3}).soup,
-                              expected.soup, 1e-6));
-}
-
 // --- What is refused -----------------------------------------------------------------------------
 
 TEST_CASE("Input that makes no sense is refused, and left as it was") {

@@ -19,7 +19,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -62,6 +64,23 @@ TexturedSoup measured(const Textured& surface) {
   for (const auto& t : triples)
     soup.coordinate_triangles.push_back({t[0], t[1], t[2]});
   return soup;
+}
+
+/// Of the edges of a closed surface, in which part the faces differ at both ends.
+double part_of_seams(const Textured& surface) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<TexturePlace, 2>> met;
+  std::size_t seams = 0;
+  for (std::size_t t = 0; t < surface.soup.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto v = surface.soup.triangles[t][i], w = surface.soup.triangles[t][(i + 1) % 3];
+      const TexturePlace at_v = surface.texture[t][i], at_w = surface.texture[t][(i + 1) % 3];
+      const auto other = met.find({w, v});
+      if (other == met.end())
+        met.insert({{v, w}, {at_v, at_w}});
+      else
+        seams += other->second[0] != at_w && other->second[1] != at_v;
+    }
+  return static_cast<double>(seams) / (1.5 * static_cast<double>(surface.soup.triangles.size()));
 }
 
 struct Result {
@@ -135,9 +154,19 @@ TEST_CASE("The weight of borders leads from priced seams to firmly held ones") {
     CHECK(held.bleeding < last);
     last = held.bleeding;
   }
-  const Result by_default = simplified(input, faces, {});
-  const Result named = simplified(input, faces, {.seams = Seams::held, .border_weight = 0.1});
-  CHECK(by_default.surface.texture == named.surface.texture);
+}
+
+TEST_CASE("By default borders hold the more firmly, the fewer of the edges are seams") {
+  for (const std::size_t patches : {4u, 20u, 200u}) {
+    const Textured input = sphere_of_patches(patches);
+    const auto faces = input.labels.size() / 6;
+    const double part = part_of_seams(input);
+    const double weight = std::clamp(0.0036 / (part * part), 0.1, 1.0);
+    CAPTURE(patches, part, weight);
+    const Result by_default = simplified(input, faces, {});
+    const Result named = simplified(input, faces, {.seams = Seams::held, .border_weight = weight});
+    CHECK(by_default.surface.texture == named.surface.texture);
+  }
 }
 
 TEST_CASE("Where there is no seam, held and priced seams give the same surface") {

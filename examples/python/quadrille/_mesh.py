@@ -25,13 +25,15 @@ class Channel:
     importance    by how much more than by default it counts; above 0
     weights       lengths in the unit of the points that a step of 1 in each component counts as, times
                   importance; by default for texture coordinates as long as on the surface, for others
-                  0.02 diagonals of the bounding box for the range of the values
+                  0.02 diagonals of the bounding box for the range of the values, and for colors and
+                  normals less, down to a tenth or a twentieth, the more they are noise, and for
+                  smooth normals up to twice that
     seams         what becomes of the edges at which values jump: 'kept' (they stay), 'held' (they may
                   vanish, which costs what it shows of what lies beside a chart; by default for uv),
                   'priced' (they may vanish, which costs the jump; by default for others) or 'free'
                   (values around a point are made one from the beginning)
     border_weight how firmly charts of a texture with kept or held seams hold their borders; by default
-                  10 or 0.1
+                  10, or between 0.1 and 1: the more, the fewer edges are seams
     new_values    'optimal' (what costs least), 'weights' (the same, at least 0 and of sum 1: of a
                   skin), 'existing' (one of those that have become one: for classes; not for uv) or
                   'recomputed' (of normals only: from the faces of the result)

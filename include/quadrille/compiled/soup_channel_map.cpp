@@ -61,6 +61,8 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
 ChannelInput SoupChannelMap::input(Workspace& workspace) const {
   ChannelInput input(channel_.options, channel_.components, channel_.kind == Kind::texture,
                      workspace);
+  input.is_color = channel_.kind == Kind::colors;
+  input.is_normal = channel_.kind == Kind::normals;
   input.values.reserve(channel_.values.size());
   for (std::size_t i = 0; i < channel_.values.size(); ++i)
     input.values.push_back(counted(channel_.values[i], i % channel_.components));

@@ -113,7 +113,10 @@ public:
   /// the channel.
   ChannelInput input(Workspace& workspace) const {
     require_fit(channel_.options);
-    return {channel_.options, size, attribute == Attribute::texture, workspace};
+    ChannelInput input(channel_.options, size, attribute == Attribute::texture, workspace);
+    input.is_color = attribute == Attribute::color;
+    input.is_normal = attribute == Attribute::normal;
+    return input;
   }
 
   void read(const Key& key, ChannelInput& input) const {

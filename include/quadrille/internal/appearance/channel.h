@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -129,7 +130,13 @@ public:
   }
   /// Must charts hold their borders, and no face turn over in the texture?
   bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_held()); }
-  double border_weight() const { return border_weight_; } ///< see ChannelOptions
+  double border_weight() const { return border_weight_.value_or(0); } ///< see ChannelOptions
+  bool is_border_weight_given() const { return border_weight_.has_value(); }
+  /// Of held seams, by which part of the edges they are: where they are few, holding them firmly
+  /// takes little of the shape; where they are many, there is little else to give.
+  void choose_border_weight(double part) {
+    border_weight_ = std::clamp(0.0036 / (part * part), 0.1, 1.0);
+  }
   /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
   /// along the edge and not off it. What that leaves at v goes to `form`.
   void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,
@@ -141,8 +148,8 @@ public:
     const double squared = squared_length(along);
     if (!(squared > 0))
       return;
-    const double factor =
-        this->factor(labels, face) * border_weight_ * area * joiner_.squared_weights()[0] / squared;
+    const double factor = this->factor(labels, face) * border_weight() * area *
+                          joiner_.squared_weights()[0] / squared;
     WedgeMap edge;
     edge.border = {factor * along[1] * along[1], -factor * along[0] * along[1],
                    factor * along[0] * along[0]};
@@ -233,8 +240,12 @@ private:
     return factors_.empty() || labels.empty() ? 1 : factors_[labels[face]];
   }
 
+  // A texture changes by a length for each length nearly everywhere; others change by much more at
+  // what is sharp in them, and are to count there.
+  double steepness_part() const { return is_texture_ ? 1 : 1.0 / 16; }
   // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
-  // change by more than a length for each length, so that slivers do not count without bound.
+  // change by more than a length (of others than textures, four) for each length, so that slivers
+  // do not count without bound.
   template <class Positions, class Weight>
   double find_gradients(const Positions& positions, const TriangleComplex& complex, Index face,
                         double factor, Weight weight_of_area,
@@ -257,7 +268,7 @@ private:
       steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
     }
     return factor * weight_of_area(0.5 * std::sqrt(squared)) /
-           (1 + factor * steepness / static_cast<double>(components()));
+           (1 + steepness_part() * factor * steepness / static_cast<double>(components()));
   }
 
   template <class Positions>
@@ -281,7 +292,7 @@ private:
   Seams seams_;
   NewValues new_values_;
   bool is_texture_;
-  double border_weight_;
+  std::optional<double> border_weight_;
   bool are_pairs_edges_;                                    // or may be taken as such
   std::vector<double> factors_;                             // of each label; or none
   std::function<bool(std::span<double>, bool)> as_written_; // see ChannelInput

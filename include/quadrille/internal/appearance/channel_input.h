@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -28,7 +29,9 @@ struct ChannelInput {
     importance = options.importance;
     is_texture = holds_texture;
     seams = options.seams.value_or(is_texture ? Seams::held : Seams::priced);
-    border_weight = options.border_weight.value_or(seams == Seams::held ? 0.1 : 10);
+    border_weight = options.border_weight;
+    if (seams != Seams::held && !border_weight)
+      border_weight = 10;
     new_values = options.new_values;
   }
 
@@ -41,7 +44,8 @@ struct ChannelInput {
   double importance = 1;
   Seams seams = Seams::priced;
   bool is_texture = false;
-  double border_weight = 0; ///< see ChannelOptions
+  bool is_color = false, is_normal = false;
+  std::optional<double> border_weight; ///< see ChannelOptions; none: by the part that seams are
   NewValues new_values = NewValues::optimal;
   /// Turns the components of a value into those that the adapter would write, before they are
   /// rounded to its type. False if it would leave the old ones. as_written(values, has_changed)

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_WEIGHTS_H
 
 #include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/appearance/even_weight.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/surface/scale.h>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -102,29 +104,47 @@ private:
   std::vector<Areas> areas_; // of each label
 };
 
+/// The length that a step of 1 in a channel that is no texture counts as by default. `diagonal` and
+/// `range` are above 0. Normals belong to the shape, so they count nearly as much.
+template <class Numbering, class Positions>
+double default_weight(const ChannelInput& channel, const Numbering& numbering,
+                      const TriangleComplex& complex, const Positions& positions, double diagonal,
+                      double range) {
+  const double usual = 0.02 * diagonal / range;
+  if (!channel.is_color && !channel.is_normal)
+    return usual;
+  const std::optional<double> even =
+      EvenWeight(channel, numbering, complex, positions, range).find();
+  if (!even)
+    return usual;
+  return channel.is_normal ? std::clamp(1.1 * *even, 0.1 * usual, 2 * usual)
+                           : std::clamp(0.5 * *even, 0.05 * usual, usual);
+}
+
 /// The weights of a channel: see ChannelOptions. `labels`: of each face; or empty. Throws
 /// std::invalid_argument if these are no lengths that can be told beside those of the surface.
 template <class Numbering, class Positions, std::size_t N>
 ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& numbering,
                                const TriangleComplex& complex, const Positions& positions,
                                const Array<Index>& labels, const Scale<N>& scale) {
-  constexpr double part_of_diagonal = 0.02;
   const ChannelExtent extent(channel, numbering, complex, positions, labels);
   const double range = extent.range();
   double by_default = 1;
   ChannelWeights weights;
+  const bool is_given = !channel.weights.empty();
   if (channel.is_texture && extent.squared_length_of_texture() > 0) {
     by_default = std::sqrt(extent.squared_length_of_texture());
-    if (channel.weights.empty() && !labels.empty())
+    if (!is_given && !labels.empty())
       weights.factors = extent.factors_by_label();
-  } else if (range > 0 && scale.diagonal() > 0)
-    by_default = part_of_diagonal * scale.length_from_mesh(scale.diagonal()) / range;
+  } else if (!is_given && range > 0 && scale.diagonal() > 0)
+    by_default = default_weight(channel, numbering, complex, positions,
+                                scale.length_from_mesh(scale.diagonal()), range);
   // A default is bounded: what it makes of a texture of no size is not the user's fault.
   const double greatest = range > 0 ? (std::min)(0x1p150, 0x1p30 / range) : 0x1p150;
   for (std::size_t c = 0; c < channel.components; ++c) {
     const double weight =
-        channel.importance * (channel.weights.empty() ? std::clamp(by_default, 0x1p-150, greatest)
-                                                      : scale.length_from_mesh(channel.weights[c]));
+        channel.importance * (!is_given ? std::clamp(by_default, 0x1p-150, greatest)
+                                        : scale.length_from_mesh(channel.weights[c]));
     weights.squared.push_back(weight * weight);
     if (!(weight * weight > 0x1p-400 && weight * weight < 0x1p400) || !(weight * range < 0x1p40))
       throw std::invalid_argument("quadrille::simplify: component " + std::to_string(c) +

@@ -75,20 +75,24 @@ public:
   /// the surface holds no chart where there is no seam.
   void hold_borders(const Array<Index>& labels, bool has_other_seams) {
     for (Channel& channel : channels_) {
-      if (!channel.holds_charts() || !(channel.border_weight() > 0))
+      if (!channel.holds_charts() ||
+          (channel.is_border_weight_given() && !(channel.border_weight() > 0)))
         continue;
-      bool has_seams = has_other_seams;
+      std::size_t edges = 0, seams = 0;
       std::vector<ChartEnd> ends;
       for_each_edge(complex_, [&](Index v, Index w, const auto& sides) {
+        ++edges;
         if (sides.size() == 2 &&
             !channel.ends_between(complex_, sides[0].second, sides[1].second, v, w))
           return;
-        has_seams = has_seams || sides.size() > 1;
+        seams += sides.size() > 1;
         for (const auto& side : sides)
           ends.push_back({v, w, side.second});
       });
-      if (!has_seams)
+      if (seams == 0 && !has_other_seams)
         continue;
+      if (!channel.is_border_weight_given())
+        channel.choose_border_weight(static_cast<double>(seams) / static_cast<double>(edges));
       for (const ChartEnd& end : ends)
         hold_border(channel, labels, end);
     }
