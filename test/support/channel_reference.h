@@ -258,7 +258,8 @@ private:
            2;
   }
 
-  // The weight is less where attributes are steep: a / (1 + Σ (ω_j |g_j|)² / m).
+  // The weight is less where attributes are steep: a / (1 + Σ (ω_j |g_j|)² / m), or 16 m where they
+  // are no texture.
   void remember_face(Vertex f, const Channel& channel) {
     const auto& [p, q, r] = faces().at(f);
     const Position u = position(q) - position(p), v = position(r) - position(p);
@@ -276,7 +277,7 @@ private:
           ((at_q[c] - at_p[c]) * cross(v, normal) + (at_r[c] - at_p[c]) * cross(normal, u)));
       steepness += squared_length(channel.weights[c] * gradients[c]);
     }
-    const double weight = std::sqrt(squared) / 2 / (1 + steepness / double(m));
+    const double weight = std::sqrt(squared) / 2 / (1 + steepness / double(m == 2 ? m : 16 * m));
     for (std::size_t w : corners_.back().at(f))
       for (std::size_t c = 0; c < m; ++c) {
         Value direction(m);
