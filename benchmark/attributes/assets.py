@@ -35,41 +35,38 @@ class Bench:
     def __init__(self, given):
         self.given, self.original, self.ours = given, None, {}
 
-    def row(self, contender, command, target, idle):
-        """Time is beyond that of a run of the same program that simplifies nothing."""
+    def row(self, contender, command, target):
+        """Time is that of the whole run, with reading and writing."""
         spent = min(seconds_of(command) for _ in range(self.given.runs))
         result = read_glb(target)
         if not result:
             return None
-        return {"contender": contender, "ms": 1000 * max(spent - idle, 0), **measured(self.original, Surface(result))}
+        return {"contender": contender, "ms": 1000 * spent, **measured(self.original, Surface(result))}
 
-    def peer(self, source, options, part, idle):
+    def peer(self, source, options, part):
         target = source[:-4] + f"_gltfpack{options.replace(' ', '')}_{part}.glb"
         command = [self.given.gltfpack, "-i", source, "-o", target, *PEER_OPTIONS, "-si", str(part), *options.split()]
-        return self.row(f"gltfpack {options}".strip(), command, target, idle)
+        return self.row(f"gltfpack {options}".strip(), command, target)
 
-    def our(self, source, options, faces, idle):
+    def our(self, source, options, faces):
         if (options, faces) not in self.ours:
             target = source[:-4] + f"_quadrille{options.replace(' ', '')}_{faces}.glb"
             command = [self.given.program, source, target, "--quiet", "--faces", str(faces), *options.split()]
-            self.ours[options, faces] = self.row(f"quadrille {options}".strip(), command, target, idle)
+            self.ours[options, faces] = self.row(f"quadrille {options}".strip(), command, target)
         return self.ours[options, faces]
 
     def rows(self, name, make):
         source = os.path.join(self.given.folder, name + ".glb")
         write_glb(source, make())
         self.original, self.ours = Surface(read_glb(source)), {}
-        idle = os.path.join(self.given.folder, "idle.glb")
-        peers_idle = min(seconds_of([self.given.gltfpack, "-i", source, "-o", idle, *PEER_OPTIONS]) for _ in range(2))
-        our_idle = min(seconds_of([self.given.program, source, idle, "--quiet", "--keep", "100%"]) for _ in range(2))
         for part in self.given.parts:
             for options in PEERS:
-                theirs = self.peer(source, options, part, peers_idle)
+                theirs = self.peer(source, options, part)
                 if not theirs:  # nothing is left
                     continue
                 yield {"model": name, "part": part, **theirs}
                 for own in self.given.ours:
-                    yield {"model": name, "part": part, **self.our(source, own, theirs["faces"], our_idle)}
+                    yield {"model": name, "part": part, **self.our(source, own, theirs["faces"])}
 
 
 def main():
