@@ -10,11 +10,11 @@ if r['model'] == '%s' and r['contender'] == '%s']\"", table, model, contender)
 default(model, contender) = sprintf("<python3 -c \"import csv; \
 [print(r['shape'], r['colour'], sep=',') for r in csv.DictReader(open('%s')) \
 if r['model'] == '%s' and r['contender'] == '%s' and r['weight'] == '1']\"", table, model, contender)
-set logscale xy
+set logscale xy 2
 set grid linecolor rgb "gray85"
 set xtics auto
-set format x "%g"
-set format y "%g"
+set format x "%.3g"
+set format y "%.3g"
 set key top right samplen 2
 set multiplot layout 2,5
 do for [i = 1:10] {
