@@ -60,8 +60,8 @@ void compute_at_random() {
       ends[k] = current(forms[k]);
       ends[k] += shared;
     }
-    const auto [values, positions] =
-        internal::minima(ends[0], {&ends[1], &ends[2]}, {shared, shared}, ways, reach);
+    const auto [values, positions] = internal::minima(
+        ends[0], {&ends[1], &ends[2]}, {shared, shared}, ways, reach, internal::NothingAdded{});
     print(values);
     print(positions.x);
     print(internal::growth(forms[0], {&forms[1], &forms[2]}, ways, positions));
