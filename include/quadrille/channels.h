@@ -61,8 +61,8 @@ struct ChannelOptions {
   /// default, for texture coordinates, √(area of the surface / area of the texture), of each label
   /// by itself, so that a texture that slides counts as it slides; for Attributes 0.02 · (diagonal
   /// of the bounding box) / (largest range of the components). For Colors and Normals that times a
-  /// factor of 0.05 to 1, or of 0.1 to 2, by which they come to be half as hard to tell from what is
-  /// beside as the shape is, and as hard: what is noise counts little, what is smooth much.
+  /// factor of 0.05 to 1, or of 0.1 to 2, by which they come to be half as hard to tell from what
+  /// is beside as the shape is, and as hard: what is noise counts little, what is smooth much.
   std::vector<double> weights = {};
   /// By default held for texture coordinates, priced for others.
   std::optional<Seams> seams = {};
