@@ -210,7 +210,8 @@ public:
     if (new_values_ == NewValues::existing)
       records_.restore_existing();
     if (new_values_ == NewValues::recomputed)
-      recompute_normals(positions, complex);
+      records_.set_normals(
+          wedge_normals(table_, wedge_count(complex.vertex_capacity()), positions, complex));
   }
 
   /// Leaves out all vertices but those of an ascending list, and the faces for which is_left does
@@ -269,15 +270,6 @@ private:
     }
     return factor * weight_of_area(0.5 * std::sqrt(squared)) /
            (1 + steepness_part() * factor * steepness / static_cast<double>(components()));
-  }
-
-  template <class Positions>
-  void recompute_normals(const Positions& positions, const TriangleComplex& complex) {
-    const std::vector<Vector<3>> normals =
-        wedge_normals(table_, wedge_count(complex.vertex_capacity()), positions, complex);
-    for (Index wedge = 0; wedge < normals.size(); ++wedge)
-      if (squared_length(normals[wedge]) > 0)
-        records_.set_values(wedge, {normals[wedge][0], normals[wedge][1], normals[wedge][2]});
   }
 
   template <class Rename>

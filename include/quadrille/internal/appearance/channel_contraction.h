@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/appearance/affine_maps.h>
 #include <quadrille/internal/appearance/channel.h>
+#include <quadrille/internal/appearance/wedge_joins.h>
 #include <quadrille/internal/appearance/wedge_table.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>

@@ -72,6 +72,13 @@ public:
     for (std::size_t c = 0; c < components_; ++c)
       maps_[wedge * components_ + c].value = values[c];
   }
+  /// Of three components: instead of the values, the normals of wedges; a wedge whose normal has no
+  /// length keeps its value.
+  void set_normals(const std::vector<Vector<3>>& normals) {
+    for (Index wedge = 0; wedge < normals.size(); ++wedge)
+      if (squared_length(normals[wedge]) > 0)
+        set_values(wedge, {normals[wedge][0], normals[wedge][1], normals[wedge][2]});
+  }
   /// Of a component of a wedge, what it will be at the end.
   double final_value(Index wedge, std::size_t c) const {
     return existing_.empty() || origins_[wedge] == none
