@@ -55,8 +55,7 @@ namespace quadrille {
 /// - `C::asks_for_indices`, true: `pair.first_index` and `pair.second_index` tell which vertices of
 ///   the input the ends are: see FilterPolicy. A cost that does not say it pays nothing for them.
 /// - `cost.input_vertex(index)`: the Memory that a vertex leaves of which the cost knows something
-/// by
-///   its index in the input. A vertex remembers that of all that have become part of it, so that
+///   by its index in the input. A vertex remembers that of all that have become part of it, so that
 ///   `pair.memory` tells of all that the ends stand for.
 /// - `cost.boundary(p, q, r)`: the Memory that the boundary edge pq of the face pqr leaves at p.
 /// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease, an edge whose
