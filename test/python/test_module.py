@@ -17,6 +17,8 @@ import numpy as np
 
 import quadrille
 from quadrille import _arrays
+from lookalikes import (IntVector, MeshioMesh, PolyData, TextureVisuals, TriangleMesh, Trimesh,
+                        Vector2dVector, Vector3dVector, padded)
 from surfaces import sheet, torus, write_obj
 
 
@@ -767,6 +769,181 @@ class Recordings(unittest.TestCase):
             quadrille.simplify(points, faces, levels=levels, progress=lambda status: 1 / 0)
         quadrille.simplify(points, faces, faces=90, levels=levels)  # it is free again
         self.assertEqual(levels.coarsest["faces"], 90)
+
+
+class OtherLibraries(Folder):
+    """Meshes of trimesh, Open3D, PyVista and meshio, by classes that look alike."""
+
+    def setUp(self):
+        super().setUp()
+        self.points, self.faces, self.uv = sheet(12)
+        self.heat, self.rgb = self.points[:, 2], np.tile(np.uint8([9, 99, 199]), (144, 1))
+        self.data = {"heat": self.heat, "rgb": self.rgb, "left": self.heat}
+        self.places = np.arange(len(self.faces))
+        self.small = quadrille.simplify(self.points, self.faces, ratio=0.25)
+        self.warm = quadrille.simplify(self.points, self.faces, ratio=0.25, attributes={
+            "heat": self.heat, "rgb": quadrille.Channel(self.rgb, kind="colors")})
+
+    def same(self, points, faces, expected):
+        self.assertTrue(np.array_equal(points, expected.points))
+        self.assertTrue(np.array_equal(faces, expected.faces))
+
+    def same_data(self, data, expected):
+        self.assertEqual(sorted(data), ["heat", "rgb"])
+        self.assertTrue(np.array_equal(data["heat"], expected.attributes["heat"]))
+        self.assertEqual(data["rgb"].dtype, np.uint8)
+        self.assertTrue((data["rgb"] == self.rgb[0]).all())
+
+    def test_trimesh(self):
+        mesh = Trimesh(self.points, self.faces.astype(np.int64), vertex_attributes=self.data,
+                       face_attributes={"place": self.places}, visual=TextureVisuals(self.uv, "skin"))
+        result = quadrille.simplify(mesh, ratio=0.25, attributes=["heat", "rgb"])
+        self.assertEqual(result.attributes["rgb"].kind, "colors")
+        like = result.to_like(mesh)
+        self.same(like.vertices, like.faces, self.warm)
+        self.assertEqual((like.faces.dtype, like.process, like.visual), (np.int64, False, None))
+        self.same_data(like.vertex_attributes, self.warm)
+        self.assertTrue(np.array_equal(like.face_attributes["place"], result.input_faces))
+        textured = quadrille.simplify(mesh, uv=self.uv, normals=self.points).to_like(mesh)
+        self.assertEqual((textured.visual.uv.shape[1], textured.visual.material), (2, "skin"))
+        self.assertEqual(textured.vertex_normals.shape, textured.vertices.shape)
+        colored = quadrille.simplify(mesh, colors=self.rgb)
+        self.assertTrue((colored.to_like(mesh).vertex_colors == self.rgb[0]).all())
+        colored.uv = colored.points[:, :2]
+        with self.assertWarnsRegex(UserWarning, "^Trimesh: not kept: colors$"):
+            colored.to_like(mesh)
+
+    def test_open3d(self):
+        mesh = TriangleMesh(self.points, self.faces.astype(np.int32))
+        like = quadrille.simplify(mesh, ratio=0.25).to_like(mesh)
+        self.assertIsInstance(like.vertices, Vector3dVector)
+        self.same(np.asarray(like.vertices), np.asarray(like.triangles), self.small)
+        mesh.textures = ["wood"]
+        corners = Vector2dVector(self.uv[self.faces].reshape(-1, 2))
+        result = quadrille.simplify(mesh, colors=Vector3dVector(self.rgb / 255), normals=self.points,
+                                    uv=(corners, np.arange(len(corners)).reshape(-1, 3)))
+        like = result.to_like(mesh)
+        self.assertTrue(np.array_equal(like.triangle_uvs, result.uv[0][result.uv[1]].reshape(-1, 2)))
+        self.assertTrue(np.allclose(like.vertex_colors, self.rgb[0] / 255))
+        self.assertEqual((len(like.vertex_normals), like.textures), (len(result.points), ["wood"]))
+        result.colors, result.uv = np.tile(self.rgb[0], (len(result.points), 1)), result.points[:, :2]
+        mesh.triangle_material_ids = IntVector(self.places.astype(np.int32))
+        like = result.to_like(mesh)
+        self.assertTrue(np.allclose(like.vertex_colors, self.rgb[0] / 255))
+        self.assertTrue(np.array_equal(like.triangle_uvs, result.uv[result.faces].reshape(-1, 2)))
+        self.assertTrue(np.array_equal(like.triangle_material_ids, result.input_faces))
+        like = self.small.to_like(mesh)
+        self.same(np.asarray(like.vertices), np.asarray(like.triangles), self.small)
+        result.attributes["heat"], result.labels = result.points[:, 2], result.input_faces
+        with self.assertWarnsRegex(UserWarning, "^TriangleMesh: not kept: heat, labels$"):
+            result.to_like(mesh)
+
+    def test_pyvista(self):
+        mesh = PolyData(self.points.astype(np.float32), padded(self.faces))
+        mesh.point_data, mesh.cell_data = self.data, {"place": self.places}
+        result = quadrille.simplify(mesh, ratio=0.25, attributes=["heat", "rgb"], uv=self.uv,
+                                    labels=self.places > 99)
+        like = result.to_like(mesh)
+        self.assertEqual((like.points.dtype, like.faces.dtype), (np.float32, np.int64))
+        self.assertTrue(np.array_equal(like.faces, padded(result.faces)))
+        self.same_data(like.point_data, result)
+        self.assertIs(like.active_texture_coordinates, result.uv)
+        self.assertTrue(np.array_equal(like.cell_data["place"], result.input_faces))
+        self.assertTrue(np.array_equal(like.cell_data["labels"], result.input_faces > 99))
+        levels = quadrille.Levels()
+        quadrille.simplify(mesh, faces=60, levels=levels)
+        level = levels.at(faces=100)
+        self.assertTrue(np.array_equal(level.to_like(mesh).cell_data["place"], level.input_faces))
+        regular = PolyData(self.points, None)
+        del regular.faces
+        regular.regular_faces = self.faces
+        self.same(*quadrille.simplify(regular, ratio=0.25), self.small)
+        for bad in (np.insert(self.faces[:, [0, 0, 1, 2]], 0, 4, axis=1).ravel(), padded(self.faces)[:-1],
+                    np.append(padded(self.faces), [4, 0, 1, 2, 3, 3, 0, 1]), self.faces[:, [0, 0, 1, 2]]):
+            with self.assertRaisesRegex(ValueError, r"^the PolyData has faces of other .* triangulate\(\)"):
+                quadrille.simplify(PolyData(self.points, bad))
+
+    def test_meshio(self):
+        cells = [("line", self.faces[:2, :2]), ("triangle", self.faces[:90]),
+                 ("triangle", self.faces[90:])]
+        mesh = MeshioMesh(self.points, cells, self.data,
+                          {"place": [np.zeros(2), self.places[:90], self.places[90:]]}, {"skin": [1, 2]})
+        result = quadrille.simplify(mesh, ratio=0.25, attributes=("heat", "rgb"))
+        like = result.to_like(mesh)
+        self.same(like.points, like.cells[0].data, self.warm)
+        self.assertEqual((len(like.cells), like.cells[0].type), (1, "triangle"))
+        self.same_data(like.point_data, self.warm)
+        self.assertTrue(np.array_equal(like.cell_data["place"][0], result.input_faces))
+        self.assertEqual(like.field_data, {"skin": [1, 2]})
+        mesh.cells.append(("quad", self.faces[:, [0, 0, 1, 2]]))
+        with self.assertRaisesRegex(ValueError, "^the Mesh.* has cells of the type quad: only triangles"):
+            quadrille.simplify(mesh)
+        del mesh.cells
+        mesh.cells_dict = {"triangle": self.faces}
+        self.same(*quadrille.simplify(mesh, ratio=0.25), self.small)
+
+    def test_whatever_takes_a_mesh_takes_theirs(self):
+        mesh = Trimesh(self.points, self.faces)
+        self.assertTrue(np.array_equal(quadrille.curvature_importance(mesh),
+                                       quadrille.curvature_importance(self.points, self.faces)))
+        for number, given in enumerate((mesh, (self.points, self.faces), [self.points, self.faces])):
+            quadrille.write_mesh(self.path(f"{number}.obj"), given)
+            self.same(*quadrille.read_mesh(self.path(f"{number}.obj")), quadrille.Mesh(*given)
+                      if number else quadrille.Mesh(self.points, self.faces))
+
+    def test_target_reduction(self):
+        points, faces, _ = torus(20)
+        fifth = quadrille.simplify(points, faces, target_reduction=0.8)
+        self.assertEqual(len(fifth.faces), 160)
+        self.same(*fifth, quadrille.simplify(points, faces, ratio=0.2))
+        for wrong in (0, 1, -0.5, 90, float("nan")):
+            with self.assertRaisesRegex(ValueError, r"^target_reduction is .*, not in \(0, 1\)"):
+                quadrille.simplify(points, faces, target_reduction=wrong)
+        for other in (dict(faces=9), dict(ratio=0.1), dict(vertices=9), dict(error=1),
+                      dict(relative_error=1), dict(tolerance=np.ones(len(points)))):
+            with self.assertRaisesRegex(ValueError, f"^target_reduction is given beside {list(other)[0]}"):
+                quadrille.simplify(points, faces, target_reduction=0.9, **other)
+
+    def test_errors(self):
+        mesh = PolyData(self.points, padded(self.faces))
+        mesh.point_data, mesh.cell_data = self.data, {"place": self.places}
+        with self.assertRaisesRegex(ValueError, "names 'cold', but the .* PolyData are: 'heat', 'rgb', 'l"):
+            quadrille.simplify(mesh, attributes=["cold"])
+        with self.assertRaisesRegex(TypeError, "is a str, not a dict .*, nor a list of names .* PolyData$"):
+            quadrille.simplify(mesh, attributes="heat")
+        with self.assertRaisesRegex(ValueError, "^triangles are given beside a PolyData, .* is faces=1000$"):
+            quadrille.simplify(mesh, 1000)
+        with self.assertRaisesRegex(TypeError, "^a Vector3dVector is no mesh of triangles of trimesh"):
+            self.small.to_like(Vector3dVector(self.points))
+        with self.assertRaisesRegex(TypeError, "^a Folder is no Mesh, nor a mesh of triangles of trimesh"):
+            quadrille.simplify(Folder(), ratio=0.1)
+        mesh.celltypes = [10]
+        with self.assertRaisesRegex(TypeError, "extract_surface"):
+            quadrille.simplify(mesh, ratio=0.1)
+        del mesh.celltypes
+        mesh.n_strips = 1
+        with self.assertRaisesRegex(ValueError, r"^the PolyData has strips of triangles: triangulate\(\)"):
+            quadrille.simplify(mesh, ratio=0.1)
+        del mesh.n_strips
+        for places in (np.arange(243), self.places[:200]):
+            mesh.cell_data["place"] = places
+            with self.assertRaisesRegex(ValueError, rf"^place .* PolyData has {len(places)} values for 242"):
+                self.small.to_like(mesh)
+        other = PolyData(self.points, padded(self.faces[:200]))
+        other.cell_data = {"place": self.places[:200]}
+        with self.assertRaisesRegex(ValueError, "or it is not the mesh that was simplified$"):
+            self.small.to_like(other)
+        for given in (None, 3.5, self.points, (self.points,)):
+            with self.assertRaisesRegex(TypeError, "^mesh is a .*, not a Mesh, a pair"):
+                quadrille.write_mesh(self.path("x.obj"), given)
+        for given in ([1], self.heat, "heat"):
+            mesh = quadrille.Mesh(self.points, self.faces, attributes=given)
+            for call in (lambda: quadrille.simplify(self.points, self.faces, attributes=given),
+                         lambda: quadrille.simplify(mesh),
+                         lambda: quadrille.write_mesh(self.path("x.obj"), mesh)):
+                with self.assertRaisesRegex(TypeError, f"^attributes is an? {type(given).__name__}, not a"):
+                    call()
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Orientation(unittest.TestCase):

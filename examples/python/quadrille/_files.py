@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import List, Union
+from typing import List, Tuple, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from . import _arrays, _core
-from ._mesh import Channel, Mesh, read_channels
+from . import _arrays, _core, _objects
+from ._mesh import Channel, Mesh, as_mesh, read_channels
 
 _HARDLY = 1 / 64  # numbers of vertices may be noise
 
@@ -50,8 +51,10 @@ def read_mesh(path: Union[str, os.PathLike], *, weld: bool = False) -> Mesh:
     return mesh
 
 
-def write_mesh(path: Union[str, os.PathLike], mesh: Mesh) -> None:
-    """Writes a Mesh to a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension.
+def write_mesh(path: Union[str, os.PathLike],
+               mesh: Union[Mesh, Tuple[ArrayLike, ArrayLike], _objects.MeshLike]) -> None:
+    """Writes a Mesh to a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension. A pair (points,
+    faces) is written as well, or these of a mesh of trimesh, Open3D, PyVista or meshio.
 
     All of it or nothing: a file that is there stays if something goes wrong. A mesh of read_mesh(),
     and what simplify() has made of it, has its materials, groups and other properties of faces again;
@@ -59,8 +62,10 @@ def write_mesh(path: Union[str, os.PathLike], mesh: Mesh) -> None:
     OFF, normals to OBJ and PLY, colours to these three, attributes of one component a point to PLY.
     What the format cannot hold is told by a UserWarning.
 
-    Raises OSError if it can't be written, and ValueError for what is wrong with the mesh.
+    Raises OSError if it can't be written, ValueError for what is wrong with the mesh, and TypeError if it
+    is none.
     """
+    mesh = as_mesh(mesh)
     points = _arrays.real_rows("points", mesh.points, 3)
     faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
     arrays = _core.WrittenArrays(points, faces)

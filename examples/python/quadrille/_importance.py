@@ -7,12 +7,12 @@ from typing import Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _arrays, _core
-from ._mesh import Mesh
+from . import _arrays, _core, _objects
+from ._mesh import Mesh, as_mesh
 
 
-def curvature_importance(points: Union[ArrayLike, Mesh], triangles: Optional[ArrayLike] = None, /,
-                         *, strength: float = 3.0) -> np.ndarray:
+def curvature_importance(points: Union[ArrayLike, Mesh, _objects.MeshLike],
+                         triangles: Optional[ArrayLike] = None, /, *, strength: float = 3.0) -> np.ndarray:
     """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
     curved: (1 + k / mean(k)) ** strength, where k**2 is the sum of the squares of both principal
     curvatures.
@@ -28,9 +28,9 @@ def curvature_importance(points: Union[ArrayLike, Mesh], triangles: Optional[Arr
     return _core.curvature_importance(vertices, faces, float(strength))
 
 
-def view_importance(points: Union[ArrayLike, Mesh], triangles: Optional[ArrayLike] = None, /, *,
-                    eye: ArrayLike, turned_away: float = 1 / 64,
-                    outline: float = 8.0) -> np.ndarray:
+def view_importance(points: Union[ArrayLike, Mesh, _objects.MeshLike],
+                    triangles: Optional[ArrayLike] = None, /, *, eye: ArrayLike,
+                    turned_away: float = 1 / 64, outline: float = 8.0) -> np.ndarray:
     """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
     seen from a place: in proportion to distance ** -3, so that errors look alike large at any distance.
 
@@ -48,7 +48,7 @@ def view_importance(points: Union[ArrayLike, Mesh], triangles: Optional[ArrayLik
 
 
 def _surface(points, triangles):
-    if isinstance(points, Mesh):
-        points, triangles = points.points, points.faces
+    if triangles is None:
+        points, triangles = as_mesh(points)
     points = _arrays.real_rows("points", points, 3)
     return points, _arrays.index_triples("faces", triangles, len(points), "points")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+import warnings
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _objects
 
+Like = TypeVar("Like", bound=_objects.MeshLike)
 Values = Union[np.ndarray, Tuple[np.ndarray, np.ndarray], "Channel"]
 
 
@@ -84,6 +86,28 @@ class Mesh:
 
     def __iter__(self) -> Iterator[np.ndarray]:
         return iter((self.points, self.faces))
+
+    def to_like(self, mesh: Like) -> Like:
+        """A new mesh of the class of the one given: of trimesh, Open3D, PyVista or meshio.
+
+            small = quadrille.simplify(mesh, target_reduction=0.9, attributes=["heat"]).to_like(mesh)
+
+        Attributes are its vertex attributes (trimesh) or point data (PyVista, meshio) by their names.
+        uv, normals and colors are what trimesh and Open3D have for them (uv with the material or the
+        textures of the mesh given), uv the active texture coordinates of PyVista; otherwise they are point
+        data of these names. Of a result of simplify() and a Level, all data of the cells or faces of the
+        mesh given, which has to be the one that was simplified, go to the faces that are left. Labels
+        become data of the faces as well.
+
+        What there is no place for is told by a UserWarning, such as values at corners, of which only
+        Open3D has uv. TypeError for what is no mesh of these libraries, and ValueError for one that is not
+        of triangles, or whose data do not fit.
+        """
+        channels = {c.name: (np.asarray(c.channel.values), c.indices) for c in read_channels(self)}
+        result, lost = _objects.like(self, channels, mesh)
+        if lost:
+            warnings.warn(f"{type(mesh).__name__}: not kept: {', '.join(lost)}", stacklevel=2)
+        return result
 
     def __repr__(self) -> str:
         has = [name for name in ("uv", "normals", "colors", "labels") if getattr(self, name) is not None]
@@ -176,8 +200,34 @@ def read_channels(mesh: Mesh) -> List[ReadChannel]:
     counts = (len(mesh.points), len(mesh.faces))
     named = [("uv", mesh.uv, "texture"), ("normals", mesh.normals, "normals"),
              ("colors", mesh.colors, "colors")]
-    named += [(name, values, "attributes") for name, values in mesh.attributes.items()]
+    named += [(name, values, "attributes") for name, values in read_attributes(mesh.attributes).items()]
     return [ReadChannel(name, values, kind, counts) for name, values, kind in named if values is not None]
+
+
+def read_attributes(given: Any, mesh: Any = None) -> Dict[str, Values]:
+    """A dict of them, or a list of names of the point data of a mesh of another library."""
+    if hasattr(given, "keys"):
+        return dict(given)
+    is_names = isinstance(given, (list, tuple)) and all(isinstance(name, str) for name in given)
+    if mesh is None or not is_names:
+        names = "" if mesh is None else f", nor a list of names of data of the {type(mesh.mesh).__name__}"
+        raise TypeError(f"attributes is a {type(given).__name__}, not a dict of names and values{names}")
+    data = _objects.named_point_data(mesh, given)
+    return {name: Channel(values, kind="colors") if _are_bytes_of_colors(values) else values
+            for name, values in data.items()}
+
+
+def as_mesh(given: Any) -> Mesh:
+    """A Mesh, a pair of points and faces, or points and faces of a mesh of another library."""
+    if isinstance(given, Mesh):
+        return given
+    if isinstance(given, (tuple, list)) and len(given) == 2:
+        return Mesh(np.asarray(given[0]), np.asarray(given[1]))
+    mesh = _objects.read_object(given)
+    if mesh is None:
+        raise TypeError(f"mesh is a {type(given).__name__}, not a Mesh, a pair (points, faces) or a mesh "
+                        "of trimesh, Open3D, PyVista or meshio")
+    return Mesh(mesh.points, mesh.faces)
 
 
 def set_channels(mesh: Mesh, results: Dict[str, Values]) -> None:
@@ -194,6 +244,10 @@ def _channel_of(name, given):
     if len(given) != 2:
         raise ValueError(f"{name} is a tuple of {len(given)}: it is an array, or (values, indices)")
     return Channel(*given)
+
+
+def _are_bytes_of_colors(values):
+    return values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4)
 
 
 def _whole_of_colors(dtype):

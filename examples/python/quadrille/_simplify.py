@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import operator
-from typing import Callable, Dict, Optional, Union
+from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _arrays, _core
+from . import _arrays, _core, _objects
 from ._levels import Levels
-from ._mesh import Mesh, Simplified, Values, _choice, read_channels, set_channels, turned
+from ._mesh import (Mesh, Simplified, Values, _choice, read_attributes, read_channels, set_channels,
+                    turned)
 
 
 def simplify(
-    points: Union[ArrayLike, Mesh],
+    points: Union[ArrayLike, Mesh, _objects.MeshLike],
     triangles: Optional[ArrayLike] = None,
     /,
     *,
     faces: Optional[int] = None,
     ratio: Optional[float] = None,
+    target_reduction: Optional[float] = None,
     vertices: Optional[int] = None,
     error: Optional[float] = None,
     relative_error: Optional[float] = None,
@@ -50,7 +52,7 @@ def simplify(
     uv: Optional[Values] = None,
     normals: Optional[Values] = None,
     colors: Optional[Values] = None,
-    attributes: Optional[Dict[str, Values]] = None,
+    attributes: Optional[Union[Mapping[str, Values], List[str]]] = None,
     split_vertices: bool = False,
     orient: bool = False,
     levels: Optional[Levels] = None,
@@ -63,10 +65,13 @@ def simplify(
 
         points, faces = quadrille.simplify(points, faces, faces=1000)
         result = quadrille.simplify(mesh, relative_error=0.001)      # a Mesh, as of read_mesh()
+        small = quadrille.simplify(mesh, target_reduction=0.9).to_like(mesh)   # of PyVista or trimesh
 
     The surface:
 
-    points     numbers of the shape (n, 3), finite, in any unit; or a Mesh, with all that it has
+    points     numbers of the shape (n, 3), finite, in any unit; or a Mesh, with all that it has; or a
+               mesh of trimesh, Open3D, PyVista (of triangles) or meshio (of which vertices and lines are
+               left out), of which the points and faces are taken, and what attributes= names
     triangles  integers of the shape (m, 3) in [0, n): the points of each triangle. Any triangles will
                do: open, non-manifold, of several parts. Degenerate ones are dropped, those doubled
                the same way round but one, and points of no triangle. Two on the same points that run
@@ -80,6 +85,8 @@ def simplify(
 
     faces, vertices  so many at most, at least 0
     ratio            that part of the faces, in [0, 1]
+    target_reduction  the part of the faces that goes, in (0, 1), as PyVista and VTK call it: 0.9 is
+                     ratio=0.1; beside no other target
     error            no point of the result further from the input than that, in the unit of the points
     relative_error   the same as a part of the diagonal of the bounding box, 0.001 say
     both_ways        error and relative_error count both ways: no point of the input is further from
@@ -125,7 +132,9 @@ def simplify(
 
     labels           an integer for each triangle: their regions stay, with their borders
     label_border_weight  how firmly these borders keep their shape, at least 0
-    uv, normals, colors, attributes  values at points, or (values, indices) at corners
+    uv, normals, colors, attributes  values at points, or (values, indices) at corners; attributes is a
+                     dict of them, or, for a mesh of another library, a list of names of its point data
+                     (vertex attributes of trimesh), of which bytes in three or four columns are colours
     split_vertices   points at exactly the same place are one vertex, as in meshes that are split at
                      the seams of a texture (trimesh, glTF); the result is split again
 
@@ -143,17 +152,22 @@ def simplify(
     copied. Do not write to them meanwhile. Other threads of Python run on, and Ctrl-C ends it with a
     KeyboardInterrupt.
 
-    Raises ValueError for what is wrong with an argument, and says which and where; MemoryError.
+    Raises ValueError for what is wrong with an argument, and says which and where; TypeError for
+    attributes that are no dict, and for objects that are no surface; MemoryError.
     """
-    mesh = _mesh_of(points, triangles)
+    mesh, of_library = _mesh_of(points, triangles)
     given = dict(labels=labels, uv=uv, normals=normals, colors=colors)
-    mesh = Mesh(mesh.points, mesh.faces, attributes={**mesh.attributes, **(attributes or {})},
+    added = {} if attributes is None else read_attributes(attributes, of_library)
+    mesh = Mesh(mesh.points, mesh.faces, attributes={**read_attributes(mesh.attributes), **added},
                 _source=mesh._source, _source_faces=mesh._source_faces,
                 **{name: getattr(mesh, name) if values is None else values
                    for name, values in given.items()})
     options = _core.Options()
     _set_targets(options, faces=faces, vertices=vertices, ratio=ratio, error=error,
                  relative_error=relative_error)
+    if target_reduction is not None:
+        options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
+                                    error=error, relative_error=relative_error, tolerance=tolerance)
     options.both_ways = bool(both_ways)
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
@@ -185,15 +199,33 @@ def simplify(
     return _simplified(mesh, options, levels, progress, bool(orient))
 
 
-def _mesh_of(points, triangles):
+def _mesh_of(points, triangles) -> Tuple[Mesh, Any]:
+    """The surface, and the mesh of another library that it comes from, or None."""
+    of_library = None if isinstance(points, Mesh) else _objects.read_object(points)
+    if triangles is not None:
+        if isinstance(points, Mesh) or of_library is not None:
+            raise ValueError(f"triangles are given beside a {type(points).__name__}, which has its own; "
+                             "how many faces shall be left is faces=1000")
+        return Mesh(np.asarray(points), np.asarray(triangles)), None
     if isinstance(points, Mesh):
-        if triangles is not None:
-            raise ValueError("triangles are given beside a Mesh, which has its own; how many faces "
-                             "shall be left is faces=1000")
-        return points
-    if triangles is None:
-        raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
-    return Mesh(np.asarray(points), np.asarray(triangles))
+        return points, None
+    if of_library is not None:
+        return Mesh(of_library.points, of_library.faces), of_library
+    if not hasattr(points, "__array__") and not isinstance(points, (list, tuple)):
+        raise TypeError(f"a {type(points).__name__} is no Mesh, nor a mesh of triangles of trimesh, "
+                        "Open3D, PyVista (extract_surface().triangulate() makes one) or meshio")
+    raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
+
+
+def _ratio_left(target_reduction, **others):
+    given = [name for name, value in others.items() if value is not None]
+    if given:
+        raise ValueError(f"target_reduction is given beside {given[0]}: they are two targets")
+    number = _number("target_reduction", target_reduction)
+    if not 0 < number < 1:
+        raise ValueError(f"target_reduction is {number}, not in (0, 1): it is the part of the faces that "
+                         "goes")
+    return 1 - number
 
 
 def _count(name, value):
