@@ -73,6 +73,9 @@ Soup to_soup(const Mesh& mesh);
 /// The mean length of its edges; 0 without any.
 double mean_edge_length(const Mesh& mesh);
 
+/// Moves each coordinate by at most that many mean edge lengths, the same on every platform.
+void add_noise(Mesh& mesh, double edges, std::uint64_t seed);
+
 /// Makes `mesh` anew from triangles. A triangle that a Surface_mesh cannot take gets vertices of
 /// its own.
 void to_mesh(const Soup& soup, Mesh& mesh);

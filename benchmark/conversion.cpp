@@ -2,6 +2,9 @@
 
 #include "contender.h"
 
+#include <cstdint>
+#include <random>
+
 namespace bench {
 
 Soup to_soup(const Mesh& mesh) {
@@ -42,6 +45,18 @@ double mean_edge_length(const Mesh& mesh) {
     sum += std::sqrt(
         CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   return mesh.number_of_edges() == 0 ? 0 : sum / static_cast<double>(mesh.number_of_edges());
+}
+
+void add_noise(Mesh& mesh, double edges, std::uint64_t seed) {
+  const double amplitude = edges * mean_edge_length(mesh);
+  std::mt19937_64 generator(seed);
+  const auto next = [&] {
+    return amplitude * (static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
+  };
+  for (const auto v : mesh.vertices()) {
+    const double x = next(), y = next(), z = next();
+    mesh.point(v) = mesh.point(v) + Kernel::Vector_3(x, y, z);
+  }
 }
 
 } // namespace bench

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <random>
 
 namespace {
 
@@ -41,17 +40,8 @@ Mesh read(const std::string& file) {
 
 /// The same with noise, of which Settings tells.
 Mesh with_noise(Mesh mesh, double edges) {
-  if (edges == 0)
-    return mesh;
-  const double amplitude = edges * mean_edge_length(mesh);
-  std::mt19937_64 generator(1);
-  const auto next = [&] {
-    return amplitude * (static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
-  };
-  for (const auto v : mesh.vertices()) {
-    const double x = next(), y = next(), z = next();
-    mesh.point(v) = mesh.point(v) + Kernel::Vector_3(x, y, z);
-  }
+  if (edges != 0)
+    add_noise(mesh, edges, 1);
   return mesh;
 }
 
