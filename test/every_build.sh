@@ -2,7 +2,8 @@
 # What the tests do by one compiler, in one build, by both: Debug and Release builds of g++ and clang
 # give the same results to the last digit, of four costs, and those of the headers alone are those of
 # the library, which test_digests holds; costs are the same with and without vectors; calls of the
-# documents compile without a warning. It takes about a quarter of an hour of a processor.
+# documents compile without a warning, and the benchmarks compile. It takes about a quarter of an hour
+# of a processor.
 #   sh test/every_build.sh [MODEL.off]
 # The model is cow.off by default, of the models of a configured build: CGAL_DATA_DIR, or that of
 # `cmake --preset test`.
@@ -33,4 +34,10 @@ for compiler in g++ clang++; do
   sh test/lanes.sh $compiler -std=c++20 -Iinclude
   sh test/documented_calls.sh . $compiler -std=c++20 -Iinclude -fsyntax-only -Wall -Wextra \
     -Wno-unused-local-typedefs -Wdouble-promotion -Werror
+done
+
+for source in benchmark/*.cpp benchmark/attributes/*.cpp; do
+  echo "$source"
+  g++ -std=c++20 -fsyntax-only -Iinclude -Iexamples -Ibenchmark -I/usr/include/eigen3 \
+    -DCGAL_DATA_DIR='""' -DBENCH_WITH_MESHOPTIMIZER "$source"
 done
