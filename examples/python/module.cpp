@@ -3,6 +3,7 @@
 
 #include "../mesh_io/winding.h"
 #include "arrays.h"
+#include "calibration.h"
 #include "files.h"
 #include "interruptible.h"
 #include "levels.h"
@@ -65,7 +66,7 @@ py::dict arrays_of(SoupResult result) {
 py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint32_t>& faces,
                          const std::optional<Numbers<std::uint32_t>>& labels,
                          const std::vector<ChannelArrays>& channels, SoupOptions options,
-                         SharedLevels* levels, py::object progress) {
+                         SharedLevels* levels, py::object progress, bool is_calibrated) {
   SoupView soup{rows<3>(points), rows<3>(faces), {}, {}};
   if (labels)
     soup.labels = numbers(*labels);
@@ -75,7 +76,7 @@ py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint3
   options.proceed = [&](const Status& status) { return proceed(status); };
   const auto run = [&] {
     const py::gil_scoped_release unlocked;
-    return simplified_soup(soup, options);
+    return is_calibrated ? calibrated_soup(soup, options) : simplified_soup(soup, options);
   };
   if (!levels)
     return arrays_of(run());

@@ -129,6 +129,41 @@ class Results(Folder):
         few = quadrille.simplify(points, faces, faces=0)
         self.assertFalse(few.report.is_target_reached)
 
+    def test_calibrated_limits_are_kept_and_go_further(self):
+        points, faces, uv = torus(16)
+        limit = 0.02 * np.linalg.norm(np.ptp(points, axis=0))
+        told = []
+        options = dict(relative_error=0.02, both_ways=True)
+        plain = quadrille.simplify(points, faces, uv=uv, **options)
+        result = quadrille.simplify(points, faces, uv=uv, calibrated=True, progress=told.append, **options)
+        self.assertLess(len(result.faces), 0.8 * len(plain.faces))
+        self.assertTrue(0 < result.report.hausdorff_bound <= limit)
+        self.assertEqual(result.uv[1].shape, result.faces.shape)
+        self.assertGreater(sum(status.progress == 1 for status in told), 2)
+        weights = np.array([(i, j, 20 - i - j) for i in range(21) for j in range(21 - i)]) / 20
+        samples = np.einsum("sk,fkx->fsx", weights, result.points[result.faces]).reshape(-1, 3)
+        far = max(np.linalg.norm(samples - point, axis=1).min() for point in points)
+        self.assertTrue(0.3 * limit < far < 1.1 * limit)
+
+    def test_calibration_is_ended_with_what_there_is(self):
+        points, faces, _ = torus(16)
+        options = dict(relative_error=0.02, both_ways=True)
+        plain = quadrille.simplify(points, faces, **options)
+        told = []
+
+        def until_the_second_run(status):
+            told.append(status.progress)
+            time.sleep(0.05)  # so that the next run asks at once
+            return told[-1] == 1 or 1 not in told
+
+        ended = quadrille.simplify(points, faces, calibrated=True, progress=until_the_second_run, **options)
+        self.same(ended.faces, plain.faces)
+        self.assertEqual(ended.report.stop, "target met")
+        self.assertLess(told[-1], 1)
+        self.assertEqual(told.index(1), len(told) - 2)  # no further run is begun
+        never = quadrille.simplify(points, faces, calibrated=True, progress=lambda status: False, **options)
+        self.assertEqual((len(never.faces), never.report.stop), (len(faces), "cancelled"))
+
     def test_both_sides_of_a_sheet_stay(self):
         points, faces, _ = sheet(12)
         both = np.concatenate([faces, faces[:, ::-1], faces[:7]])
@@ -431,6 +466,13 @@ class Errors(unittest.TestCase):
         self.refused("are for the cost quadric", line_weight=1, cost="memoryless_quadric")
         self.refused("share 0 is not in", share=0, order="relaxed")
         self.refused("^progress is 3, which cannot be called", progress=3)
+        for wrong in (dict(), dict(error=1), dict(both_ways=True, tolerance=np.ones(36)),
+                      dict(both_ways=True, error=1, relative_error=1)):
+            self.refused("^calibrated is for one of error and relative_error, with", calibrated=True, **wrong)
+        limit = dict(calibrated=True, both_ways=True)
+        self.refused("does not go with a tolerance", error=1, tolerance=np.ones(36), **limit)
+        self.refused("does not go with levels", error=1, levels=quadrille.Levels(), **limit)
+        self.refused("limit -1 is not a distance", error=-1, **limit)
         with self.assertRaises(TypeError):
             quadrille.simplify(self.points, self.faces, face=3)
 

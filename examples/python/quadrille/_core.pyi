@@ -173,6 +173,7 @@ def simplify(
     options: Options,
     levels: Optional[Levels],
     progress: Optional[Callable[[Status], Optional[bool]]],
+    is_calibrated: bool,
 ) -> Dict[str, Any]: ...
 
 class Levels:

@@ -26,6 +26,7 @@ def simplify(
     error: Optional[float] = None,
     relative_error: Optional[float] = None,
     both_ways: bool = False,
+    calibrated: bool = False,
     tolerance: Optional[ArrayLike] = None,
     cost: str = "quadric",
     placement: Optional[str] = None,
@@ -91,6 +92,10 @@ def simplify(
     relative_error   the same as a part of the diagonal of the bounding box, 0.001 say
     both_ways        error and relative_error count both ways: no point of the input is further from
                      the result either, so that thin spikes stay
+    calibrated       with both_ways: go as far as error or relative_error allows when the distance is
+                     measured, and not added up: half of the faces or less, in several runs, for many
+                     times the time. report.hausdorff_bound is what is proved. Progress is told of each
+                     run, and to end one gives the best result of those before
     tolerance        instead of these, a distance for each point, at least 0: no triangle of the input
                      further from the result than the least of its corners, see ToleranceLimit
 
@@ -196,7 +201,18 @@ def simplify(
         options.importance = _arrays.factors("importance", importance, len(mesh.points))
     if progress is not None and not callable(progress):
         raise ValueError(f"progress is {progress!r}, which cannot be called")
-    return _simplified(mesh, options, levels, progress, bool(orient))
+    if calibrated:
+        _check_calibrated(options, levels)
+    return _simplified(mesh, options, levels, progress, bool(orient), bool(calibrated))
+
+
+def _check_calibrated(options, levels):
+    if not options.both_ways or (options.error is None) == (options.relative_error is None):
+        raise ValueError("calibrated is for one of error and relative_error, with both_ways=True")
+    if options.tolerance:
+        raise ValueError("calibrated is for a limit, and does not go with a tolerance")
+    if levels is not None:
+        raise ValueError("calibrated does not go with levels: it runs several times")
 
 
 def _mesh_of(points, triangles) -> Tuple[Mesh, Any]:
@@ -257,7 +273,7 @@ def _set_targets(options, **targets):
             setattr(options, name, convert(name, value))
 
 
-def _simplified(mesh, options, levels, progress, orient):
+def _simplified(mesh, options, levels, progress, orient, is_calibrated):
     points = _arrays.real_rows("points", mesh.points, 3)
     faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
     labels, label_numbers, label_type = None, None, None
@@ -269,7 +285,7 @@ def _simplified(mesh, options, levels, progress, orient):
     if orient:
         faces, remarks = _oriented(points, faces, channels, options.split_vertices)
     arrays = _core.simplify(points, faces, label_numbers, [c.arguments() for c in channels], options,
-                            None if levels is None else levels._levels, progress)
+                            None if levels is None else levels._levels, progress, is_calibrated)
     if levels is not None:
         levels._names = [channel.name for channel in channels]
     result = Simplified(
