@@ -896,6 +896,9 @@ class OtherLibraries(Folder):
         quadrille.simplify(mesh, faces=60, levels=levels)
         level = levels.at(faces=100)
         self.assertTrue(np.array_equal(level.to_like(mesh).cell_data["place"], level.input_faces))
+        plain = PolyData(self.points, self.faces)
+        like = self.small.to_like(plain)
+        self.same(like.points, like.faces, self.small)
         regular = PolyData(self.points, None)
         del regular.faces
         regular.regular_faces = self.faces
@@ -957,6 +960,14 @@ class OtherLibraries(Folder):
             quadrille.simplify(mesh, 1000)
         with self.assertRaisesRegex(TypeError, "^a Vector3dVector is no mesh of triangles of trimesh"):
             self.small.to_like(Vector3dVector(self.points))
+        with self.assertRaisesRegex(TypeError, "^a Simplified is no mesh of another library"):
+            self.small.to_like(self.small)
+        with self.assertRaisesRegex(TypeError, "^levels is a list, not a Levels"):
+            quadrille.simplify(self.points, self.faces, levels=[])
+        with self.assertRaisesRegex(TypeError, "^attributes has the name 3, which is a int, not a str"):
+            quadrille.simplify(self.points, self.faces, attributes={3: self.heat})
+        with self.assertRaisesRegex(TypeError, "os.PathLike"):
+            quadrille.read_mesh(10**9)
         with self.assertRaisesRegex(TypeError, "^a Folder is no Mesh, nor a mesh of triangles of trimesh"):
             quadrille.simplify(Folder(), ratio=0.1)
         mesh.celltypes = [10]

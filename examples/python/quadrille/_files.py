@@ -27,10 +27,11 @@ def read_mesh(path: Union[str, os.PathLike], *, weld: bool = False) -> Mesh:
     Raises OSError if the file can't be opened, and ValueError, which names file and line, if it is
     broken. What was left out or guessed is in mesh.remarks.
     """
+    path = os.fspath(path)
     with open(path, "rb"):
         pass
     try:
-        file = _core.read_mesh(os.fspath(path), bool(weld))
+        file = _core.read_mesh(path, bool(weld))
     except RuntimeError as error:
         raise ValueError(str(error)) from None
     mesh = Mesh(file.points, file.faces, uv=file.uv, normals=file.normals, labels=file.labels,

@@ -103,6 +103,8 @@ class Mesh:
         Open3D has uv. TypeError for what is no mesh of these libraries, and ValueError for one that is not
         of triangles, or whose data do not fit.
         """
+        if isinstance(mesh, Mesh):
+            raise TypeError(f"a {type(mesh).__name__} is no mesh of another library: this is one already")
         channels = {c.name: (np.asarray(c.channel.values), c.indices) for c in read_channels(self)}
         result, lost = _objects.like(self, channels, mesh)
         if lost:
@@ -207,6 +209,9 @@ def read_channels(mesh: Mesh) -> List[ReadChannel]:
 def read_attributes(given: Any, mesh: Any = None) -> Dict[str, Values]:
     """A dict of them, or a list of names of the point data of a mesh of another library."""
     if hasattr(given, "keys"):
+        for name in given.keys():
+            if not isinstance(name, str):
+                raise TypeError(f"attributes has the name {name!r}, which is a {type(name).__name__}, not a str")
         return dict(given)
     is_names = isinstance(given, (list, tuple)) and all(isinstance(name, str) for name in given)
     if mesh is None or not is_names:

@@ -122,6 +122,7 @@ class _PyVista:
         if getattr(mesh, "n_strips", 0) > 0:
             raise ValueError(f"the {_name(mesh)} has strips of triangles: triangulate() it first")
         faces = np.asarray(mesh.faces if hasattr(mesh, "faces") else mesh.regular_faces)
+        self._is_plain = hasattr(mesh, "faces") and faces.ndim == 2
         if faces.ndim == 1 and faces.size % 4 == 0 and (faces[::4] == 3).all():
             faces = faces.reshape(-1, 4)[:, 1:]
         if faces.ndim != 2 or faces.shape[1] != 3:
@@ -135,8 +136,10 @@ class _PyVista:
 
     def like(self, points, faces, channels, face_data):
         values, lost = _at_points(channels)
-        threes = np.full((len(faces), 1), 3, faces.dtype)
-        result = type(self.mesh)(points, faces=np.concatenate([threes, faces], axis=1).ravel())
+        if not self._is_plain:
+            threes = np.full((len(faces), 1), 3, faces.dtype)
+            faces = np.concatenate([threes, faces], axis=1).ravel()
+        result = type(self.mesh)(points, faces=faces)
         if "uv" in values and hasattr(type(self.mesh), "active_texture_coordinates"):
             result.active_texture_coordinates = values.pop("uv")
         for name, array in values.items():

@@ -158,7 +158,8 @@ def simplify(
     KeyboardInterrupt.
 
     Raises ValueError for what is wrong with an argument, and says which and where; TypeError for
-    attributes that are no dict, and for objects that are no surface; MemoryError.
+    attributes that are no dict of names, levels that are no Levels, and objects that are no surface;
+    MemoryError.
     """
     mesh, of_library = _mesh_of(points, triangles)
     given = dict(labels=labels, uv=uv, normals=normals, colors=colors)
@@ -201,6 +202,8 @@ def simplify(
         options.importance = _arrays.factors("importance", importance, len(mesh.points))
     if progress is not None and not callable(progress):
         raise ValueError(f"progress is {progress!r}, which cannot be called")
+    if levels is not None and not isinstance(levels, Levels):
+        raise TypeError(f"levels is a {type(levels).__name__}, not a Levels to record into")
     if calibrated:
         _check_calibrated(options, levels)
     return _simplified(mesh, options, levels, progress, bool(orient), bool(calibrated))
