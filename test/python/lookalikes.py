@@ -16,6 +16,13 @@ class Trimesh:
         self.vertex_attributes, self.face_attributes = vertex_attributes or {}, face_attributes or {}
 
 
+class Primitive(Trimesh):
+    """A sphere, or a box, whatever it is made of."""
+
+    def __init__(self, **arguments):
+        super().__init__(np.eye(4)[:, :3], np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]))
+
+
 class Vector:
     """Of Open3D: of one type, and only numpy can look into it."""
 

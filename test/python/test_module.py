@@ -17,7 +17,7 @@ import numpy as np
 
 import quadrille
 from quadrille import _arrays
-from lookalikes import (IntVector, MeshioMesh, PolyData, TextureVisuals, TriangleMesh, Trimesh,
+from lookalikes import (IntVector, MeshioMesh, PolyData, Primitive, TextureVisuals, TriangleMesh, Trimesh,
                         Vector2dVector, Vector3dVector, padded)
 from surfaces import sheet, torus, write_obj
 
@@ -960,6 +960,8 @@ class OtherLibraries(Folder):
             quadrille.simplify(mesh, 1000)
         with self.assertRaisesRegex(TypeError, "^a Vector3dVector is no mesh of triangles of trimesh"):
             self.small.to_like(Vector3dVector(self.points))
+        with self.assertRaisesRegex(TypeError, r"^a Primitive cannot be made of .*: give its to_mesh\(\)$"):
+            self.small.to_like(Primitive())
         with self.assertRaisesRegex(TypeError, "^a Simplified is no mesh of another library"):
             self.small.to_like(self.small)
         with self.assertRaisesRegex(TypeError, "^levels is a list, not a Levels"):

@@ -210,8 +210,12 @@ def like(mesh: Any, channels: dict, given: Any) -> Tuple[Any, List[str]]:
     if form is None:
         raise TypeError(f"a {_name(given)} is no mesh of triangles of trimesh, Open3D, PyVista or meshio")
     labels = {} if mesh.labels is None else {"labels": np.asarray(mesh.labels)}
-    return form.like(np.asarray(mesh.points), np.asarray(mesh.faces), channels,
-                     {**_face_data(form, getattr(mesh, "input_faces", None)), **labels})
+    made, lost = form.like(np.asarray(mesh.points), np.asarray(mesh.faces), channels,
+                           {**_face_data(form, getattr(mesh, "input_faces", None)), **labels})
+    new = read_object(made)  # a primitive of trimesh heeds neither vertices nor faces
+    if new is None or not np.array_equal(new.faces, mesh.faces):
+        raise TypeError(f"a {_name(given)} cannot be made of points and faces: give its to_mesh()")
+    return made, lost
 
 
 def _face_data(form, input_faces):
