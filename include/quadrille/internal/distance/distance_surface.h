@@ -127,7 +127,7 @@ inline double diagonal(const CGAL::Bbox_3& box) {
 class DistanceFrame {
 public:
   explicit DistanceFrame(const CGAL::Bbox_3& box) {
-    std::array<double, 3> middle;
+    std::array<double, 3> middle{}; // g++ does not see that the loop fills it
     double extent = 0;
     for (int i = 0; i < 3; ++i) {
       // By halves: sums and differences of the ends could overflow.

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_POLICY_POLICIES_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/policy/pair_indices.h>
 #include <quadrille/internal/policy/tie_break.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -89,38 +90,6 @@ template <class Policy>
 inline constexpr bool is_scale_free = requires {
   requires std::same_as<typename Policy::ScaleFree, std::remove_const_t<Policy>>;
 };
-
-/// Does a cost or a placement want to know which vertices of the input a pair is about?
-template <class Policy>
-inline constexpr bool asks_for_indices = requires {
-  requires Policy::asks_for_indices;
-};
-
-/// Does a cost let vertices remember something that it knows by their indices in the input?
-template <class Cost>
-concept RemembersByIndex = requires(const Cost& cost, typename Cost::Memory memory) {
-  memory += cost.input_vertex(std::size_t{});
-};
-
-struct NoIndices {};
-
-/// By the indices in the input, the ends of a pair, for who asks for them.
-struct PairIndices {
-  std::size_t first_index, second_index;
-};
-
-template <class Policy>
-using IndicesFor = std::conditional_t<asks_for_indices<Policy>, PairIndices, NoIndices>;
-
-/// What a placement is handed that asks for indices: a pair that has none by itself, with them.
-template <class Pair>
-struct IndexedPair : Pair, PairIndices {
-  IndexedPair(const Pair& pair, const PairIndices& indices) : Pair(pair), PairIndices(indices) {}
-};
-template <class Placement, class Pair>
-using PairFor =
-    std::conditional_t<asks_for_indices<Placement> && !std::derived_from<Pair, PairIndices>,
-                       IndexedPair<Pair>, Pair>;
 
 struct NoCurrent {};
 
