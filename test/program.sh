@@ -1083,7 +1083,7 @@ else
   run 0 out.off again.off --ratio 1
 fi
 if command -v script >/dev/null; then # a terminal has a line that tells how far it is
-  script -qec "'$program' large.off out.off --keep 80%" /dev/null >terminal </dev/null
+  script -qec "'$program' large.off out.off --cost memoryless --keep 20%" /dev/null >terminal </dev/null
   grep -q 'simplifying: [0-9,]* faces left' terminal || fail "no line of progress on a terminal"
 fi
 rm -f large.off
