@@ -4,6 +4,8 @@
 #include <quadrille/internal/appearance/back_values.h>
 #include <quadrille/internal/appearance/labels_by_face.h>
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/ranges.h>
+#include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -27,8 +29,9 @@ namespace quadrille::internal {
 class DoubledFaces {
 public:
   /// `labels`: of each face; or empty.
-  DoubledFaces(TriangleComplex& complex, const Array<Index>& labels, Tally& tally)
-      : complex_(complex), labels_(labels), tally_(tally), partner_(complex.workspace()) {}
+  DoubledFaces(TriangleComplex& complex, const Array<Index>& labels, Tally& tally, Threads threads)
+      : complex_(complex), labels_(labels), tally_(tally), threads_(threads),
+        partner_(complex.workspace()) {}
 
   /// Removes all but one, whichever way round. What goes is tallied.
   void remove() {
@@ -66,21 +69,48 @@ private:
     }
   };
 
+  // The faces of which a vertex is the lowest, in order.
+  void gather(Index v, std::vector<Side>& sides) const {
+    sides.clear();
+    complex_.for_each_corner(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex_, face, i);
+      const bool is_turned = f.third < f.second;
+      if (v < (is_turned ? f.third : f.second))
+        sides.push_back(is_turned ? Side{f.third, f.second, face, true}
+                                  : Side{f.second, f.third, face, false});
+    });
+    std::sort(sides.begin(), sides.end());
+  }
+
+  // The vertices that are the lowest of two faces on the same vertices: as a rule there are none.
+  std::vector<Index> lowest_vertices() const {
+    std::vector<std::vector<Index>> found(unsigned{threads_});
+    for_each_range(threads_, complex_.vertex_capacity(),
+                   [&](const auto& range, std::size_t worker) {
+                     std::vector<Side> sides;
+                     for (Index v = range.begin; v < range.end; ++v) {
+                       gather(v, sides);
+                       const auto is_same = [](const Side& s, const Side& t) {
+                         return s.is_on_same_vertices(t);
+                       };
+                       if (std::adjacent_find(sides.begin(), sides.end(), is_same) != sides.end())
+                         found[worker].push_back(v);
+                     }
+                   });
+    std::vector<Index> all;
+    for (const std::vector<Index>& some : found)
+      all.insert(all.end(), some.begin(), some.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
   // Calls visit(group) for all faces of the same vertices, if there are two or more, in the order
   // of their numbers.
   template <class Visit>
   void for_each_group(Visit visit) {
     std::vector<Side> sides, group;
-    for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
-      sides.clear();
-      complex_.prune_corners(v, [&](Index face, Index i) {
-        const StarFace f = star_face_at(complex_, face, i);
-        const bool is_turned = f.third < f.second;
-        if (v < (is_turned ? f.third : f.second))
-          sides.push_back(is_turned ? Side{f.third, f.second, face, true}
-                                    : Side{f.second, f.third, face, false});
-      });
-      std::sort(sides.begin(), sides.end());
+    for (Index v : lowest_vertices()) {
+      gather(v, sides);
       for (auto begin = sides.begin(); begin != sides.end();) {
         const auto end = std::find_if(
             begin, sides.end(), [&](const Side& s) { return !s.is_on_same_vertices(*begin); });
@@ -179,6 +209,7 @@ private:
   TriangleComplex& complex_;
   const Array<Index>& labels_;
   Tally& tally_;
+  Threads threads_;
   Array<Index> partner_; // of each face, the one on its other side; empty if there is none
   std::vector<bool> is_chosen_;
 };
@@ -187,9 +218,10 @@ private:
 /// where the input may have them. Returns which channel has the values of backs, of each.
 template <std::size_t N>
 std::vector<std::size_t> settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
-                                              SurfaceInput<N>& input, Tally& tally) {
+                                              SurfaceInput<N>& input, Tally& tally,
+                                              Threads threads) {
   const Array<Index> labels = labels_by_face(input.labels, faces, complex);
-  DoubledFaces doubled(complex, labels, tally);
+  DoubledFaces doubled(complex, labels, tally, threads);
   if (!input.may_have_backs) {
     doubled.remove();
     return {};

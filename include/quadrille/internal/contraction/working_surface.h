@@ -88,7 +88,8 @@ public:
                       is_topology_kept_),
         costs_(policies.optional.costs, complex_), progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
-      back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally);
+      back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally,
+                                            policies.threads);
     if (policies.topology == Topology::parts_may_vanish)
       parts_ = Parts<dimension>(complex_, geometry_, scale_);
     appearance_.read(input.labels, input.channels, numbering_, scale_, pairs_.are_edges());
