@@ -21,6 +21,19 @@ std::string number_of(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
 }
 
+Attribute attribute_of(SoupChannelView::Kind kind) {
+  switch (kind) {
+  case SoupChannelView::Kind::texture:
+    return Attribute::texture;
+  case SoupChannelView::Kind::normals:
+    return Attribute::normal;
+  case SoupChannelView::Kind::colors:
+    return Attribute::color;
+  default:
+    return Attribute::any;
+  }
+}
+
 } // namespace
 
 void SoupChannelMap::validate(const std::string& name, std::size_t points,
@@ -59,10 +72,7 @@ void SoupChannelMap::validate(const std::string& name, std::size_t points,
 }
 
 ChannelInput SoupChannelMap::input(Workspace& workspace) const {
-  ChannelInput input(channel_.options, channel_.components, channel_.kind == Kind::texture,
-                     workspace);
-  input.is_color = channel_.kind == Kind::colors;
-  input.is_normal = channel_.kind == Kind::normals;
+  ChannelInput input(channel_.options, channel_.components, attribute_of(channel_.kind), workspace);
   input.values.reserve(channel_.values.size());
   for (std::size_t i = 0; i < channel_.values.size(); ++i)
     input.values.push_back(counted(channel_.values[i], i % channel_.components));

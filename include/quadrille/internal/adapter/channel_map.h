@@ -113,10 +113,7 @@ public:
   /// the channel.
   ChannelInput input(Workspace& workspace) const {
     require_fit(channel_.options);
-    ChannelInput input(channel_.options, size, attribute == Attribute::texture, workspace);
-    input.is_color = attribute == Attribute::color;
-    input.is_normal = attribute == Attribute::normal;
-    return input;
+    return {channel_.options, size, attribute, workspace};
   }
 
   void read(const Key& key, ChannelInput& input) const {

@@ -40,7 +40,7 @@ public:
   template <class Numbering>
   Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
           ChannelWeights weights, bool are_pairs_edges)
-      : seams_(input.seams), new_values_(input.new_values), is_texture_(input.is_texture),
+      : seams_(input.seams), new_values_(input.new_values), is_texture_(input.is_texture()),
         border_weight_(input.border_weight),
         are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
         factors_(std::move(weights.factors)), as_written_(input.as_written),

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H
 #define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
@@ -21,14 +22,14 @@ namespace quadrille::internal {
 struct ChannelInput {
   explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
   /// What options say of a channel of that many components; values and corners are still to come.
-  ChannelInput(const ChannelOptions& options, std::size_t size, bool holds_texture,
+  ChannelInput(const ChannelOptions& options, std::size_t size, Attribute held,
                Workspace& workspace)
       : ChannelInput(&workspace) {
     components = size;
     weights = options.weights;
     importance = options.importance;
-    is_texture = holds_texture;
-    seams = options.seams.value_or(is_texture ? Seams::held : Seams::priced);
+    attribute = held;
+    seams = options.seams.value_or(is_texture() ? Seams::held : Seams::priced);
     border_weight = options.border_weight;
     if (seams != Seams::held && !border_weight)
       border_weight = 10;
@@ -43,14 +44,14 @@ struct ChannelInput {
   std::vector<double> weights; ///< of the components, in the mesh's unit; empty: by default
   double importance = 1;
   Seams seams = Seams::priced;
-  bool is_texture = false;
-  bool is_color = false, is_normal = false;
+  Attribute attribute = Attribute::any;
   std::optional<double> border_weight; ///< see ChannelOptions; none: by the part that seams are
   NewValues new_values = NewValues::optimal;
   /// Turns the components of a value into those that the adapter would write, before they are
   /// rounded to its type. False if it would leave the old ones. as_written(values, has_changed)
   std::function<bool(std::span<double>, bool)> as_written;
 
+  bool is_texture() const { return attribute == Attribute::texture; }
   std::size_t size() const { return components == 0 ? 0 : values.size() / components; }
   double value(Index i, std::size_t component) const { return values[i * components + component]; }
   /// Of a corner of an input face, which is at an input vertex.

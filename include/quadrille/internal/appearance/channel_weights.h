@@ -45,7 +45,7 @@ public:
         values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
         is_used[values[i]] = 1;
       }
-      if (!channel.is_texture)
+      if (!channel.is_texture())
         continue;
       const std::size_t label = labels.empty() ? 0 : labels[face];
       areas_.resize((std::max)(areas_.size(), label + 1));
@@ -111,14 +111,15 @@ double default_weight(const ChannelInput& channel, const Numbering& numbering,
                       const TriangleComplex& complex, const Positions& positions, double diagonal,
                       double range) {
   const double usual = 0.02 * diagonal / range;
-  if (!channel.is_color && !channel.is_normal)
+  const bool is_normal = channel.attribute == Attribute::normal;
+  if (!is_normal && channel.attribute != Attribute::color)
     return usual;
   const std::optional<double> even =
       EvenWeight(channel, numbering, complex, positions, range).find();
   if (!even)
     return usual;
-  return channel.is_normal ? std::clamp(1.1 * *even, 0.1 * usual, 2 * usual)
-                           : std::clamp(0.5 * *even, 0.05 * usual, usual);
+  return is_normal ? std::clamp(1.1 * *even, 0.1 * usual, 2 * usual)
+                   : std::clamp(0.5 * *even, 0.05 * usual, usual);
 }
 
 /// The weights of a channel: see ChannelOptions. `labels`: of each face; or empty. Throws
@@ -132,7 +133,7 @@ ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& num
   double by_default = 1;
   ChannelWeights weights;
   const bool is_given = !channel.weights.empty();
-  if (channel.is_texture && extent.squared_length_of_texture() > 0) {
+  if (channel.is_texture() && extent.squared_length_of_texture() > 0) {
     by_default = std::sqrt(extent.squared_length_of_texture());
     if (!is_given && !labels.empty())
       weights.factors = extent.factors_by_label();

@@ -14,7 +14,8 @@ namespace quadrille::internal {
 struct Tally {
   std::size_t faces = 0, vertices = 0; // that are gone
   std::size_t contractions = 0, non_edge_contractions = 0;
-  std::size_t left = 0; // by a pass, to the greedy order behind it
+  // Pairs that a pass leaves to the greedy order behind it: where attributes are noise, nearly all.
+  std::size_t left = 0;
   std::size_t doubled_faces = 0, doubled_labels = 0, vanished_parts = 0; // see Report
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0;          // the greatest

@@ -50,11 +50,11 @@ public:
       const std::size_t quota = count_.contractions(surface_.policies().stop, before);
       if (quota < least)
         return true;
-      pass(quota);
+      const std::size_t left = pass(quota);
       if (!surface_.progress().proceed())
         return false;
       const std::size_t contractions = surface_.status().contractions - before.contractions;
-      if (contractions < least || (Policies::has_channels && contractions < left_))
+      if (contractions < least || (Policies::has_channels && contractions < left))
         return true;
     }
   }
@@ -82,7 +82,7 @@ private:
   static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
-  void pass(std::size_t quota) {
+  std::size_t pass(std::size_t quota) {
     divide();
     const PassPlan plan = PassPlan::make(samples(), order_.share, quota, cost_stop_.limit());
     for (std::size_t i = 0; i < blocks_.size(); ++i)
@@ -100,9 +100,9 @@ private:
         contract_inside(block, worker);
       });
     }
-    left_ = 0;
+    std::size_t left = 0;
     for (Worker& worker : workers_) {
-      left_ += worker.scratch.tally.left;
+      left += worker.scratch.tally.left;
       surface_.progress().count(worker.scratch.tally);
     }
     contract_between(workers_.front());
@@ -110,6 +110,7 @@ private:
       workers_.front().proposals.release(); // what comes next needs as much
     surface_.end_pass(order_.refresh);
     let_parts_vanish(static_cast<double>(plan.cost_limit));
+    return left;
   }
 
   // Those that cost less than the pairs of the pass.
@@ -283,7 +284,6 @@ private:
   const RelaxedOrder& order_;
   ContractionCount count_;
   CostStop<Policies> cost_stop_;
-  std::size_t left_ = 0; // to greedy order, in the last pass, of what lay inside of blocks
   std::vector<Block> blocks_;
   BlockStars stars_;
   std::vector<Worker> workers_;
