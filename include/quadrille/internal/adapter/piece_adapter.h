@@ -188,7 +188,7 @@ private:
                                     std::to_string(channel.values.size()) + " numbers for " +
                                     std::to_string(points) + " values of " +
                                     std::to_string(channel.components));
-      ChannelInput read(channel.options, channel.components, false, *workspace_);
+      ChannelInput read(channel.options, channel.components, Attribute::any, *workspace_);
       read.values.assign(channel.values.begin(), channel.values.end());
       read.require_finite();
       read.as_written = [](std::span<double>, bool) { return true; };
