@@ -2,8 +2,8 @@
 # What the tests do by one compiler, in one build, by both: Debug and Release builds of g++ and clang
 # give the same results to the last digit, of four costs, and those of the headers alone are those of
 # the library, which test_digests holds; costs are the same with and without vectors; calls of the
-# documents compile without a warning, and the benchmarks compile. It takes about a quarter of an hour
-# of a processor.
+# documents compile without a warning, and the benchmarks compile; and the package in JavaScript is what it
+# has to be, where there is emscripten. It takes about half an hour of a processor.
 #   sh test/every_build.sh [MODEL.off]
 # The model is cow.off by default, of the models of a configured build: CGAL_DATA_DIR, or that of
 # `cmake --preset test`.
@@ -41,3 +41,9 @@ for source in benchmark/*.cpp benchmark/attributes/*.cpp; do
   g++ -std=c++20 -fsyntax-only -Iinclude -Iexamples -Ibenchmark -I/usr/include/eigen3 \
     -DCGAL_DATA_DIR='""' -DBENCH_WITH_MESHOPTIMIZER "$source"
 done
+
+if command -v emcmake >/dev/null; then
+  sh test/web/run.sh "$folder/web"
+else
+  echo "the package in JavaScript is left out: there is no emscripten"
+fi

@@ -2,6 +2,7 @@
 #define QUADRILLE_FILTERS_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/safe_length.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -223,7 +224,7 @@ public:
 private:
   // In the mesh's units, in which squares may over- or underflow.
   static double distance(const Vector<3>& p, const Vector<3>& q) {
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    return internal::safe_length(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
 
   double length_;

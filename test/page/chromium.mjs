@@ -7,12 +7,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 export class Chromium {
-  constructor(program) {
+  // `hosts` are numbers of hosts that it reaches all the same.
+  constructor(program, hosts = []) {
+    const rules = ["MAP * ~NOTFOUND", ...hosts.map((host) => `EXCLUDE ${host}`)].join(", ");
     this.profile = mkdtempSync(join(tmpdir(), "chromium-"));
     this.process = spawn(
       program,
       ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-        "--no-first-run", "--host-resolver-rules=MAP * ~NOTFOUND", `--user-data-dir=${this.profile}`, "--remote-debugging-pipe"],
+        "--no-first-run", `--host-resolver-rules=${rules}`, `--user-data-dir=${this.profile}`, "--remote-debugging-pipe"],
       { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
     );
     this.answers = new Map();

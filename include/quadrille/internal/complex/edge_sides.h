@@ -48,7 +48,7 @@ public:
     for (auto side = sides_.begin(); side != sides_.end();) {
       const auto end = std::find_if(
           side, sides_.end(), [w = side->first](const auto& next) { return next.first != w; });
-      visit(side->first, std::span<const Side>(side, end));
+      visit(side->first, std::span<const Side>(&*side, static_cast<std::size_t>(end - side)));
       side = end;
     }
   }

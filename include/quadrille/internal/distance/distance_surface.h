@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_DISTANCE_DISTANCE_SURFACE_H
 
 #include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/safe_length.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/Bbox_3.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -117,7 +117,7 @@ inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {
 /// At most the greatest double.
 inline double diagonal(const CGAL::Bbox_3& box) {
   const auto half = [&](int i) { return 0.5 * (box.max)(i)-0.5 * (box.min)(i); };
-  return 2 * (std::min)(std::hypot(half(0), half(1), half(2)),
+  return 2 * (std::min)(safe_length(half(0), half(1), half(2)),
                         (std::numeric_limits<double>::max)() / 2);
 }
 

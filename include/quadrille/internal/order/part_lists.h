@@ -46,7 +46,7 @@ public:
     const auto last =
         std::remove_if(first, first + size_[part], [&](Index v) { return !complex.has_faces(v); });
     size_[part] = static_cast<Index>(last - first);
-    return {first, last};
+    return {vertices_.data() + begin_[part], size_[part]};
   }
   /// Has it the last faces of a label?
   bool has_last_of_a_label(Index part) const {
@@ -84,7 +84,7 @@ private:
   std::span<const PartLabel> labels_of(Index part) const {
     const auto first = std::lower_bound(labels_.begin(), labels_.end(), PartLabel(part, 0));
     const auto last = std::lower_bound(first, labels_.end(), PartLabel(part + 1, 0));
-    return {first, last};
+    return {labels_.data() + (first - labels_.begin()), static_cast<std::size_t>(last - first)};
   }
 
   std::vector<Index> vertices_;         // part after part

@@ -115,7 +115,7 @@ private:
 
   // In order.
   std::span<const std::uint32_t> points_of(std::uint32_t group) const {
-    return {order_.begin() + first_[group], order_.begin() + first_[group + 1]};
+    return {order_.data() + first_[group], order_.data() + first_[group + 1]};
   }
 
   Kernel::Point_3 cgal_point(std::uint32_t group) const {

@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_SURFACE_BOX_H
 #define QUADRILLE_INTERNAL_SURFACE_BOX_H
 
+#include <quadrille/internal/base/safe_length.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -45,7 +45,7 @@ struct Box {
   double half_extent(std::size_t i) const { return 0.5 * high[i] - 0.5 * low[i]; }
   /// At most the greatest double.
   double diagonal() const {
-    const double half = std::hypot(half_extent(0), half_extent(1), half_extent(2));
+    const double half = safe_length(half_extent(0), half_extent(1), half_extent(2));
     return 2 * (std::min)(half, (std::numeric_limits<double>::max)() / 2);
   }
 };

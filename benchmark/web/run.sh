@@ -1,0 +1,17 @@
+#!/bin/sh
+# Size, time and error of the package in JavaScript beside the npm package meshoptimizer, on three models.
+#   sh benchmark/web/run.sh [FOLDER]
+# FOLDER, build/web by default, is where test/web/run.sh has built. npm fetches meshoptimizer into it.
+set -eu
+export LC_ALL=C
+cd -- "$(dirname -- "$0")/../.."
+folder=$(realpath -m -- "${1:-build/web}")
+models="${CGAL_DATA_DIR:-$PWD/build/test/data}/meshes"
+cmake --build "$folder/native" --target distance >/dev/null
+script=$PWD/benchmark/web/compare.mjs
+mkdir -p "$folder/benchmark"
+cp benchmark/web/package.json benchmark/web/package-lock.json "$folder/benchmark"
+cd "$folder/benchmark"
+npm ci --ignore-scripts --no-audit --no-fund --no-update-notifier >npm.log
+node "$script" "$folder/package/quadrille" "$folder/native/distance" \
+  "$models/bunny00.off" "$models/refined_elephant.off" "$models/armadillo.off"
