@@ -221,8 +221,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** FaceCount, FaceRatio, VertexCount, ErrorLimit, HausdorffLimit, ToleranceLimit,
-/// CostLimit, ShortestEdge, TimeBudget, AnyOf, AllOf.
+/// **Has models** FaceCount, FaceRatio, VertexCount, EdgeCount, EdgeRatio, ErrorLimit,
+/// HausdorffLimit, ToleranceLimit, CostLimit, ShortestEdge, TimeBudget, AnyOf, AllOf.
 ///
 /// **Requirements**, for a constant `stop`:
 ///
@@ -241,6 +241,8 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///   Status::next_tolerance, in a call with vertex_tolerance_map.
 /// - `S::asks_for_cost`, true for a look at Status::next_cost, and `stop.is_asking_for_cost()`
 ///   beside it. Where such a policy stops at a cost it has to stop at all greater ones.
+/// - `S::asks_for_edges`, true for a look at Status::edges, and `stop.is_asking_for_edges()` beside
+///   it.
 /// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
 ///   The engine then looks for a pair that meets the target exactly.
 /// - `stop.validate()`: throws if the policy makes no sense.

@@ -24,7 +24,12 @@ struct Status {
   std::size_t initial_vertices = 0; ///< of the input, those with faces
   std::size_t faces = 0;            ///< now
   std::size_t vertices = 0;         ///< now
-  std::size_t contractions = 0;     ///< so far
+  /// The same of edges, of which one is one however many faces it has. Known to a stop policy with
+  /// `static constexpr bool asks_for_edges = true`, as EdgeCount; for others nothing is counted,
+  /// and these are the greatest numbers that there are.
+  std::size_t initial_edges = (std::numeric_limits<std::size_t>::max)();
+  std::size_t edges = (std::numeric_limits<std::size_t>::max)(); ///< now
+  std::size_t contractions = 0;                                  ///< so far
   /// The error of the contraction that comes next, as a distance in the mesh's units: see
   /// Report::error.
   double next_error = 0;

@@ -17,6 +17,16 @@
 
 namespace quadrille {
 
+namespace internal {
+
+inline void require_ratio(const std::string& policy, double ratio) {
+  if (!(ratio >= 0 && ratio <= 1))
+    throw std::invalid_argument("quadrille::" + policy + ": the ratio " + text_of(ratio) +
+                                " is not in [0, 1]");
+}
+
+} // namespace internal
+
 /// Stops at `faces` faces: at exactly that many where topology allows and it is worth its price,
 /// else at the first number below, and StopReason::target_passed says so. On a surface without
 /// borders every contraction removes two faces. Elsewhere a pair that removes one is looked for; it
@@ -43,11 +53,7 @@ struct FaceRatio {
   }
 
   /// Throws std::invalid_argument for a ratio that is not in [0, 1].
-  void validate() const {
-    if (!(ratio >= 0 && ratio <= 1))
-      throw std::invalid_argument("quadrille::FaceRatio: the ratio " + internal::text_of(ratio) +
-                                  " is not in [0, 1]");
-  }
+  void validate() const { internal::require_ratio("FaceRatio", ratio); }
 };
 
 /// Stops at `vertices` vertices.
@@ -58,6 +64,33 @@ struct VertexCount {
   bool operator()(const Status& status) const { return status.vertices <= vertices; }
   /// Is the surface beyond the target and not just at it? See StopPolicy.
   bool is_passed(const Status& status) const { return status.vertices < vertices; }
+};
+
+/// Stops at `edges` edges, or at the first number below that contractions come to: one takes three,
+/// two at a border. An edge of several faces is one. Counting takes a few per cent of the time.
+struct EdgeCount {
+  std::size_t edges; ///< how many are enough
+
+  static constexpr bool asks_for_edges = true; ///< looks at Status::edges: see StopPolicy
+
+  /// Is it enough?
+  bool operator()(const Status& status) const { return status.edges <= edges; }
+};
+
+/// Stops when `ratio` of the input's edges are left, or as soon as fewer are: see EdgeCount. ratio
+/// lies in [0, 1].
+struct EdgeRatio {
+  double ratio = 0.5; ///< a part of the edges, in [0, 1]
+
+  static constexpr bool asks_for_edges = true; ///< looks at Status::edges: see StopPolicy
+
+  /// Is it enough?
+  bool operator()(const Status& status) const {
+    return static_cast<double>(status.edges) <= ratio * static_cast<double>(status.initial_edges);
+  }
+
+  /// Throws std::invalid_argument for a ratio that is not in [0, 1].
+  void validate() const { internal::require_ratio("EdgeRatio", ratio); }
 };
 
 /// Stops when so many seconds have passed since this policy was made: make it in the call itself,
@@ -115,6 +148,12 @@ public:
   /// Does one of the policies do so this time?
   bool is_asking_for_cost() const {
     return is_any([](const auto& stop) { return internal::is_asking_for_cost(stop); });
+  }
+  /// Looks at Status::edges: see StopPolicy.
+  static constexpr bool asks_for_edges = (internal::asks_for_edges<Stops> || ...);
+  /// Does one of the policies do so this time?
+  bool is_asking_for_edges() const {
+    return is_any([](const auto& stop) { return internal::is_asking_for_edges(stop); });
   }
   /// Throws what the policies throw that make no sense.
   void validate() const {

@@ -1,7 +1,10 @@
 // Filters and stops by lengths, angles and time: what the result has, told without the engine.
+#include "hard_surfaces.h"
 #include "meshes.h"
 
 #include <quadrille/simplify.h>
+
+#include <CGAL/property_map.h>
 
 #include <catch2/catch.hpp>
 
@@ -16,6 +19,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -172,4 +176,82 @@ TEST_CASE("Nothing is contracted when the time is up, and a long time changes no
   for (double seconds : {1e6, std::numeric_limits<double>::infinity()})
     CHECK(is_identical(simplified_soup(input(), AnyOf{FaceCount{200}, TimeBudget{seconds}}).first,
                        expected));
+}
+
+namespace {
+
+struct LastStatus : Visitor {
+  Status* last;
+
+  explicit LastStatus(Status& status) : last(&status) {}
+  bool proceed(const Status& status) const {
+    *last = status;
+    return true;
+  }
+};
+
+void check_counted_edges(const Soup& surface, const auto&... policies) {
+  const std::size_t before = topology_of(surface).edges;
+  for (const std::size_t target : {before / 2, before / 6}) {
+    Status last;
+    const auto [soup, report] = simplified_soup(surface, EdgeCount{target}, policies...,
+                                                CGAL::parameters::visitor(LastStatus(last)));
+    const std::size_t after = topology_of(soup).edges;
+    CAPTURE(target, after, report);
+    CHECK(last.stage == Stage::write);
+    CHECK(last.initial_edges == before);
+    CHECK(last.edges == after);
+    if (report.stop == StopReason::all_pairs_rejected && target < before / 2)
+      continue; // topology holds more
+    CHECK(after <= target);
+    CHECK(after + 12 > target);
+  }
+}
+
+} // namespace
+
+TEST_CASE("EdgeCount stops at so many edges, whatever contractions take") {
+  check_counted_edges(input());
+  check_counted_edges(input(), RelaxedOrder{});
+  const Soup sheet = with_noise(grid(60, 40), 3, 0.2);
+  check_counted_edges(sheet);
+  check_counted_edges(sheet, RelaxedOrder{});
+  Soup parts = input();
+  const Soup speck = mapped(octahedron(), [](const Position& p) { return 0.01 * p; });
+  for (int i = 0; i < 20; ++i)
+    parts = joined(parts, speck, {{9, 0, 1.0 * i}});
+  CHECK(simplified_soup(parts, EdgeCount{300}, Topology::parts_may_vanish).second.vanished_parts >
+        0);
+  check_counted_edges(parts, Topology::parts_may_vanish);
+  const Soup cubes = random_cubes(9, 4); // edges of four faces, and tunnels that close
+  REQUIRE_FALSE(topology_of(cubes).is_manifold);
+  check_counted_edges(cubes);
+  check_counted_edges(cubes, Topology::free);
+  check_counted_edges(cubes, Topology::free, RelaxedOrder{});
+  check_counted_edges(uv_sphere(400, 6)); // hubs at the poles
+  check_counted_edges(uv_sphere(400, 6), Topology::free);
+}
+
+TEST_CASE("EdgeRatio is a part of the edges, of those that are selected") {
+  Soup soup = input();
+  const std::size_t edges = topology_of(soup).edges;
+  const auto whole = simplified_soup(soup, EdgeRatio{0.25}).first;
+  CHECK(topology_of(whole).edges <= edges / 4);
+  CHECK(topology_of(whole).edges + 3 > edges / 4);
+  std::vector<char> is_selected(soup.triangles.size());
+  Soup half;
+  half.points = soup.points;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i)
+    if (soup.points[soup.triangles[i][0]][0] > 0) {
+      is_selected[i] = true;
+      half.triangles.push_back(soup.triangles[i]);
+    }
+  const std::size_t selected = topology_of(half).edges;
+  simplify(soup.points, soup.triangles, AnyOf{EdgeRatio{0.5}, FaceCount{0}},
+           parameters::face_is_selected_map(CGAL::make_property_map(is_selected)));
+  const std::size_t gone = edges - topology_of(soup).edges;
+  CHECK(gone >= selected - selected / 2);
+  CHECK(gone < selected - selected / 2 + 3);
+  CHECK_THROWS_AS(simplify(soup.points, soup.triangles, EdgeRatio{1.5}), std::invalid_argument);
+  CHECK_FALSE(EdgeCount{1'000'000}(Status{})); // who does not ask never stops by edges
 }

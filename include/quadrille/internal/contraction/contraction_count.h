@@ -28,6 +28,7 @@ public:
       Status after = now;
       after.faces -= (std::min)(after.faces, faces_each() * contractions);
       after.vertices -= contractions;
+      after.edges -= (std::min)(after.edges, edges_each * contractions);
       after.contractions += contractions;
       after.next_error = after.next_cost = 0;
       return after;
@@ -41,22 +42,25 @@ public:
     return allowed;
   }
 
-  /// What counts for the faces and vertices that a contraction has taken.
-  std::size_t used(std::size_t faces, std::size_t vertices) const {
-    return (std::max)(vertices, (faces + faces_each() - 1) / faces_each());
+  /// What counts for the faces, vertices and edges that a contraction has taken.
+  std::size_t used(std::size_t faces, std::size_t vertices, std::size_t edges) const {
+    return (std::max)({vertices, (faces + faces_each() - 1) / faces_each(),
+                       (edges + edges_each - 1) / edges_each});
   }
 
-  /// The most that contracting the star may count.
+  /// The most that the faces and vertices may count that contracting the star takes.
   std::size_t most_used(const PairStar& star) const {
     const auto [faces, vertices] =
         is_topology_kept_ ? Loss{backs_.count_all(star.shared), 1} : most_loss(star, backs_);
-    return used(faces, vertices);
+    return used(faces, vertices, 0);
   }
 
 private:
   std::size_t faces_each() const {
     return (is_topology_kept_ ? 2 : 4) * (backs_.is_empty() ? std::size_t{1} : 2);
   }
+
+  static constexpr std::size_t edges_each = 3;
 
   bool is_topology_kept_;
   const Backs& backs_;

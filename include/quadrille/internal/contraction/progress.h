@@ -17,10 +17,12 @@ public:
   explicit Progress(const Policies& policies) : policies_(policies) {}
 
   /// Of a surface of which the second part may not be changed, and does not count for the target.
-  void start(const Loss& all, const Loss& unselected, double diagonal) {
+  /// `edges`: without these, see CountedEdges.
+  void start(const Loss& all, const Loss& unselected, std::size_t edges, double diagonal) {
     unselected_ = unselected;
     status_.faces = status_.initial_faces = all.faces - unselected.faces;
     status_.vertices = status_.initial_vertices = all.vertices - unselected.vertices;
+    status_.edges = status_.initial_edges = edges;
     status_.diagonal = diagonal;
   }
   /// How many contractions there will be, as a rule.
@@ -45,6 +47,7 @@ public:
   void count(Tally& tally) {
     status_.faces -= tally.faces;
     status_.vertices -= tally.vertices;
+    status_.edges -= tally.edges;
     status_.contractions += tally.contractions;
     total_.non_edge_contractions += tally.non_edge_contractions;
     total_.doubled_faces += tally.doubled_faces;

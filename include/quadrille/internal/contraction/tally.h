@@ -13,6 +13,7 @@ namespace quadrille::internal {
 /// What contractions have done since they were last counted.
 struct Tally {
   std::size_t faces = 0, vertices = 0; // that are gone
+  std::size_t edges = 0;               // the same, where they are counted: see CountedEdges
   std::size_t contractions = 0, non_edge_contractions = 0;
   // Pairs that a pass leaves to the greedy order behind it: where attributes are noise, nearly all.
   std::size_t left = 0;

@@ -12,6 +12,7 @@
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
 #include <quadrille/internal/contraction/counted_costs.h>
+#include <quadrille/internal/contraction/counted_edges.h>
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
@@ -86,7 +87,8 @@ public:
                         checks_),
         target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
                       is_topology_kept_),
-        costs_(policies.optional.costs, complex_), progress_(policies) {
+        costs_(policies.optional.costs, complex_),
+        edges_(policies.stop.is_asking_for_edges(), complex_, scratch()), progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally,
                                             policies.threads);
@@ -95,7 +97,7 @@ public:
     appearance_.read(input.labels, input.channels, numbering_, scale_, pairs_.are_edges());
     progress_.start({complex_.count_faces(), complex_.count_vertices()},
                     count_unselected(complex_, numbering_.faces, input.is_selected),
-                    scale_.diagonal());
+                    edges_.count(numbering_.faces, input.is_selected), scale_.diagonal());
     if (progress_.proceed())
       classify(box, input.tolerances);
     if (!progress_.proceed())
@@ -118,10 +120,11 @@ public:
   /// has it follows that it is told, packed, prefetched, and given memory: see ContractionEvent,
   /// tell_vanished() and columns.h.
   static auto followers(auto& self) {
-    return std::tie(self.recording_, self.costs_, self.bounds_, self.appearance_.channels(),
-                    self.appearance_.seams(), self.pairs_, self.numbering_, self.moved_,
-                    self.memories_, self.geometry_, self.shared_, self.link_condition_, self.terms_,
-                    self.importance_, self.parts_, self.checks_.optional());
+    return std::tie(self.recording_, self.costs_, self.edges_, self.bounds_,
+                    self.appearance_.channels(), self.appearance_.seams(), self.pairs_,
+                    self.numbering_, self.moved_, self.memories_, self.geometry_, self.shared_,
+                    self.link_condition_, self.terms_, self.importance_, self.parts_,
+                    self.checks_.optional());
   }
 
   const Policies& policies() const { return policies_; }
@@ -310,6 +313,7 @@ private:
   DistanceCheck<Policies> distance_check_;
   TargetRules<Policies> target_rules_;
   CountedCosts costs_;
+  CountedEdges edges_;
   Progress<Policies> progress_;
   std::size_t initial_components_ = 0;
   std::vector<std::size_t> back_channels_; // see BackValues

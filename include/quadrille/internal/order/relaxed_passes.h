@@ -192,9 +192,11 @@ private:
     if (count_.most_used(*star) > quota)
       return false;
     const Tally& tally = worker.scratch.tally;
-    const std::size_t faces = tally.faces, vertices = tally.vertices;
+    const std::size_t faces = tally.faces, vertices = tally.vertices, edges = tally.edges;
     contract(proposal, star);
-    quota -= count_.used(tally.faces - faces, tally.vertices - vertices);
+    const std::size_t used =
+        count_.used(tally.faces - faces, tally.vertices - vertices, tally.edges - edges);
+    quota -= (std::min)(quota, used); // edges of no face that goes may be more
     return true;
   }
 

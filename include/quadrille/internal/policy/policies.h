@@ -235,6 +235,20 @@ bool is_asking_for_cost(const Stop& stop) {
   return asks_for_cost<Stop>;
 }
 
+/// May it look at Status::edges?
+template <class Stop>
+inline constexpr bool asks_for_edges = requires {
+  requires Stop::asks_for_edges;
+};
+
+/// And does this one?
+template <class Stop>
+bool is_asking_for_edges(const Stop& stop) {
+  if constexpr (requires { stop.is_asking_for_edges(); })
+    return stop.is_asking_for_edges();
+  return asks_for_edges<Stop>;
+}
+
 /// By which power of lengths the values of a cost grow, if that is known.
 template <class Cost>
 concept TellsDegree = requires(const Cost& cost) {

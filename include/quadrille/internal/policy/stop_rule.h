@@ -22,6 +22,7 @@ public:
     rule.is_asking_for_tolerance_ = rule.is_asking_both_ways_ && asks_for_tolerance<Stop> &&
                                     internal::is_asking_for_tolerance(stop);
     rule.is_asking_for_cost_ = asks_for_cost<Stop> && internal::is_asking_for_cost(stop);
+    rule.is_asking_for_edges_ = asks_for_edges<Stop> && internal::is_asking_for_edges(stop);
     rule.is_enough_ = [](const void* policy, const Status& status) -> bool {
       return (*static_cast<const Stop*>(policy))(status);
     };
@@ -44,6 +45,8 @@ public:
   bool is_asking_for_tolerance() const { return is_asking_for_tolerance_; }
   /// Does it look at Status::next_cost?
   bool is_asking_for_cost() const { return is_asking_for_cost_; }
+  /// Does it look at Status::edges?
+  bool is_asking_for_edges() const { return is_asking_for_edges_; }
 
 private:
   using Asked = bool (*)(const void*, const Status&);
@@ -53,7 +56,7 @@ private:
   std::shared_ptr<const void> policy_;
   Asked is_enough_ = nullptr, is_passed_ = nullptr;
   bool is_asking_ = false, is_asking_both_ways_ = false, is_asking_for_tolerance_ = false;
-  bool is_asking_for_cost_ = false;
+  bool is_asking_for_cost_ = false, is_asking_for_edges_ = false;
 };
 
 } // namespace quadrille::internal
