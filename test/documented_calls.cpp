@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <iostream>
+#include <quadrille/borders.h>
 #include <quadrille/calibrated.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>

@@ -28,7 +28,11 @@ std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
   for (const Vector<N>& p : input.positions)
     points.push_back(space(p));
   std::vector<std::array<Index, 2>> pairs;
-  const SurfaceView surface{points, input.triangles};
+  std::vector<Index> constrained;
+  for (std::size_t v = 0; v < input.is_fixed.size(); ++v)
+    if (input.is_fixed[v])
+      constrained.push_back(static_cast<Index>(v));
+  const SurfaceView surface{points, input.triangles, constrained};
   const EmitPair emit = [&](std::size_t i, std::size_t j) {
     if (i >= points.size() || j >= points.size())
       throw std::out_of_range("quadrille::simplify: the pair policy selected vertices " +
