@@ -97,6 +97,7 @@ public:
   /// Of each: its type, where it begins and how many numbers it has.
   std::string places() const { return places_.object(); }
   std::string base64() const { return encode_base64(bytes_); }
+  const std::string& bytes() const { return bytes_; }
 
 private:
   template <class T>
@@ -143,7 +144,7 @@ inline std::string json_of(const PageMaterial& material) {
   return json.object();
 }
 
-/// The header: see page.js.
+/// The header: see viewer.js.
 inline std::string page_header(const PageSource& source, const LevelArrays& arrays,
                                const PageFrame& frame, const PageData& data) {
   const auto text = [](const std::string& words) { return PageJson::text(words); };
@@ -163,7 +164,8 @@ inline std::string page_header(const PageSource& source, const LevelArrays& arra
   header.add("width", PageJson::number(arrays.vertices.width));
   header.add("places", places.object());
   header.add("isColored", is_colored ? "true" : "false");
-  header.add("materials", PageJson::array(source.looks.materials, json_of));
+  const auto material = [](const PageMaterial& looks) { return json_of(looks); };
+  header.add("materials", PageJson::array(source.looks.materials, material));
   header.add("images", PageJson::array(source.looks.images, text));
   header.add("notes", PageJson::array(source.looks.notes, text));
   header.add("center", PageJson::array(frame.center.coordinates, number));
@@ -172,12 +174,14 @@ inline std::string page_header(const PageSource& source, const LevelArrays& arra
   return header.object();
 }
 
-struct EncodedPage {
-  std::string content;   ///< of a file
+/// What the viewer shows.
+struct PageContent {
+  std::string header; ///< JSON
+  PageData data;
   std::size_t faces = 0; ///< of the finest level
 };
 
-inline EncodedPage encode_page(const PageSource& source) {
+inline PageContent page_content(const PageSource& source) {
   LevelArraysBuilder builder(source.levels, source.attributes);
   const LevelArrays arrays = builder.build(most_faces_of_page);
   PageData data;
@@ -192,14 +196,25 @@ inline EncodedPage encode_page(const PageSource& source) {
       materials.push_back(source.looks.of_faces[face]);
     data.add("materials", materials);
   }
+  std::string header = page_header(source, arrays, builder.frame(), data);
+  return {std::move(header), std::move(data), arrays.faces};
+}
+
+struct EncodedPage {
+  std::string content;   ///< of a file
+  std::size_t faces = 0; ///< of the finest level
+};
+
+inline EncodedPage encode_page(const PageSource& source) {
+  const PageContent content = page_content(source);
   std::string page(page_parts[0]);
   page += escaped_for_html(source.name);
   page += page_parts[1];
-  page += page_header(source, arrays, builder.frame(), data);
+  page += content.header;
   page += page_parts[2];
-  page += data.base64();
+  page += content.data.base64();
   page += page_parts[3];
-  return {std::move(page), arrays.faces};
+  return {std::move(page), content.faces};
 }
 
 } // namespace quadrille_examples

@@ -114,6 +114,15 @@ export class View {
     });
   }
 
+  // The canvas draws nothing any more.
+  dispose() {
+    this.renderer.setAnimationLoop(null);
+    this.controls.dispose();
+    this.geometry.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   // "plain", "color" or "error".
   show(coloring) {
     this.uniforms.showsErrors.value = coloring === "error";

@@ -3,16 +3,21 @@
 
 /// \file
 /// What the C++20 library of emscripten 3.1.6, which is libc++ 13, does not have and Quadrille
-/// calls: std::bit_cast, and std::to_chars of a double. It is included before all else
+/// calls: std::bit_cast, and std::to_chars and std::from_chars of a double. It is included before
+/// all else
 /// (`-include`), and is empty where the library has them.
 
 #include <version>
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
+#include <string_view>
+#include <system_error>
 #include <type_traits>
 
 // Names that the standard gives to its library may be added to it here, since that library lacks
@@ -50,6 +55,26 @@ inline to_chars_result to_chars(char* first, char* last, double x) {
     return {last, errc::value_too_large};
   memcpy(first, text, length);
   return {first + length, errc()};
+}
+
+/// A number in decimal digits, without a sign but minus.
+inline from_chars_result from_chars(const char* first, const char* last, double& x) {
+  const string_view all(first, static_cast<size_t>(last - first));
+  const size_t sign = all.starts_with('-') ? 1 : 0;
+  const string text(all.substr(0, all.find_first_not_of("0123456789+-.eEinfatyINFATY")));
+  if (text.size() == sign || text.find_first_of("+-") == sign)
+    return {first, errc::invalid_argument};
+  char* end = nullptr;
+  const double number = strtod(text.c_str(), &end);
+  if (end == text.c_str())
+    return {first, errc::invalid_argument};
+  const char* const stop = first + (end - text.c_str());
+  const bool is_finite_text = text[sign] != 'i' && text[sign] != 'I';
+  if ((is_finite_text && (number == HUGE_VAL || number == -HUGE_VAL)) ||
+      (number == 0 && text.find_first_of("123456789") < static_cast<size_t>(end - text.c_str())))
+    return {stop, errc::result_out_of_range};
+  x = number;
+  return {stop, errc()};
 }
 #endif
 

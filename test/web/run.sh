@@ -1,6 +1,6 @@
 #!/bin/sh
 # The package in JavaScript: builds it with emscripten, and the program that it is compared with; then it
-# gives the same bytes as that in node, refuses what it has to, and works in headless Chromium. The programs
+# gives the same bytes as that in node, refuses what it has to, and works in headless Chromium, as does the page simplify.html. The programs
 # of its manual run, and its types are those of TypeScript where npm finds that. It takes about ten minutes the
 # first time, half a minute if nothing has changed.
 #   sh test/web/run.sh [FOLDER]
@@ -28,7 +28,7 @@ unset EM_COMPILER_WRAPPER
 cmake -S test/web -B "$folder/native" >/dev/null
 cmake --build "$folder/native" --target native
 
-export PACKAGE="$folder/package/quadrille" NATIVE="$folder/native/native" WORK="$folder"
+export PACKAGE="$folder/package/quadrille" PAGE="$folder/package/simplify.html" NATIVE="$folder/native/native" WORK="$folder"
 [ -d "$folder/node_modules/typescript" ] || {
   cp test/web/package.json test/web/package-lock.json "$folder"
   (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund --no-update-notifier >npm.log 2>&1) ||

@@ -25,16 +25,17 @@ const inC = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase(
 export class Instance {
   #progress = null; // of the call that runs
 
-  constructor(module) {
-    this.exports = new WebAssembly.Instance(module, this.#imports()).exports;
+  // `more` are functions that a module of more parts imports.
+  constructor(module, more = {}) {
+    this.exports = new WebAssembly.Instance(module, this.#imports(more)).exports;
     this.exports._initialize();
   }
 
-  #imports() {
+  #imports(more) {
     const nothing = () => 0;
     return {
       quadrille: { proceed: (...status) => this.#progress(...status) },
-      env: { emscripten_notify_memory_growth() {} },
+      env: { emscripten_notify_memory_growth() {}, ...more },
       wasi_snapshot_preview1: {
         clock_time_get: (clock, precision, time) => {
           const now = BigInt(Math.round(1e6 * performance.now()));
