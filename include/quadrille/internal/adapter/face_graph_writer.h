@@ -105,18 +105,40 @@ private:
     }
     faces_.pop_back();
     doomed_faces_.pop_back();
-    halfedges_.resize(3 * left); // step by step, so that no face waits for what another one reads
-    for (std::size_t i = 0; i < left; ++i)
-      halfedges_[3 * i] = halfedge(faces_[i], mesh_);
-    for (std::size_t k = 1; k < 3; ++k)
-      for (std::size_t i = 0; i < left; ++i)
-        halfedges_[3 * i + k] = next(halfedges_[3 * i + k - 1], mesh_);
+    if constexpr (requires { result.input_side(Index{}, std::size_t{}); })
+      collect_given_sides(result, left);
+    else
+      collect_sides_of_faces(left);
     sides_.reserve(3 * left);
     for (Index i = 0; i < left; ++i) {
       const auto corners = result.corners(i);
       for (std::size_t k = 0; k < 3; ++k)
         sides_.push_back({corners[k == 0 ? 2 : k - 1], corners[k]});
     }
+  }
+
+  // Of each face that is left its own.
+  void collect_sides_of_faces(std::size_t left) {
+    halfedges_.resize(3 * left); // step by step, so that no face waits for what another one reads
+    for (std::size_t i = 0; i < left; ++i)
+      halfedges_[3 * i] = halfedge(faces_[i], mesh_);
+    for (std::size_t k = 1; k < 3; ++k)
+      for (std::size_t i = 0; i < left; ++i)
+        halfedges_[3 * i + k] = next(halfedges_[3 * i + k - 1], mesh_);
+  }
+  // Of a result whose faces have sides of any faces.
+  template <class Result>
+  void collect_given_sides(const Result& result, std::size_t left) {
+    Array<Halfedge> inputs(workspace_);
+    inputs.reserve(3 * result.input_face_count());
+    for (Face f : faces(mesh_)) {
+      inputs.push_back(halfedge(f, mesh_));
+      inputs.push_back(next(inputs.back(), mesh_));
+      inputs.push_back(next(inputs.back(), mesh_));
+    }
+    for (Index i = 0; i < left; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        halfedges_.push_back(inputs[result.input_side(i, k)]);
   }
 
   // The edges that were on the border, by the vertices that their ends have become.

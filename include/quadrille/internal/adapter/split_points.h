@@ -28,7 +28,7 @@ public:
       for (std::size_t i = 0; i < 3; ++i) {
         Corner corner{result.corners(faces[f])[i],
                       {},
-                      static_cast<Index>(triangles[inputs[faces[f]]][i]),
+                      origin_of(result, faces[f], i, inputs[faces[f]], triangles),
                       faces[f],
                       i,
                       3 * f + i};
@@ -73,6 +73,18 @@ private:
     Index origin, vertex, face;
     std::size_t corner;
   };
+
+  // The point of a corner of a face; of the input face that it was, if the result says no more.
+  template <class Result, class Triangles>
+  static Index origin_of(const Result& result, Index face, std::size_t corner, Index input_face,
+                         const Triangles& triangles) {
+    if constexpr (requires { result.input_corner(face, corner); }) {
+      const Index side = result.input_corner(face, corner);
+      return static_cast<Index>(triangles[side / 3][side % 3]);
+    } else {
+      return static_cast<Index>(triangles[input_face][corner]);
+    }
+  }
 
   void number(const std::vector<Corner>& corners) {
     std::vector<Index> point_of(corners.size());

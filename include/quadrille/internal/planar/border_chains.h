@@ -1,0 +1,181 @@
+#ifndef QUADRILLE_INTERNAL_PLANAR_BORDER_CHAINS_H
+#define QUADRILLE_INTERNAL_PLANAR_BORDER_CHAINS_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Makes borders of patches straight, alike for all patches at them.
+///
+/// Border edges between kept vertices are *chains*. Of each, the vertex that is farthest from the
+/// straight line between its ends is kept if it is farther than a tolerance, and so on in both
+/// parts; of a chain that is closed, at least as many that it has three. Two chains do not become
+/// one edge. Source: Douglas and Peucker, 1973.
+class BorderChains {
+public:
+  BorderChains(PatchBorders& borders, std::span<const Vector<3>> positions, double tolerance)
+      : borders_(borders), positions_(positions), squared_tolerance_(tolerance * tolerance),
+        neighbors_(positions.size(), {none, none}), is_seen_(positions.size(), 0) {}
+
+  void straighten() {
+    link();
+    for (const auto& [v, w] : borders_.edges()) {
+      collect(v, w);
+      collect(w, v);
+    }
+    for (Index v = 0; v < positions_.size(); ++v)
+      if (is_free(v) && !is_seen_[v])
+        collect_loop(v);
+    for (const std::vector<Index>& chain : chains_)
+      straighten(chain);
+    keep_apart();
+  }
+
+private:
+  using Chain = std::vector<Index>;
+
+  // Two neighbours of each vertex on a border that is not kept.
+  void link() {
+    for (const auto& [v, w] : borders_.edges())
+      for (const auto& [one, other] : {std::pair(v, w), std::pair(w, v)})
+        if (is_free(one))
+          neighbors_[one][neighbors_[one][0] == none ? 0 : 1] = other;
+  }
+  bool is_free(Index v) const { return borders_.degree(v) == 2 && !borders_.is_kept(v); }
+
+  // The chain that begins at a kept vertex along an edge, unless it has been collected from its
+  // end.
+  void collect(Index first, Index second) {
+    if (is_free(first) || !is_free(second) || is_seen_[second])
+      return;
+    Chain chain{first};
+    for (Index v = second; is_free(v);)
+      v = advance(chain, v);
+    chains_.push_back(std::move(chain));
+  }
+  // One without kept vertices; it begins and ends where it is farthest from some vertex, which is a
+  // corner of its convex hull.
+  void collect_loop(Index any) {
+    Chain loop{neighbors_[any][1]};
+    for (Index v = any; !is_seen_[v];)
+      v = advance(loop, v);
+    loop.pop_back(); // it has come round
+    const Vector<3> p = positions_[any];
+    const auto start = std::max_element(loop.begin(), loop.end(), [&](Index v, Index w) {
+      return squared_distance(positions_[v], p) < squared_distance(positions_[w], p);
+    });
+    std::rotate(loop.begin(), start, loop.end());
+    loop.push_back(loop.front());
+    borders_.keep(loop.front());
+    chains_.push_back(std::move(loop));
+  }
+  // Appends a vertex behind the last, and returns the next one.
+  Index advance(Chain& chain, Index v) {
+    const Index last = chain.back();
+    chain.push_back(v);
+    is_seen_[v] = 1;
+    const Index next = neighbors_[v][0] == last ? neighbors_[v][1] : neighbors_[v][0];
+    if (!is_free(next))
+      chain.push_back(next);
+    return next;
+  }
+
+  void straighten(const Chain& chain) {
+    parts_.assign(1, {0, chain.size() - 1});
+    while (!parts_.empty()) {
+      const auto [begin, end] = parts_.back();
+      parts_.pop_back();
+      const auto [farthest, squared] = farthest_between(chain, begin, end);
+      if (farthest == begin || !(squared > squared_tolerance_ || chain[begin] == chain[end]))
+        continue;
+      borders_.keep(chain[farthest]);
+      parts_.push_back({begin, farthest});
+      parts_.push_back({farthest, end});
+    }
+    if (chain.front() == chain.back())
+      keep_third(chain);
+  }
+
+  // Of a closed chain of which only its ends and one vertex are kept.
+  void keep_third(const Chain& chain) {
+    std::size_t second = 0, count = 0;
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+      if (borders_.is_kept(chain[i])) {
+        second = i;
+        ++count;
+      }
+    if (count != 1)
+      return;
+    const auto one = farthest_between(chain, 0, second);
+    const auto other = farthest_between(chain, second, chain.size() - 1);
+    borders_.keep(chain[other.second > one.second || one.first == 0 ? other.first : one.first]);
+  }
+
+  // Where the chain is farthest from the line between two of its vertices, and how far, squared;
+  // the first if there is none in between.
+  std::pair<std::size_t, double> farthest_between(const Chain& chain, std::size_t begin,
+                                                  std::size_t end) const {
+    const Vector<3> p = positions_[chain[begin]], d = positions_[chain[end]] - p;
+    const double length = squared_length(d);
+    std::pair<std::size_t, double> farthest{begin, -1};
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const Vector<3> x = positions_[chain[i]] - p;
+      const double along = length > 0 ? std::clamp(dot(x, d) / length, 0.0, 1.0) : 0;
+      if (const double squared = squared_length(x - along * d); squared > farthest.second)
+        farthest = {i, squared};
+    }
+    return farthest;
+  }
+
+  // Keeps all vertices of those parts of chains that would have the same two ends as another one.
+  void keep_apart() {
+    struct Part {
+      PatchBorders::Edge ends;
+      const Chain* chain; // null: a single edge
+      std::size_t begin, end;
+    };
+    std::vector<Part> parts;
+    const auto add = [&](Index v, Index w, const Chain* chain, std::size_t begin, std::size_t end) {
+      parts.push_back({{(std::min)(v, w), (std::max)(v, w)}, chain, begin, end});
+    };
+    for (const auto& [v, w] : borders_.edges())
+      if (borders_.is_kept(v) && borders_.is_kept(w))
+        add(v, w, nullptr, 0, 0);
+    for (const Chain& chain : chains_)
+      for (std::size_t begin = 0, end = 1; end < chain.size(); ++end)
+        if (borders_.is_kept(chain[end])) {
+          if (end > begin + 1)
+            add(chain[begin], chain[end], &chain, begin, end);
+          begin = end;
+        }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.ends < b.ends; });
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if ((i > 0 && parts[i].ends == parts[i - 1].ends) ||
+          (i + 1 < parts.size() && parts[i].ends == parts[i + 1].ends))
+        for (std::size_t k = parts[i].begin; k < parts[i].end; ++k)
+          borders_.keep((*parts[i].chain)[k]);
+  }
+
+  PatchBorders& borders_;
+  std::span<const Vector<3>> positions_;
+  double squared_tolerance_;
+  std::vector<std::array<Index, 2>> neighbors_;
+  std::vector<unsigned char> is_seen_;
+  std::vector<Chain> chains_;
+  std::vector<std::pair<std::size_t, std::size_t>> parts_; // of a chain, still to be looked at
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PLANAR_BORDER_CHAINS_H

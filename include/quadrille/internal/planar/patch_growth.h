@@ -1,0 +1,114 @@
+#ifndef QUADRILLE_INTERNAL_PLANAR_PATCH_GROWTH_H
+#define QUADRILLE_INTERNAL_PLANAR_PATCH_GROWTH_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/planar/flatness.h>
+#include <quadrille/internal/planar/surface_sides.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A part of a surface in which faces that are joined by edges lie in one plane.
+struct PlanarPatch {
+  std::vector<Index> faces; ///< ascending
+  Vector<3> normal;         ///< of length 1; of a face without area by itself, 0
+};
+
+/// Finds planar patches by growing each from the largest face that is left.
+///
+/// A patch takes over what fits across edges that may be crossed. Then its plane is taken anew from
+/// all of its faces, and it grows once more from the same face, as long as it becomes larger: so a
+/// small face at which it begins need not tell its plane to the last bit.
+template <class MayCross>
+class PatchGrowth {
+public:
+  /// may_cross(side): may a patch have the faces on both sides of an edge? It is asked of sides
+  /// that have a mate.
+  PatchGrowth(const PatchSurface& surface, const FlatLimits& limits, MayCross may_cross)
+      : surface_(surface), flatness_(surface, limits), may_cross_(may_cross),
+        patch_of_(surface.sides.face_count(), none), round_of_(patch_of_.size(), 0) {}
+
+  /// All patches, of which each triangle is in one.
+  std::vector<PlanarPatch> patches() {
+    std::vector<PlanarPatch> patches;
+    for (Index seed : by_area())
+      if (patch_of_[seed] == none) {
+        patches.push_back(patch_at(seed));
+        for (Index f : patches.back().faces)
+          patch_of_[f] = static_cast<Index>(patches.size() - 1);
+      }
+    return patches;
+  }
+  /// Of each face, after patches(); none of what is no triangle.
+  std::vector<Index> take_patch_of() { return std::move(patch_of_); }
+
+private:
+  std::vector<Index> by_area() const {
+    std::vector<Index> seeds;
+    std::vector<double> area(patch_of_.size());
+    for (Index f = 0; f < patch_of_.size(); ++f)
+      if (surface_.sides.is_triangle(f)) {
+        area[f] = squared_length(surface_.area_vector(f));
+        seeds.push_back(f);
+      }
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&](Index f, Index g) { return area[f] > area[g]; });
+    return seeds;
+  }
+
+  PlanarPatch patch_at(Index seed) {
+    std::optional<AffinePatch> plane = flatness_.patch_of(seed);
+    if (!plane)
+      return {{seed}, {}};
+    std::vector<Index> faces = grown(seed, *plane);
+    for (int round = 0; round < most_rounds && faces.size() > 1; ++round) {
+      const auto next = flatness_.patch_of(faces);
+      if (!next || !flatness_.fits(seed, *next))
+        break;
+      std::vector<Index> more = grown(seed, *next);
+      if (more.size() <= faces.size())
+        break;
+      faces = std::move(more);
+      plane = next;
+    }
+    std::sort(faces.begin(), faces.end());
+    return {std::move(faces), plane->plane().normal};
+  }
+
+  std::vector<Index> grown(Index seed, const AffinePatch& patch) {
+    std::vector<Index> faces{seed};
+    round_of_[seed] = ++round_;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (Index s = 3 * faces[i]; s < 3 * faces[i] + 3; ++s) {
+        const Index mate = surface_.sides.mate(s);
+        if (mate == none || !may_cross_(s))
+          continue;
+        const Index next = SurfaceSides::face(mate);
+        if (patch_of_[next] != none || round_of_[next] == round_ || !flatness_.fits(next, patch))
+          continue;
+        round_of_[next] = round_;
+        faces.push_back(next);
+      }
+    return faces;
+  }
+
+  static constexpr int most_rounds = 4;
+
+  PatchSurface surface_;
+  Flatness flatness_;
+  MayCross may_cross_;
+  std::vector<Index> patch_of_;
+  std::vector<Index> round_of_; // when a face was last taken
+  Index round_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PLANAR_PATCH_GROWTH_H

@@ -1,0 +1,253 @@
+#ifndef QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H
+#define QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/internal/planar/surface_sides.h>
+#include <quadrille/vector.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A straight part of the border of a patch, from the corner to which one border side leads to that
+/// to which another one does; the patch is on its left.
+struct BorderPart {
+  Index from, to; ///< border sides
+};
+
+/// A triangle of a patch that has been triangulated anew.
+struct PatchTriangle {
+  std::array<Index, 3> corners; ///< sides of the input that lead to what the corners are
+  std::array<Index, 3> mates;   ///< the triangle beyond the side to each corner; none on the border
+};
+
+/// The constrained Delaunay triangulation of a patch, projected to its plane.
+///
+/// What is inside is told by the border, which has the patch on its left, so holes, islands, and
+/// borders with the patch on both sides need no further word. Corners of several vertices at one
+/// place are told apart by the sectors in which they are.
+class PatchTriangulation {
+public:
+  PatchTriangulation(std::span<const Vector<3>> positions, const SurfaceSides& sides,
+                     const PatchBorders& borders)
+      : positions_(positions), sides_(sides), borders_(borders), number_(positions.size(), none) {}
+
+  /// `inner` are corners of vertices inside. The triangles, or nothing if borders intersect, touch
+  /// where they have no vertex, or do not bound a part of the plane.
+  std::optional<std::vector<PatchTriangle>> triangulate(const Vector<3>& normal,
+                                                        std::span<const BorderPart> border,
+                                                        std::span<const Index> inner) {
+    collect_places(border, inner);
+    std::optional<std::vector<PatchTriangle>> triangles;
+    if (insert(normal, border) && find_sides(border) && find_inside() &&
+        find_corners(border, inner))
+      triangles = inside_triangles();
+    for (Index v : places_)
+      number_[v] = none;
+    return triangles;
+  }
+
+private:
+  struct FaceInfo {
+    std::array<Index, 3> parts; // of the border, opposite to each corner, with the face on the left
+    std::array<Index, 3> corners; // sides of the input
+    Index number;                 // among those inside
+  };
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using FaceBase = CGAL::Constrained_triangulation_face_base_2<
+      Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
+  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+      Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+      CGAL::No_constraint_intersection_tag>;
+  using Face = Triangulation::Face_handle;
+  using Vertex = Triangulation::Vertex_handle;
+
+  Index place(Index side) const { return borders_.place(sides_.to(side)); }
+  Index number(Index side) const { return number_[place(side)]; }
+
+  void collect_places(std::span<const BorderPart> border, std::span<const Index> inner) {
+    places_.clear();
+    const auto add = [&](Index side) {
+      const Index v = place(side);
+      if (number_[v] != none)
+        return;
+      number_[v] = static_cast<Index>(places_.size());
+      places_.push_back(v);
+    };
+    for (const BorderPart& part : border)
+      add(part.to);
+    for (Index side : inner)
+      add(side);
+  }
+
+  // False if two places become one, or constraints intersect.
+  bool insert(const Vector<3>& normal, std::span<const BorderPart> border) {
+    triangulation_.clear();
+    vertices_.clear();
+    const auto [u, v] = axes(normal);
+    try {
+      Face near;
+      for (Index place : places_) {
+        const Vector<3> p = positions_[place] - positions_[places_[0]];
+        vertices_.push_back(triangulation_.insert({dot(p, u), dot(p, v)}, near));
+        vertices_.back()->info() = static_cast<Index>(vertices_.size() - 1);
+        near = vertices_.back()->face();
+      }
+      if (triangulation_.number_of_vertices() != places_.size() || triangulation_.dimension() != 2)
+        return false;
+      for (const BorderPart& part : border) {
+        if (number(part.from) == number(part.to))
+          return false;
+        triangulation_.insert_constraint(vertices_[number(part.from)], vertices_[number(part.to)]);
+      }
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+      return false;
+    }
+    return true;
+  }
+
+  // Two of length 1 that with a normal make a right-handed frame.
+  static std::array<Vector<3>, 2> axes(const Vector<3>& normal) {
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::abs(normal[i]) < std::abs(normal[least]))
+        least = i;
+    Vector<3> axis;
+    axis[least] = 1;
+    Vector<3> u = cross(normal, axis);
+    u *= 1 / std::sqrt(squared_length(u));
+    return {u, cross(normal, u)};
+  }
+
+  // Tells each face which parts of the border run along it. False if a part is not an edge, or is
+  // there twice.
+  bool find_sides(std::span<const BorderPart> border) {
+    struct Directed {
+      Index from, to, part;
+      auto ends() const { return std::tie(from, to); }
+    };
+    std::vector<Directed> directed;
+    for (Index i = 0; i < border.size(); ++i)
+      directed.push_back({number(border[i].from), number(border[i].to), i});
+    const auto is_less = [](const Directed& a, const Directed& b) { return a.ends() < b.ends(); };
+    std::sort(directed.begin(), directed.end(), is_less);
+    std::size_t found = 0;
+    for (Face face : triangulation_.all_face_handles()) {
+      face->info() = {{none, none, none}, {none, none, none}, none};
+      for (int i = 0; i < 3; ++i) {
+        if (triangulation_.is_infinite(face) || !face->is_constrained(i))
+          continue;
+        const Directed wanted{face->vertex(face->ccw(i))->info(), face->vertex(face->cw(i))->info(),
+                              none};
+        const auto [begin, end] =
+            std::equal_range(directed.begin(), directed.end(), wanted, is_less);
+        if (begin == end)
+          continue;
+        face->info().parts[static_cast<std::size_t>(i)] = begin->part;
+        ++found;
+      }
+    }
+    return found == border.size();
+  }
+
+  // Numbers the faces that are on the left of the border, and what is connected with them. False if
+  // that leads to the right of the border.
+  bool find_inside() {
+    inside_.clear();
+    const auto add = [&](Face face) {
+      if (face->info().number != none)
+        return;
+      face->info().number = static_cast<Index>(inside_.size());
+      inside_.push_back(face);
+    };
+    for (Face face : triangulation_.finite_face_handles())
+      if (face->info().parts != std::array<Index, 3>{none, none, none})
+        add(face);
+    for (std::size_t k = 0; k < inside_.size(); ++k)
+      for (int i = 0; i < 3; ++i) {
+        const Face face = inside_[k];
+        if (face->is_constrained(i) && face->info().parts[static_cast<std::size_t>(i)] == none)
+          return false;
+        if (face->is_constrained(i))
+          continue;
+        if (triangulation_.is_infinite(face->neighbor(i)))
+          return false;
+        add(face->neighbor(i));
+      }
+    return !inside_.empty();
+  }
+
+  // Gives all corners of a sector the end of the part of the border that comes to it, and all of a
+  // vertex inside its own. False if a corner is left.
+  bool find_corners(std::span<const BorderPart> border, std::span<const Index> inner) {
+    for (Face first : inside_)
+      for (int i = 0; i < 3; ++i) {
+        const Index part = first->info().parts[static_cast<std::size_t>(i)];
+        if (part == none)
+          continue;
+        const Vertex v = first->vertex(first->cw(i));
+        for (Face face = first;;) {
+          const int at = face->index(v);
+          face->info().corners[static_cast<std::size_t>(at)] = border[part].to;
+          if (face->is_constrained(face->cw(at)))
+            break;
+          face = face->neighbor(face->cw(at));
+        }
+      }
+    std::vector<Index> corner_inside(places_.size(), none);
+    for (Index side : inner)
+      corner_inside[number(side)] = side;
+    for (Face face : inside_)
+      for (int i = 0; i < 3; ++i) {
+        Index& corner = face->info().corners[static_cast<std::size_t>(i)];
+        if (corner == none)
+          corner = corner_inside[face->vertex(i)->info()];
+        if (corner == none)
+          return false;
+      }
+    return true;
+  }
+
+  std::vector<PatchTriangle> inside_triangles() const {
+    std::vector<PatchTriangle> triangles;
+    for (Face face : inside_) {
+      PatchTriangle triangle{face->info().corners, {none, none, none}};
+      for (int i = 0; i < 3; ++i) { // the side to a corner is opposite to the next one
+        const int opposite = face->ccw(i);
+        if (!face->is_constrained(opposite))
+          triangle.mates[static_cast<std::size_t>(i)] = face->neighbor(opposite)->info().number;
+      }
+      triangles.push_back(triangle);
+    }
+    return triangles;
+  }
+
+  std::span<const Vector<3>> positions_;
+  const SurfaceSides& sides_;
+  const PatchBorders& borders_;
+  std::vector<Index> number_; // of each vertex: where its place is in places_; none elsewhere
+  std::vector<Index> places_;
+  std::vector<Vertex> vertices_; // of each place
+  std::vector<Face> inside_;
+  Triangulation triangulation_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H

@@ -1,0 +1,110 @@
+#ifndef QUADRILLE_INTERNAL_PLANAR_PLANAR_REMESH_H
+#define QUADRILLE_INTERNAL_PLANAR_PLANAR_REMESH_H
+
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/planar/border_chains.h>
+#include <quadrille/internal/planar/flatness.h>
+#include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/internal/planar/patch_growth.h>
+#include <quadrille/internal/planar/patch_remesher.h>
+#include <quadrille/internal/planar/remeshed_surface.h>
+#include <quadrille/internal/planar/surface_sides.h>
+#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How many patches there were, and how many of them kept more than their corners.
+struct PatchCounts {
+  std::size_t all = 0, with_border = 0, unchanged = 0;
+};
+
+/// Of each side: may a patch have the faces on both sides of its edge? Not at borders of labels nor
+/// at named edges.
+inline std::vector<unsigned char> crossable_sides(const SurfaceInput<3>& input,
+                                                  const SurfaceSides& sides) {
+  std::vector<std::array<Index, 2>> barred;
+  for (const auto& [v, w] : input.creases)
+    barred.push_back({(std::min)(v, w), (std::max)(v, w)});
+  std::sort(barred.begin(), barred.end());
+  std::vector<unsigned char> may_cross(sides.size(), 0);
+  for (Index s = 0; s < sides.size(); ++s) {
+    const Index mate = sides.mate(s);
+    if (mate == none || (!input.labels.empty() && input.labels[SurfaceSides::face(s)] !=
+                                                      input.labels[SurfaceSides::face(mate)]))
+      continue;
+    const auto [low, high] = std::minmax({sides.from(s), sides.to(s)});
+    may_cross[s] = !std::binary_search(barred.begin(), barred.end(), std::array{low, high});
+  }
+  return may_cross;
+}
+
+/// What coordinates of such positions are rounded by at most, if they are all floats, or doubles.
+inline double rounding_of(const Array<Vector<3>>& positions) {
+  double greatest = 0;
+  bool are_floats = true;
+  for (const Vector<3>& p : positions)
+    for (double x : p.coordinates) {
+      greatest = (std::max)(greatest, std::abs(x));
+      are_floats = are_floats && static_cast<double>(to_number<float>(x)) == x;
+    }
+  return greatest * (are_floats ? 0x1p-24 : 0x1p-53);
+}
+
+/// Has each edge at least two sides?
+inline bool is_closed(const SurfaceSides& sides) {
+  bool is_closed = true;
+  sides.for_each_edge(
+      [&](std::span<const SurfaceSides::Keyed> edge) { is_closed &= edge.size() > 1; });
+  return is_closed;
+}
+
+/// Finds the planar patches of an input and triangulates them anew, with the limits in the unit of
+/// the input.
+///
+/// Vertices are within limits.height of their patch's plane, and of the straight border that they
+/// have been on.
+inline std::pair<RemeshedSurface, PatchCounts> remesh(SurfaceInput<3> input, FlatLimits limits) {
+  const Scale<3> scale(input.box(), true);
+  const double rounding = rounding_of(input.positions);
+  limits.height = scale.length_from_mesh((std::max)(limits.height, 8 * rounding));
+  const Array<Vector<3>> scaled = scale.scaled(input.positions);
+  const std::span<const Vector<3>> positions(scaled);
+
+  const SurfaceSides sides(input.triangles);
+  const std::vector<unsigned char> may_cross = crossable_sides(input, sides);
+  PatchGrowth growth(PatchSurface{positions, sides, input.channels}, limits,
+                     [&](Index side) { return may_cross[side] != 0; });
+  std::vector<PlanarPatch> patches = growth.patches();
+  const std::vector<Index> patch_of = growth.take_patch_of();
+
+  const auto is_inside = [&](Index side) {
+    return may_cross[side] != 0 &&
+           patch_of[SurfaceSides::face(side)] == patch_of[SurfaceSides::face(sides.mate(side))];
+  };
+  PatchBorders borders(positions, sides, is_inside,
+                       [&](Index v) { return !input.is_fixed.empty() && input.is_fixed[v]; });
+  BorderChains(borders, positions, limits.height).straighten();
+
+  PatchRemesher remesher(positions, sides, std::move(patches), patch_of, borders);
+  remesher.remesh();
+  const PatchCounts counts{remesher.patch_count(), remesher.count(PatchRemesher::Kept::border),
+                           remesher.count(PatchRemesher::Kept::all)};
+  Array<RemeshedFace> faces = remesher.faces();
+  return {RemeshedSurface(std::move(input), std::move(faces), is_closed(sides)), counts};
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_PLANAR_PLANAR_REMESH_H

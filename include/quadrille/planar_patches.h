@@ -1,0 +1,277 @@
+#ifndef QUADRILLE_PLANAR_PATCHES_H
+#define QUADRILLE_PLANAR_PATCHES_H
+
+// This header includes CGAL's constrained Delaunay triangulation, which is GPL: a program that
+// includes it comes under the GPL (or CGAL's commercial licence).
+
+#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+
+#include <quadrille/channels.h>
+#include <quadrille/distance_limits.h>
+#include <quadrille/internal/adapter/label_numbers.h>
+#include <quadrille/internal/call/carried.h>
+#include <quadrille/internal/call/meshes.h>
+#include <quadrille/internal/call/named_parameters.h>
+#include <quadrille/internal/call/teller.h>
+#include <quadrille/internal/planar/planar_remesh.h>
+#include <quadrille/labels.h>
+#include <quadrille/parameters.h>
+#include <quadrille/quadric.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <numbers>
+#include <ostream>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+/// \file
+/// Planar patches, triangulated anew: what is flat gets the fewest faces at once, and nothing else
+/// changes.
+
+namespace quadrille {
+
+/// What counts as planar, as an argument of remesh_planar_patches(). Without a word it is what is
+/// planar but for rounding: a 10⁻⁹ of the diagonal of the bounding box.
+class PlanarTolerance : public internal::DistanceOrPart {
+public:
+  /// `distance`, in the mesh's units: how far the surface may move.
+  explicit PlanarTolerance(double distance) : PlanarTolerance(distance, false) {}
+  /// The distance as a fraction of the diagonal of the bounding box.
+  static PlanarTolerance relative(double fraction) { return PlanarTolerance(fraction, true); }
+
+  double degrees = 10; ///< between the normals of a face and of its patch at most, below 90
+  /// How far attributes may be from affine on a patch, in parts of the range of each component.
+  double attributes = 1e-6;
+
+  /// Throws std::invalid_argument for a number that is negative, not a number, or an angle of 90
+  /// degrees or more.
+  void validate() const {
+    require_distance("quadrille::PlanarTolerance");
+    if (!(degrees >= 0 && degrees < 90))
+      throw std::invalid_argument("quadrille::PlanarTolerance: degrees " +
+                                  internal::text_of(degrees) + " are not from 0 to below 90");
+    if (!(attributes >= 0))
+      throw std::invalid_argument("quadrille::PlanarTolerance: attributes " +
+                                  internal::text_of(attributes) + " is no part of a range");
+  }
+
+private:
+  PlanarTolerance(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
+};
+
+/// What remesh_planar_patches() did. It prints itself in one line.
+struct PlanarReport {
+  std::size_t faces_before = 0;    ///< faces of the input
+  std::size_t faces_after = 0;     ///< faces of the result
+  std::size_t vertices_before = 0; ///< vertices of the input
+  std::size_t vertices_after = 0;  ///< vertices of the result
+  std::size_t patches = 0;         ///< planar patches, of one face or more
+  /// Of these, patches that could not be triangulated but with all vertices of their borders.
+  std::size_t patches_with_border = 0;
+  /// Of these, patches that could not be triangulated at all: their faces are as they were.
+  std::size_t patches_unchanged = 0;
+};
+
+/// Prints a report in one line, without an end of line.
+inline std::ostream& operator<<(std::ostream& out, const PlanarReport& report) {
+  return out << report.faces_before << " -> " << report.faces_after << " faces, "
+             << report.vertices_before << " -> " << report.vertices_after << " vertices, "
+             << report.patches << " planar patches, " << report.patches_with_border
+             << " with their whole borders, " << report.patches_unchanged << " unchanged";
+}
+
+namespace internal {
+
+template <class T>
+concept IsPlanarArgument = std::same_as<T, PlanarTolerance> || is_labels<T> || is_channel<T> ||
+    std::same_as<T, SplitVertices> || IsNamedParameters<T>::value;
+
+template <class... Arguments>
+PlanarTolerance pick_planar_tolerance(const Arguments&... arguments) {
+  static_assert(
+      (IsPlanarArgument<Arguments> && ...),
+      "remesh_planar_patches takes a PlanarTolerance, Labels, channels (Texture, Normals, "
+      "Colors, Attributes), SplitVertices, and one chain of named parameters.");
+  static_assert((std::same_as<Arguments, PlanarTolerance> + ... + 0) <= 1,
+                "remesh_planar_patches takes one PlanarTolerance: pass it only once.");
+  static_assert((IsNamedParameters<Arguments>::value + ... + 0) <= 1,
+                "remesh_planar_patches takes one chain of named parameters: join them with a dot.");
+  PlanarTolerance tolerance = PlanarTolerance::relative(1e-9);
+  const auto pick = [&](const auto& argument) {
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(argument)>, PlanarTolerance>)
+      tolerance = argument;
+  };
+  (pick(arguments), ...);
+  tolerance.validate();
+  return tolerance;
+}
+
+/// Refuses to compile a call with named parameters that are not among `Known`.
+template <class NamedParameters, class Known>
+constexpr void check_planar_names() {
+  namespace np = CGAL::internal_np;
+  using All =
+      Joined<Known,
+             Names<np::all_default_t, np::geom_traits_t, np::face_patch_t,
+                   np::vertex_is_constrained_t, np::vertex_color_map_t, np::vertex_texture_map_t,
+                   np::vertex_normal_map_t, parameters::vertex_attribute_t>>;
+  static_assert(std::same_as<typename OthersThan<NamedParameters, All>::type, Names<>>,
+                "remesh_planar_patches does not read one of its named parameters: those that it "
+                "knows are listed in <quadrille/planar_patches.h>.");
+}
+
+/// From an adapter, which has been read, to what it has become. A surface may move by as much as
+/// two vertices may be apart that are on two sides of a plane, and as far beside a border.
+template <class Adapter>
+PlanarReport remesh_with(Adapter& adapter, SurfaceInput<3> input,
+                         const PlanarTolerance& tolerance) {
+  PlanarReport report;
+  report.faces_before = input.triangles.size();
+  report.vertices_before = input.positions.size();
+  const double distance = tolerance.distance(input.box().diagonal());
+  const auto [surface, patches] =
+      remesh(std::move(input),
+             {distance / std::sqrt(5.0), std::cos(tolerance.degrees * (std::numbers::pi / 180)),
+              tolerance.attributes});
+  report.faces_after = surface.face_count();
+  report.vertices_after = surface.input_vertices().size();
+  report.patches = patches.all;
+  report.patches_with_border = patches.with_border;
+  report.patches_unchanged = patches.unchanged;
+  report.vertices_after += adapter.write(surface, teller(CGAL::parameters::default_values()));
+  return report;
+}
+
+template <class Points, class Triangles, class... Arguments>
+PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&... arguments) {
+  namespace np = CGAL::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const PlanarTolerance tolerance = pick_planar_tolerance(arguments...);
+  const auto carried = pick_carried<Quadric>(arguments...);
+  using Carried = std::remove_const_t<decltype(carried)>;
+  const auto named = pick_named(arguments...);
+  using NamedParameters = std::remove_const_t<decltype(named)>;
+  check_planar_names<NamedParameters, Names<np::point_t>>();
+  auto map = choose_parameter(get_parameter(named, np::point_map),
+                              CGAL::Identity_property_map<ElementOf<Points>>());
+  check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
+  Workspace workspace({0, 0});
+  auto adapter = soup_adapter(points, triangles, map, NoAttributes{}, carried, workspace);
+  SurfaceInput<3> input = adapter.read();
+  fix_vertices(adapter, input, named);
+  if constexpr (Carried::has_labels)
+    input.labels = numbers_of_labels(
+        carried.labels.map, boost::irange(std::size_t{0}, std::ranges::size(triangles)), workspace);
+  return remesh_with(adapter, std::move(input), tolerance);
+}
+
+} // namespace internal
+
+/// Finds the planar patches of a triangle mesh and triangulates each anew, in place, between the
+/// vertices that its shape needs: flat parts of CAD models, of voxels and of buildings get the
+/// fewest faces that they can have on vertices of the input, at once.
+///
+/// A *patch* is faces that are connected by edges and lie in one plane. Its border keeps the
+/// vertices where it bends, where other than two patches meet, and where it touches another vertex;
+/// the others go, from the patches on both sides alike, and so do vertices inside. What is left is
+/// triangulated by a constrained Delaunay triangulation. No vertex moves. A patch that has nothing
+/// to lose stays as it is.
+///
+/// `mesh` is as in `simplify`. The arguments, in any order, are
+///
+/// - PlanarTolerance: what counts as planar; by default what is but for rounding
+/// - Labels: of faces; their borders are borders of patches
+/// - Texture, Normals, Colors, Attributes, any number: channels, see channels.h. A patch ends where
+///   one is not affine, or has a seam. Options that say how a channel counts are not looked at
+/// - CGAL's named parameters vertex_point_map, vertex_index_map, vertex_is_constrained_map (such a
+///   vertex stays), edge_is_constrained_map (such an edge stays, with its ends), face_patch_map,
+///   vertex_color_map, vertex_texture_map, vertex_normal_map, geom_traits, and
+///   quadrille::parameters::vertex_attribute_map, as in `simplify`; others do not compile
+///
+/// Promised of the result, with a tolerance of `distance`, at least 18 units of rounding of the
+/// largest coordinate:
+///
+/// - each point of either surface is within that distance of the other
+/// - topology is kept, closed surfaces stay closed, faces keep their orientation, labels and
+///   descriptors, edges that are left are some of those that there were
+/// - vertices are some of those that there were, at their places, with their values
+/// - with the default, on a surface of which no part touches itself but at vertices, vertices are
+///   all corners of patches, and no others: no triangulation of the same patches has fewer faces
+///
+/// Where a patch can't be triangulated, because borders would cross or close up where they have
+/// been made straight, it keeps all vertices of its border; or, if that does not do, its faces:
+/// PlanarReport counts both. Patches by themselves can't intersect, but with a large tolerance
+/// those of several planes may.
+///
+/// Time O(n log n) for n faces as a rule. Memory: about 200 bytes a face beside the mesh.
+///
+/// Throws as `simplify` does, before anything is changed. The same input gives the same result.
+///
+/// Source: the patches of CGAL 6, remesh_planar_patches(); borders are made straight by Douglas and
+/// Peucker, 1973.
+template <class Mesh, class... Arguments>
+requires internal::FaceGraph<Mesh>
+    PlanarReport remesh_planar_patches(Mesh& mesh, const Arguments&... arguments) {
+  namespace np = CGAL::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const PlanarTolerance tolerance = internal::pick_planar_tolerance(arguments...);
+  const auto carried = internal::pick_carried<Quadric>(arguments...);
+  using Carried = std::remove_const_t<decltype(carried)>;
+  static_assert(
+      !Carried::splits_vertices,
+      "remesh_planar_patches: SplitVertices is for soups; a mesh has halfedges for maps.");
+  const auto named = internal::pick_named(arguments...);
+  internal::check_planar_names<
+      std::remove_const_t<decltype(named)>,
+      internal::Names<np::vertex_point_t, np::vertex_index_t, np::edge_is_constrained_t>>();
+  auto points = choose_parameter(get_parameter(named, np::vertex_point),
+                                 CGAL::get_property_map(CGAL::vertex_point, mesh));
+  auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
+  internal::Workspace workspace({0, 0});
+  auto channels = internal::channel_maps(carried.channels);
+  internal::FaceGraphAdapter<Mesh, decltype(points), decltype(indices), internal::NoAttributes,
+                             decltype(channels)>
+      adapter(mesh, points, indices, {}, workspace, std::move(channels));
+  internal::SurfaceInput<3> input = adapter.read();
+  internal::fix_vertices(adapter, input, named);
+  internal::with_map<np::edge_is_constrained_t>(named, [&](const auto& map) {
+    adapter.fix_edges(map, input);
+    adapter.name_creases(map, input);
+  });
+  if constexpr (Carried::has_labels)
+    input.labels = internal::numbers_of_labels(carried.labels.map, faces(mesh), workspace);
+  return internal::remesh_with(adapter, std::move(input), tolerance);
+}
+
+/// The same for a polygon soup of triangles, in any of the forms that `simplify` takes: containers
+/// of points and triangles, with point_map and SplitVertices as there, matrices, spans and other
+/// buffers. It may be non-manifold: an edge of other than two faces is a border of patches. So is
+/// one of two faces that do not run round alike. Points and triangles that are left keep their
+/// order; points of no triangle, and triangles that name a point twice, are dropped. There are no
+/// maps over edges.
+template <class Points, class Triangles, class... Arguments>
+requires(internal::PointContainer<Points>&& internal::TriangleContainer<Triangles>) ||
+    internal::BufferedSoup<std::remove_reference_t<Points>,
+                           std::remove_reference_t<Triangles>> PlanarReport
+    remesh_planar_patches(Points&& points, Triangles&& triangles, const Arguments&... arguments) {
+  static_assert(internal::is_changeable<Points> && internal::is_changeable<Triangles>,
+                "remesh_planar_patches changes the soup: it takes no temporary nor constant one.");
+  auto&& rows_of_points = internal::as_rows(points, "point");
+  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
+  return internal::remesh_soup(rows_of_points, rows_of_triangles, arguments...);
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_PLANAR_PATCHES_H
