@@ -18,9 +18,10 @@ namespace quadrille::internal {
 
 /// How far from flat a patch may be, in the unit of the positions.
 struct FlatLimits {
-  double height;     ///< the greatest distance of its vertices to its plane
-  double cosine;     ///< the least, of the angle between the normals of a face and of the plane
-  double attributes; ///< how far a component may be from affine, as a part of its range
+  double height;       ///< the greatest distance of its vertices to its plane
+  double cosine;       ///< the least, of the angle between the normals of a face and of the plane
+  double attributes;   ///< how far a component may be from affine, as a part of its range
+  double thinnest = 0; ///< a face that is no higher says nothing by its normal
 };
 
 /// A plane, with the side to which the normal of length 1 points.
@@ -146,7 +147,7 @@ private:
       longest = (std::max)(longest, squared_distance(surface_.position(s),
                                                      surface_.position(SurfaceSides::before(s))));
     return dot(n, normal) >= limits_.cosine * length ||
-           length <= limits_.height * std::sqrt(longest);
+           length <= limits_.thinnest * std::sqrt(longest);
   }
 
   bool has_values(Index face, const AffinePatch& patch) const {

@@ -74,7 +74,7 @@ private:
       Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
   using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
       Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-      CGAL::No_constraint_intersection_tag>;
+      CGAL::No_constraint_intersection_requiring_constructions_tag>;
   using Face = Triangulation::Face_handle;
   using Vertex = Triangulation::Vertex_handle;
 

@@ -79,6 +79,8 @@ inline std::pair<RemeshedSurface, PatchCounts> remesh(SurfaceInput<3> input, Fla
   const Scale<3> scale(input.box(), true);
   const double rounding = rounding_of(input.positions);
   limits.height = scale.length_from_mesh((std::max)(limits.height, 8 * rounding));
+  limits.thinnest = (std::min)(
+      limits.height, scale.length_from_mesh((std::max)(1e-9 * scale.diagonal(), 8 * rounding)));
   const Array<Vector<3>> scaled = scale.scaled(input.positions);
   const std::span<const Vector<3>> positions(scaled);
 
