@@ -282,6 +282,19 @@ TEST_CASE("a texture is as it was at each point, in every form") {
   CHECK(left.triangles.size() == after.triangles.size());
   CHECK(covered(left) == covered(before));
   CHECK(greatest_difference(left, test::at_corners(values, left.triangles)) < 1e-9);
+
+  // What else a point has goes along with it.
+  parts = test::split(before, places);
+  std::vector<std::pair<test::Point, std::size_t>> points;
+  for (const Position& p : parts.soup.points)
+    points.emplace_back(test::to_point<test::Point>(p), points.size());
+  remesh_planar_patches(
+      points, parts.soup.triangles, SplitVertices{}, Texture{CGAL::make_property_map(values)},
+      CGAL::parameters::point_map(
+          CGAL::First_of_pair_property_map<std::pair<test::Point, std::size_t>>()));
+  CHECK(points.size() == left.points.size());
+  for (const auto& [p, number] : points)
+    CHECK(test::to_position(p) == parts.soup.points[number]);
 }
 
 TEST_CASE("a mesh keeps the values of its halfedges, labels and what is not removed") {
@@ -398,6 +411,20 @@ TEST_CASE("an edge of three faces, and parts that touch, stay as they hang toget
   CHECK(test::topology_of(fan).border_edges == 9);
   CHECK(test::topology_of(fan).euler() == test::topology_of(before).euler());
 
+  // Two sheets that meet in a vertex inside both.
+  Soup cross = test::joined(test::grid(4, 4), test::mapped(test::grid(4, 4), [](const Position& p) {
+                              return Position{{p[0], p[1], p[0] + p[1] - 1}};
+                            }));
+  cross = test::joined(cross, {});
+  for (Triangle& t : cross.triangles)
+    for (std::uint32_t& v : t)
+      v = v == 25 + 12 ? 12 : v;
+  const auto bow_tie = test::topology_of(cross);
+  REQUIRE(bow_tie.components == 1);
+  remesh(cross);
+  CHECK(is_same_topology(test::topology_of(cross), bow_tie));
+  CHECK(cross.points.size() == 4 + 4 + 1);
+
   // Two cubes of a mesh that touch along an edge, each with vertices of its own there.
   const Soup cubes =
       test::surface_of_cubes(4, 4, 2, [](int x, int y, int) { return x / 2 == y / 2; });
@@ -429,19 +456,30 @@ TEST_CASE("a border without a corner keeps its vertices, or three") {
   remesh(disc, PlanarTolerance(10));
   CHECK(disc.points.size() == 3);
   CHECK(disc.triangles.size() == 1);
+
+  Soup frame = test::grid(8, 8);
+  std::erase_if(frame.triangles, [&](const Triangle& t) {
+    const Position p = test::centre(frame, t);
+    return std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)) < 0.25;
+  });
+  remesh(frame);
+  CHECK(frame.points.size() == 8);
+  CHECK(frame.triangles.size() == 8);
 }
 
 TEST_CASE("sheets that would fall on each other stay apart") {
-  // A closed bag of two sheets in one plane, with a round rim.
-  Soup bag = test::mapped(test::uv_sphere(8, 6), [](const Position& p) {
-    return Position{{p[0], p[1], 0}};
-  });
-  const auto before = test::topology_of(bag);
-  REQUIRE(before.euler() == 2);
-  const PlanarReport report = remesh(bag);
-  CHECK(report.patches == 2);
-  CHECK(is_same_topology(test::topology_of(bag), before));
-  CHECK_FALSE(test::topology_of(bag).has_duplicate_faces);
+  // Closed bags of two sheets in one plane.
+  for (std::uint32_t corners : {3U, 8U}) {
+    Soup bag = test::mapped(test::uv_sphere(corners, 6), [](const Position& p) {
+      return Position{{p[0], p[1], 0}};
+    });
+    const auto before = test::topology_of(bag);
+    REQUIRE(before.euler() == 2);
+    const PlanarReport report = remesh(bag);
+    CHECK(report.patches == 2);
+    CHECK(is_same_topology(test::topology_of(bag), before));
+    CHECK_FALSE(test::topology_of(bag).has_duplicate_faces);
+  }
 
   // A slit in the middle of a sheet: its three inner vertices are there twice, at the same places.
   Soup slit = test::grid(6, 2);
@@ -484,6 +522,19 @@ TEST_CASE("where straight borders would cross, or a patch lies over itself, more
   CHECK(report.patches_unchanged == 0);
   CHECK(after.points.size() == 4 * 8 + 6);
   CHECK(is_same_topology(test::topology_of(after), test::topology_of(sheet)));
+
+  // The same with a wall below: the border that they share is the same for both.
+  Soup edge = test::joined(sheet, test::mapped(test::grid(8, 3), [](const Position& p) {
+                             return Position{{p[0], -0.4 * p[0] * (1 - p[0]), p[1] - 1}};
+                           }));
+  edge = test::welded(edge);
+  const auto with_wall = test::topology_of(edge);
+  PlanarTolerance tolerance(0.3);
+  tolerance.degrees = 40;
+  report = remesh(edge, tolerance);
+  CHECK(report.patches == 2);
+  CHECK(edge.points.size() == 4 * 8 + 6 + 3); // below, both ends and the middle
+  CHECK(is_same_topology(test::topology_of(edge), with_wall));
 
   // A ramp of two turns, in a slab that is no higher than the tolerance.
   const Soup ramp = test::mapped(test::grid(60, 4), [](const Position& p) {

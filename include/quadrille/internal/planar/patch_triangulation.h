@@ -96,8 +96,10 @@ private:
       add(side);
   }
 
-  // False if two places become one, or constraints intersect.
+  // False if there is no plane, two places become one, or constraints intersect.
   bool insert(const Vector<3>& normal, std::span<const BorderPart> border) {
+    if (border.empty() || normal == Vector<3>{})
+      return false;
     triangulation_.clear();
     vertices_.clear();
     const auto [u, v] = axes(normal);

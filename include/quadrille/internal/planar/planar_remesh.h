@@ -62,14 +62,6 @@ inline double rounding_of(const Array<Vector<3>>& positions) {
   return greatest * (are_floats ? 0x1p-24 : 0x1p-53);
 }
 
-/// Has each edge at least two sides?
-inline bool is_closed(const SurfaceSides& sides) {
-  bool is_closed = true;
-  sides.for_each_edge(
-      [&](std::span<const SurfaceSides::Keyed> edge) { is_closed &= edge.size() > 1; });
-  return is_closed;
-}
-
 /// Finds the planar patches of an input and triangulates them anew, with the limits in the unit of
 /// the input.
 ///
@@ -103,8 +95,8 @@ inline std::pair<RemeshedSurface, PatchCounts> remesh(SurfaceInput<3> input, Fla
   remesher.remesh();
   const PatchCounts counts{remesher.patch_count(), remesher.count(PatchRemesher::Kept::border),
                            remesher.count(PatchRemesher::Kept::all)};
-  Array<RemeshedFace> faces = remesher.faces();
-  return {RemeshedSurface(std::move(input), std::move(faces), is_closed(sides)), counts};
+  Array<RemeshedFace> faces = remesher.faces(); // before the input is gone
+  return {RemeshedSurface(std::move(input), std::move(faces)), counts};
 }
 
 } // namespace quadrille::internal

@@ -26,8 +26,8 @@ struct RemeshedFace {
 /// What is left of an input, as adapters write it: the vertices of some faces, where they were.
 class RemeshedSurface {
 public:
-  RemeshedSurface(SurfaceInput<3> input, Array<RemeshedFace> faces, bool is_closed)
-      : input_(std::move(input)), faces_(std::move(faces)), is_closed_(is_closed) {
+  RemeshedSurface(SurfaceInput<3> input, Array<RemeshedFace> faces)
+      : input_(std::move(input)), faces_(std::move(faces)) {
     Array<unsigned char> is_left(input_.positions.size(), 0);
     for (const RemeshedFace& face : faces_)
       for (Index corner : face.corners)
@@ -58,7 +58,8 @@ public:
   Index input_corner(Index face, std::size_t corner) const { return faces_[face].corners[corner]; }
   Index input_side(Index face, std::size_t corner) const { return faces_[face].sides[corner]; }
 
-  bool is_closed() const { return is_closed_; }
+  /// No border needs to be looked for: sides on it come from the border.
+  bool is_closed() const { return true; }
   bool is_moved(Index) const { return false; }
   const Vector<3>& position(Index v) const { return input_.positions[vertices_[v]]; }
 
@@ -80,7 +81,6 @@ private:
 
   SurfaceInput<3> input_;
   Array<RemeshedFace> faces_;
-  bool is_closed_;
   Array<Index> vertices_; // that are left, by their input indices, ascending
   Array<Index> numbers_;  // of each input vertex, where it is in vertices_
 };
