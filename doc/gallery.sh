@@ -13,7 +13,7 @@ if [ "${1-}" = --built ]; then
   built=$2
   shift 2
 fi
-all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance walls seams time"
+all="front costs placement pairs boundary topology order labels colours texture levels hull foot quadrics importance tolerance walls planar seams time"
 for name in "$@"; do
   case " $all " in
     *" $name "*) ;;
@@ -26,7 +26,7 @@ sh .ci/install_packages.sh cmake g++ make libcgal-dev libcgal-demo libboost-dev 
 if [ -z "$built" ]; then
   built=build/examples
   cmake -S . -B $built -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF -DQUADRILLE_BUILD_BENCHMARKS=ON
-  cmake --build $built --target quadrille_program figures levels hulls importance quadrille_seams --parallel "$(nproc)"
+  cmake --build $built --target quadrille_program figures levels hulls importance planar_patches quadrille_seams --parallel "$(nproc)"
 fi
 models=$built/data/meshes
 out=build/gallery
@@ -212,6 +212,13 @@ draw_walls() {
   drawn walls.png --size 420,400 --colours 120 --from 0.1,-0.35,1 --up 0,1,0 --edges 0 $out/spiral.off='{} faces' \
     --edges 0.8 $out/spiral_250.ply="{} faces|$pairs pairs of them pass through each other" \
     $out/spiral_apart.off='NoSelfIntersection|{} faces, of which none do'
+}
+
+draw_planar() {
+  made houses $out/houses.off
+  "$built/examples/planar_patches" $out/houses.off $out/houses_planar.off 1e-9
+  drawn planar.png --size 560,330 --colours 120 --from 0.5,-0.8,0.9 --edges 0.4 $out/houses.off='Voxels|{} faces' \
+    --edges 0.9 $out/houses_planar.off='Planar patches|{} faces, the same surface'
 }
 
 # Of the first table of doc/benchmarks.md.

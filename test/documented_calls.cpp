@@ -20,6 +20,7 @@
 #include <quadrille/levels_file.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/pictures.h>
+#include <quadrille/planar_patches.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>

@@ -10,6 +10,7 @@
 #   models.py crossing IN.off OUT.ply   with faces in red that pass through others; prints how many such pairs there are
 #   models.py debris IN.off OUT.off     with 40 small balls around it
 #   models.py sheet OUT.off             a dome with a wavy border
+#   models.py houses OUT.off            cuboids on a plate, of voxels
 import colorsys
 import sys
 
@@ -331,6 +332,35 @@ def crossing(source, target):
         colours[face] = "205 60 40"
     write_ply(target, points, triangles, "".join(f"property uchar {c}\n" for c in ("red", "green", "blue")), colours)
     print(len(pairs))
+
+
+def houses(target, size=56, count=34):
+    random = np.random.default_rng(3)
+    height = np.full((size, size), 3)
+    height[[0, -1], :] = height[:, [0, -1]] = 0
+    for _ in range(count):
+        x, y = random.integers(2, size - 10, 2)
+        u, v = random.integers(3, 9, 2)
+        height[x:x + u, y:y + v] = random.integers(4, 15)
+    solid = np.arange(height.max() + 2) < height[:, :, None]
+    number, triangles = {}, []
+    for cube in np.argwhere(solid):
+        for axis in range(3):
+            for side in (0, 1):
+                beside = cube.copy()
+                beside[axis] += 2 * side - 1
+                if (beside >= 0).all() and (beside < solid.shape).all() and solid[tuple(beside)]:
+                    continue
+                corners = []
+                for along, across in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                    p = cube.copy()
+                    p[axis] += side
+                    p[(axis + 1) % 3] += along
+                    p[(axis + 2) % 3] += across
+                    corners.append(number.setdefault(tuple(p), len(number)))
+                a, b, c, d = corners if side else reversed(corners)
+                triangles += [(a, b, c), (a, c, d)]
+    write_off(target, np.array(list(number), float), triangles)
 
 
 if __name__ == "__main__":

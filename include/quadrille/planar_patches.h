@@ -257,9 +257,9 @@ requires internal::FaceGraph<Mesh>
 /// The same for a polygon soup of triangles, in any of the forms that `simplify` takes: containers
 /// of points and triangles, with point_map and SplitVertices as there, matrices, spans and other
 /// buffers. It may be non-manifold: an edge of other than two faces is a border of patches. So is
-/// one of two faces that do not run round alike. Points and triangles that are left keep their
-/// order; points of no triangle, and triangles that name a point twice, are dropped. There are no
-/// maps over edges.
+/// one of two faces that do not run round alike, so the sheets of two sides that `simplify` knows
+/// stay as they are. Points and triangles that are left keep their order; points of no triangle,
+/// and triangles that name a point twice, are dropped. There are no maps over edges.
 template <class Points, class Triangles, class... Arguments>
 requires(internal::PointContainer<Points>&& internal::TriangleContainer<Triangles>) ||
     internal::BufferedSoup<std::remove_reference_t<Points>,

@@ -379,7 +379,10 @@ TEST_CASE("what is constrained stays") {
   CHECK(left.contains(test::to_point<test::Point>(before.points[beside])));
   CHECK(soup.triangles.size() == 5); // three of a polygon of five corners, and two for one inside
 
-  test::Mesh mesh = test::make_mesh(before);
+  // The long diagonal of a parallelogram between its other two corners, which edges beside it hold.
+  test::Mesh mesh = test::make_mesh(test::mapped(before, [](const Position& p) {
+    return Position{{p[0] + 0.5 * p[1], p[1], 0}};
+  }));
   auto is_held = mesh.add_property_map<test::Mesh::Edge_index, bool>("held", false).first;
   const auto held = [&](std::uint32_t v, std::uint32_t w) {
     const auto h = mesh.halfedge(test::Mesh::Vertex_index(v), test::Mesh::Vertex_index(w));
@@ -387,21 +390,24 @@ TEST_CASE("what is constrained stays") {
     is_held[mesh.edge(h)] = true;
     return mesh.edge(h);
   };
-  const auto edge = held(inside, inside + 1), next = held(inside + 1, inside + 2);
+  const auto edge = held(inside, inside + 10);
+  held(inside + 1, inside + 2);
+  held(inside + 9, inside + 8);
   remesh_planar_patches(mesh, CGAL::parameters::edge_is_constrained_map(is_held));
   CHECK(test::is_valid_triangle_mesh(mesh));
-  CHECK_FALSE(mesh.is_removed(edge));
-  CHECK_FALSE(mesh.is_removed(next));
+  REQUIRE_FALSE(mesh.is_removed(edge));
   CHECK(std::set<std::uint32_t>{mesh.vertex(edge, 0), mesh.vertex(edge, 1)} ==
-        std::set<std::uint32_t>{inside, inside + 1});
-  CHECK(mesh.number_of_vertices() == 4 + 3);
+        std::set<std::uint32_t>{inside, inside + 10});
+  CHECK(mesh.number_of_vertices() == 4 + 6);
 }
 
 TEST_CASE("an edge of three faces, and parts that touch, stay as they hang together") {
-  // Three sheets at one edge, one of which ends in a point of another.
+  // Three sheets at one edge, of which two are in one plane.
   Soup fan = test::grid(4, 4);
   const auto add = [&](const Soup& sheet) { fan = test::joined(fan, sheet); };
-  add(test::mapped(test::grid(4, 4), [](const Position& p) { return Position{{-p[0], p[1], 0}}; }));
+  add(test::mapped(test::grid(4, 4), [](const Position& p) {
+    return Position{{p[0] - 1, p[1], 0}};
+  }));
   add(test::mapped(test::grid(4, 4), [](const Position& p) { return Position{{0, p[1], p[0]}}; }));
   fan = test::welded(fan);
   const Soup before = fan;
@@ -411,19 +417,22 @@ TEST_CASE("an edge of three faces, and parts that touch, stay as they hang toget
   CHECK(test::topology_of(fan).border_edges == 9);
   CHECK(test::topology_of(fan).euler() == test::topology_of(before).euler());
 
-  // Two sheets that meet in a vertex inside both.
-  Soup cross = test::joined(test::grid(4, 4), test::mapped(test::grid(4, 4), [](const Position& p) {
-                              return Position{{p[0], p[1], p[0] + p[1] - 1}};
-                            }));
-  cross = test::joined(cross, {});
-  for (Triangle& t : cross.triangles)
-    for (std::uint32_t& v : t)
-      v = v == 25 + 12 ? 12 : v;
-  const auto bow_tie = test::topology_of(cross);
-  REQUIRE(bow_tie.components == 1);
-  remesh(cross);
-  CHECK(is_same_topology(test::topology_of(cross), bow_tie));
-  CHECK(cross.points.size() == 4 + 4 + 1);
+  // Two sheets that meet in a vertex: inside of one, and inside or on the border of the other.
+  for (std::uint32_t vertex : {12U, 2U}) {
+    const Position place = test::grid(4, 4).points[vertex];
+    Soup cross = test::joined(
+        test::grid(4, 4), test::mapped(test::grid(4, 4), [&](const Position& p) {
+          return place + Position{{0.7 * (p[0] - 0.5), 0.2 * (p[1] - 0.5), p[1] - 0.5}};
+        }));
+    for (Triangle& t : cross.triangles)
+      for (std::uint32_t& v : t)
+        v = v == 25 + 12 ? vertex : v;
+    const auto before_it = test::topology_of(cross);
+    REQUIRE(before_it.components == 1);
+    remesh(cross);
+    CHECK(is_same_topology(test::topology_of(cross), before_it));
+    CHECK(cross.points.size() == 4 + 4 + 1);
+  }
 
   // Two cubes of a mesh that touch along an edge, each with vertices of its own there.
   const Soup cubes =
@@ -471,7 +480,7 @@ TEST_CASE("sheets that would fall on each other stay apart") {
   // Closed bags of two sheets in one plane.
   for (std::uint32_t corners : {3U, 8U}) {
     Soup bag = test::mapped(test::uv_sphere(corners, 6), [](const Position& p) {
-      return Position{{p[0], p[1], 0}};
+      return Position{{2 * p[0] + 0.3 * p[1], p[1], 0}};
     });
     const auto before = test::topology_of(bag);
     REQUIRE(before.euler() == 2);
@@ -523,18 +532,22 @@ TEST_CASE("where straight borders would cross, or a patch lies over itself, more
   CHECK(after.points.size() == 4 * 8 + 6);
   CHECK(is_same_topology(test::topology_of(after), test::topology_of(sheet)));
 
-  // The same with a wall below: the border that they share is the same for both.
-  Soup edge = test::joined(sheet, test::mapped(test::grid(8, 3), [](const Position& p) {
-                             return Position{{p[0], -0.4 * p[0] * (1 - p[0]), p[1] - 1}};
-                           }));
-  edge = test::welded(edge);
-  const auto with_wall = test::topology_of(edge);
-  PlanarTolerance tolerance(0.3);
-  tolerance.degrees = 40;
-  report = remesh(edge, tolerance);
-  CHECK(report.patches == 2);
-  CHECK(edge.points.size() == 4 * 8 + 6 + 3); // below, both ends and the middle
-  CHECK(is_same_topology(test::topology_of(edge), with_wall));
+  // The same with a wall below, of which the faces are larger or smaller than those of the sheet:
+  // the border that they share is the same for both.
+  for (double height : {1.0, 0.2}) {
+    Soup edge =
+        test::joined(sheet, test::mapped(test::grid(8, 3), [&](const Position& p) {
+                       return Position{{p[0], -0.4 * p[0] * (1 - p[0]), height * (p[1] - 1)}};
+                     }));
+    edge = test::welded(edge);
+    const auto with_wall = test::topology_of(edge);
+    PlanarTolerance tolerance(0.3);
+    tolerance.degrees = 40;
+    report = remesh(edge, tolerance);
+    CHECK(report.patches == 2);
+    CHECK(edge.points.size() == 4 * 8 + 6 + 3); // below, both ends and the middle
+    CHECK(is_same_topology(test::topology_of(edge), with_wall));
+  }
 
   // A ramp of two turns, in a slab that is no higher than the tolerance.
   const Soup ramp = test::mapped(test::grid(60, 4), [](const Position& p) {
@@ -565,6 +578,17 @@ TEST_CASE("with a tolerance the surface moves no further, and keeps its topology
     CHECK(test::farthest(before, after, 4) <= distance);
     CHECK(is_same_topology(test::topology_of(after), test::topology_of(before)));
   }
+}
+
+TEST_CASE("a border bends where it is further from straight than the tolerance") {
+  Soup sheet = test::grid(4, 4);
+  sheet.points[2][1] = -0.05;
+  const auto vertices = [&](double distance) {
+    Soup after = sheet;
+    return remesh(after, PlanarTolerance(std::sqrt(5.0) * distance)).vertices_after;
+  };
+  CHECK(vertices(0.049) == 5);
+  CHECK(vertices(0.051) == 4);
 }
 
 TEST_CASE("normals that differ by more than the angle end a patch") {
