@@ -106,7 +106,7 @@ PlanarTolerance pick_planar_tolerance(const Arguments&... arguments) {
   static_assert((IsNamedParameters<Arguments>::value + ... + 0) <= 1,
                 "remesh_planar_patches takes one chain of named parameters: join them with a dot.");
   PlanarTolerance tolerance = PlanarTolerance::relative(1e-9);
-  const auto pick = [&](const auto& argument) {
+  [[maybe_unused]] const auto pick = [&](const auto& argument) {
     if constexpr (std::same_as<std::remove_cvref_t<decltype(argument)>, PlanarTolerance>)
       tolerance = argument;
   };
