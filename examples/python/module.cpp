@@ -7,6 +7,7 @@
 #include "files.h"
 #include "interruptible.h"
 #include "levels.h"
+#include "measures.h"
 #include "report.h"
 
 #include <quadrille/compiled.h>
@@ -283,6 +284,7 @@ PYBIND11_MODULE(_core, m) {
   add_levels(m);
   add_importance(m);
   add_files(m);
+  add_measures(m);
   m.def("simplify", simplify_arrays);
 }
 

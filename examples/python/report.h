@@ -24,12 +24,12 @@ namespace py = pybind11;
 /// All members in their order, as numbers, for `pickle`. A member that is new does not compile
 /// here.
 inline auto numbers_of(const quadrille::Status& status) {
-  const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_cost, next_distance, next_distance_back, next_tolerance, diagonal, progress,
-               stage] = status;
-  return std::tuple(initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-                    next_cost, next_distance, next_distance_back, next_tolerance, diagonal,
-                    progress, static_cast<int>(stage));
+  const auto& [initial_faces, initial_vertices, faces, vertices, initial_edges, edges, contractions,
+               next_error, next_cost, next_distance, next_distance_back, next_tolerance, diagonal,
+               progress, stage] = status;
+  return std::tuple(initial_faces, initial_vertices, faces, vertices, initial_edges, edges,
+                    contractions, next_error, next_cost, next_distance, next_distance_back,
+                    next_tolerance, diagonal, progress, static_cast<int>(stage));
 }
 
 using SelfIntersections = std::optional<quadrille::Report::SelfIntersections>;
@@ -81,22 +81,14 @@ Enum value_of(int number, int count) {
 }
 
 inline quadrille::Status status_of(const StatusNumbers& numbers) {
-  const auto& [initial_faces, initial_vertices, faces, vertices, contractions, next_error,
-               next_cost, next_distance, next_distance_back, next_tolerance, diagonal, progress,
-               stage] = numbers;
-  return {initial_faces,
-          initial_vertices,
-          faces,
-          vertices,
-          contractions,
-          next_error,
-          next_cost,
-          next_distance,
-          next_distance_back,
-          next_tolerance,
-          diagonal,
-          progress,
-          value_of<quadrille::Stage>(stage, 3)};
+  const auto& [initial_faces, initial_vertices, faces, vertices, initial_edges, edges, contractions,
+               next_error, next_cost, next_distance, next_distance_back, next_tolerance, diagonal,
+               progress, stage] = numbers;
+  return {initial_faces, initial_vertices,   faces,
+          vertices,      initial_edges,      edges,
+          contractions,  next_error,         next_cost,
+          next_distance, next_distance_back, next_tolerance,
+          diagonal,      progress,           value_of<quadrille::Stage>(stage, 3)};
 }
 
 inline quadrille::Report report_of(const ReportNumbers& numbers) {

@@ -221,6 +221,54 @@ class Results(Folder):
         importance[7] = -1
         refused(r"^importance\[7\] is -1: negative or not finite", importance)
 
+    def test_distances(self):
+        points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+        faces = np.array([[0, 1, 2], [0, 2, 3]])
+        d = quadrille.surface_distance((points, faces), (points + [0, 0, 0.25], faces), samples=1000)
+        for number in d:
+            self.assertAlmostEqual(number, 0.25)
+        half = quadrille.surface_distance((points, faces), (points, faces[:1]))  # the other half is missing
+        self.assertEqual((half.rms_b_to_a, half.hausdorff_b_to_a), (0, 0))
+        self.assertAlmostEqual(half.hausdorff_a_to_b, 0.5 ** 0.5)
+        self.assertAlmostEqual(half.rms_a_to_b, (1 / 24) ** 0.5, delta=0.002)  # of x / sqrt(2), over all of it
+        self.assertEqual(half.hausdorff, half.hausdorff_a_to_b)
+        self.assertAlmostEqual(half.rms, half.rms_a_to_b / 2 ** 0.5)
+        self.assertNotEqual(half, quadrille.surface_distance((points, faces), (points, faces[:1]), seed=1))
+        refused = lambda message, *args, **options: self.assertRaisesRegex(
+            ValueError, message, quadrille.surface_distance, *args, **options)
+        refused("^samples is -1", (points, faces), (points, faces), samples=-1)
+        refused("^the points of b has the shape", (points, faces), (points[:, :2], faces))
+        refused(r"^the faces of a\[1\] is \[0, 2, 3\], but there are 3 points", (points[:3], faces), (points, faces))
+        refused("a surface without faces", (points, faces), (points, faces[:0]))
+
+    def test_claims(self):
+        points, faces, _ = torus(30)
+        small = quadrille.simplify(points, faces, error=0.01, both_ways=True, normal_deviation=60)
+        bound, degrees = small.report.hausdorff_bound, small.report.normal_bound_degrees
+        verdict = quadrille.verify((points, faces), small, distance=small.report.distance_bound, distance_both_ways=bound,
+                                   normal_deviation=degrees, no_self_intersection=True, solid=True,
+                                   tolerance=np.full(len(points), bound))
+        self.assertTrue(verdict)
+        self.assertGreater(len(verdict.findings), 8)
+        self.assertGreater(verdict.findings[0].measured, bound / 20)
+        self.assertFalse(quadrille.verify((points, faces), small, distance=bound / 20))
+        self.assertFalse(quadrille.verify((points, faces), small, normal_deviation=1))
+        self.assertFalse(quadrille.verify((points, faces), small, tolerance=np.full(len(points), bound / 20)))
+        self.assertFalse(quadrille.verify((points, faces), (small.points, small.faces[1:]), solid=True))
+        crossing = (np.concatenate([small.points, small.points + 0.05]),
+                    np.concatenate([small.faces, small.faces + len(small.points)]))
+        broken = quadrille.verify((points, faces), crossing, no_self_intersection=True)
+        self.assertFalse(broken)
+        self.assertRegex(repr(broken), r"^Verdict\(intersecting pairs of faces: 0 promised, \d+ measured, BROKEN\)$")
+        self.assertTrue(quadrille.verify((points, faces), (small.points, small.faces), normal_deviation=degrees,
+                                         image=small.image))
+        refused = lambda message, **options: self.assertRaisesRegex(
+            ValueError, message, quadrille.verify, (points, faces), (small.points, small.faces), **options)
+        refused("^normal_deviation needs image", normal_deviation=60)
+        refused("^image has numbers from 0 to 9999", normal_deviation=60, image=np.append(small.image[1:].clip(0), 9999))
+        refused("not a distance", distance=-1.0)
+        refused(r"^tolerance has the shape \(2,\)", tolerance=[1, 2])
+
     def test_maps_of_importance(self):
         points, faces, _ = sheet(12)
         mesh = quadrille.Mesh(points, faces)

@@ -206,6 +206,21 @@ class WrittenArrays:
     has_alpha: bool
     vertex_numbers: List[Tuple[str, np.ndarray, str]]
 
+class Claims:
+    distance: Optional[float]
+    distance_both_ways: Optional[float]
+    tolerances: List[float]
+    no_self_intersection: bool
+    solid: bool
+    normal_deviation: Optional[float]
+    images: List[int]
+
+def surface_distance(
+    a: np.ndarray, faces_a: np.ndarray, b: np.ndarray, faces_b: np.ndarray, samples: int, seed: int
+) -> Tuple[float, float, float, float, float, float]: ...
+def verify(
+    mesh: np.ndarray, faces: np.ndarray, result: np.ndarray, result_faces: np.ndarray, claims: Claims
+) -> List[Tuple[str, float, float, float, bool]]: ...
 def curvature_importance(points: np.ndarray, faces: np.ndarray, strength: float) -> np.ndarray: ...
 def view_importance(points: np.ndarray, faces: np.ndarray, eye: Sequence[float],
                     turned_away: float, outline: float) -> np.ndarray: ...

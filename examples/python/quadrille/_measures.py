@@ -1,0 +1,145 @@
+"""surface_distance() and verify()"""
+
+from __future__ import annotations
+
+from typing import List, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _core, _objects
+from ._mesh import Mesh, as_mesh
+
+Surface = Union[Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]]
+
+
+class Distance(NamedTuple):
+    """How far two surfaces are from each other, in the unit of their points. Both directions differ where
+    one of them has a part that the other lacks.
+
+    rms        root of the mean of both squared one-sided figures
+    hausdorff  the larger of both one-sided figures
+    rms_a_to_b, rms_b_to_a              from samples of one surface to the other
+    hausdorff_a_to_b, hausdorff_b_to_a  the largest over samples and points
+    """
+    rms: float
+    hausdorff: float
+    rms_a_to_b: float
+    rms_b_to_a: float
+    hausdorff_a_to_b: float
+    hausdorff_b_to_a: float
+
+
+class Finding(NamedTuple):
+    """A claim, and what has been measured.
+
+    claim     in words
+    promised  a distance in the unit of the points, degrees, or a number of what is named
+    measured  the same
+    error     by how much what is measured may be wrong, at most
+    is_held   is what is measured as it was promised, or may it be, up to the error?
+    """
+    claim: str
+    promised: float
+    measured: float
+    error: float
+    is_held: bool
+
+
+class Verdict:
+    """What verify() has found. It is true if all claims are held.
+
+    findings  one Finding for each claim, one or two for some
+    """
+
+    def __init__(self, findings: List[Finding]):
+        self.findings = findings
+
+    def __bool__(self) -> bool:
+        return all(finding.is_held for finding in self.findings)
+
+    def __repr__(self) -> str:
+        lines = [f"{f.claim}: {f.promised:g} promised, {f.measured:g} measured{'' if f.is_held else ', BROKEN'}"
+                 for f in self.findings]
+        return f"Verdict({'; '.join(lines)})"
+
+
+def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: int = 0) -> Distance:
+    """The distance between two surfaces, from points spread evenly over each of them (as Metro of Cignoni,
+    Rocchini and Scopigno 1998) to the nearest point of the other; points of the mesh count for Hausdorff
+    figures only. Shares nothing with simplify().
+
+        quadrille.surface_distance(mesh, small).rms
+
+    a, b     each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista or meshio
+    samples  on each surface: with 100,000 an RMS figure is good to about one per cent, and a Hausdorff
+             figure is a lower bound
+    seed     equal seeds give equal points, on every platform
+
+    Raises ValueError for what is wrong with an argument, or a surface without faces.
+    """
+    samples, seed = _count("samples", samples), _count("seed", seed)
+    return Distance(*_core.surface_distance(*_surface("a", a), *_surface("b", b), samples, seed))
+
+
+def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
+           distance_both_ways: Optional[float] = None, tolerance: Optional[ArrayLike] = None,
+           no_self_intersection: bool = False, solid: bool = False,
+           normal_deviation: Optional[float] = None, image: Optional[ArrayLike] = None) -> Verdict:
+    """Does a result keep what was promised of it? Measured by code that shares nothing with simplify():
+    distances by branch and bound over faces, intersections by exact tests.
+
+        small = quadrille.simplify(mesh, error=0.01, both_ways=True)
+        assert quadrille.verify(mesh, small, distance_both_ways=0.01)
+
+    mesh, result          each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista or meshio
+    distance              no point of the result is further from the mesh than that, in the unit of the points:
+                          report.distance_bound
+    distance_both_ways    the same, and no point of the mesh is further from the result: report.hausdorff_bound
+    tolerance             of each point of the mesh, how far points may be there; a face has the least of its
+                          corners
+    no_self_intersection  no more pairs of faces intersect than in the mesh
+    solid                 the result is closed, bounds a volume, and has the parts and handles of the mesh
+    normal_deviation      no normal is further than so many degrees from that of any face that has become it:
+                          report.normal_bound_degrees. Needs the image
+    image                 of each point of the mesh, the point of the result that it has become, or -1; that of
+                          a result of simplify() is known
+
+    What is left out is not looked at. Raises ValueError for what is wrong with an argument, or for a
+    surface that cannot be measured.
+    """
+    (points, faces), (new_points, new_faces) = _surface("mesh", mesh), _surface("result", result)
+    claims = _core.Claims()
+    claims.distance, claims.distance_both_ways = distance, distance_both_ways
+    if tolerance is not None:
+        claims.tolerances = _arrays.numbers("tolerance", tolerance, len(points))
+    claims.no_self_intersection, claims.solid = bool(no_self_intersection), bool(solid)
+    if normal_deviation is not None:
+        claims.normal_deviation = float(normal_deviation)
+        claims.images = _images(getattr(result, "image", None) if image is None else image,
+                                len(points), len(new_points))
+    rows = _core.verify(points, faces, new_points, new_faces, claims)
+    return Verdict([Finding(*row) for row in rows])
+
+
+def _surface(name, given):
+    mesh = as_mesh(given)
+    points = _arrays.real_rows(f"the points of {name}", mesh.points, 3)
+    return points, _arrays.index_triples(f"the faces of {name}", mesh.faces, len(points), "points")
+
+
+def _count(name, number):
+    if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < 0:
+        raise ValueError(f"{name} is {number!r}, not a whole number of at least 0")
+    return int(number)
+
+
+def _images(given, count, new_count):
+    if given is None:
+        raise ValueError("normal_deviation needs image: of each point of the mesh, what it has become")
+    image = np.asarray(given)
+    if image.shape != (count,) or image.dtype.kind not in "iu":
+        raise ValueError(f"image has the shape {image.shape} and the type {image.dtype}, not ({count},) of integers")
+    if count > 0 and not (-1 <= int(image.min()) and int(image.max()) < new_count):
+        raise ValueError(f"image has numbers from {image.min()} to {image.max()}, but there are {new_count} points")
+    return np.where(image < 0, np.iinfo(np.uint64).max, image.astype(np.uint64)).tolist()
