@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/pairs/border_lines.h>
+#include <quadrille/internal/surface/thinned_line.h>
 #include <quadrille/pairs.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
@@ -30,7 +31,7 @@ public:
     count_ = 0;
     const BorderLines borders(surface);
     for (const std::vector<Index>& line : borders.lines()) {
-      const std::vector<bool> stays = thinned_line(surface.points, line, tolerance_);
+      const std::vector<bool> stays = ThinnedLine::of(surface.points, line, tolerance_);
       for (std::size_t i = 1; i + 1 < line.size(); ++i) {
         if (stays[i])
           continue;

@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_PAIRS_BORDER_LINES_H
 
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/pairs.h>
 #include <quadrille/vector.h>
 
@@ -106,40 +105,6 @@ private:
   std::vector<bool> is_end_, is_done_;
   std::vector<std::vector<Index>> lines_;
 };
-
-/// Which places of a line stay when it is thinned out: each of the others is within the tolerance
-/// of the segment between the two beside it that stay. Of a loop, three at least stay. Time O(n²)
-/// in the worst case and O(n log n) as a rule.
-///
-/// Source: Douglas and Peucker 1973; the farthest point splits a segment that is too far from it.
-inline std::vector<bool> thinned_line(std::span<const Vector<3>> points,
-                                      std::span<const Index> line, double tolerance) {
-  std::vector<bool> stays(line.size());
-  stays.front() = stays.back() = true;
-  const std::size_t last = line.size() - 1;
-  std::vector<std::array<std::size_t, 2>> waiting{{0, last}};
-  int least = line.front() == line.back() ? 2 : 0; // how many must split
-  while (!waiting.empty()) {
-    const auto [begin, end] = waiting.back();
-    waiting.pop_back();
-    std::size_t farthest = begin;
-    double distance = least > 0 ? -1 : tolerance * tolerance;
-    for (std::size_t i = begin + 1; i < end; ++i)
-      if (const double d =
-              squared_distance_to_segment(points[line[i]], points[line[begin]], points[line[end]]);
-          d > distance) {
-        distance = d;
-        farthest = i;
-      }
-    if (farthest == begin)
-      continue;
-    stays[farthest] = true;
-    --least;
-    waiting.push_back({begin, farthest});
-    waiting.push_back({farthest, end});
-  }
-  return stays;
-}
 
 } // namespace quadrille::internal
 

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/planar/patch_borders.h>
+#include <quadrille/internal/surface/thinned_line.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -17,14 +18,12 @@ namespace quadrille::internal {
 
 /// Makes borders of patches straight, alike for all patches at them.
 ///
-/// Border edges between kept vertices are *chains*. Of each, the vertex that is farthest from the
-/// straight line between its ends is kept if it is farther than a tolerance, and so on in both
-/// parts; of a chain that is closed, at least as many that it has three. Two chains do not become
-/// one edge. Source: Douglas and Peucker, 1973.
+/// Border edges between kept vertices are *chains*, which are thinned out; of one that is closed at
+/// least three vertices stay. Two chains do not become one edge.
 class BorderChains {
 public:
   BorderChains(PatchBorders& borders, std::span<const Vector<3>> positions, double tolerance)
-      : borders_(borders), positions_(positions), squared_tolerance_(tolerance * tolerance),
+      : borders_(borders), positions_(positions), tolerance_(tolerance),
         neighbors_(positions.size(), {none, none}), is_seen_(positions.size(), 0) {}
 
   void straighten() {
@@ -91,50 +90,10 @@ private:
   }
 
   void straighten(const Chain& chain) {
-    parts_.assign(1, {0, chain.size() - 1});
-    while (!parts_.empty()) {
-      const auto [begin, end] = parts_.back();
-      parts_.pop_back();
-      const auto [farthest, squared] = farthest_between(chain, begin, end);
-      if (farthest == begin || !(squared > squared_tolerance_ || chain[begin] == chain[end]))
-        continue;
-      borders_.keep(chain[farthest]);
-      parts_.push_back({begin, farthest});
-      parts_.push_back({farthest, end});
-    }
-    if (chain.front() == chain.back())
-      keep_third(chain);
-  }
-
-  // Of a closed chain of which only its ends and one vertex are kept.
-  void keep_third(const Chain& chain) {
-    std::size_t second = 0, count = 0;
-    for (std::size_t i = 1; i + 1 < chain.size(); ++i)
-      if (borders_.is_kept(chain[i])) {
-        second = i;
-        ++count;
-      }
-    if (count != 1)
-      return;
-    const auto one = farthest_between(chain, 0, second);
-    const auto other = farthest_between(chain, second, chain.size() - 1);
-    borders_.keep(chain[other.second > one.second || one.first == 0 ? other.first : one.first]);
-  }
-
-  // Where the chain is farthest from the line between two of its vertices, and how far, squared;
-  // the first if there is none in between.
-  std::pair<std::size_t, double> farthest_between(const Chain& chain, std::size_t begin,
-                                                  std::size_t end) const {
-    const Vector<3> p = positions_[chain[begin]], d = positions_[chain[end]] - p;
-    const double length = squared_length(d);
-    std::pair<std::size_t, double> farthest{begin, -1};
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const Vector<3> x = positions_[chain[i]] - p;
-      const double along = length > 0 ? std::clamp(dot(x, d) / length, 0.0, 1.0) : 0;
-      if (const double squared = squared_length(x - along * d); squared > farthest.second)
-        farthest = {i, squared};
-    }
-    return farthest;
+    const std::vector<bool> stays = ThinnedLine::of(positions_, chain, tolerance_);
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      if (stays[i])
+        borders_.keep(chain[i]);
   }
 
   // Keeps all vertices of those parts of chains that would have the same two ends as another one.
@@ -169,11 +128,10 @@ private:
 
   PatchBorders& borders_;
   std::span<const Vector<3>> positions_;
-  double squared_tolerance_;
+  double tolerance_;
   std::vector<std::array<Index, 2>> neighbors_;
   std::vector<unsigned char> is_seen_;
   std::vector<Chain> chains_;
-  std::vector<std::pair<std::size_t, std::size_t>> parts_; // of a chain, still to be looked at
 };
 
 } // namespace quadrille::internal
