@@ -15,7 +15,7 @@ namespace quadrille {
 struct SurfaceView {
   std::span<const Vector<3>> points;                       ///< by the indices that emit takes
   std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
-  std::span<const std::uint32_t> constrained; ///< points that stay where they are, ascending
+  std::span<const std::uint32_t> constrained = {}; ///< points that stay where they are, ascending
 };
 
 /// What a pair policy calls for each pair (i, j) of indices of points that it selects, in any

@@ -10,6 +10,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/adapter/label_numbers.h>
 #include <quadrille/internal/call/carried.h>
+#include <quadrille/internal/call/map_keys.h>
 #include <quadrille/internal/call/meshes.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/call/teller.h>
@@ -162,6 +163,7 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
   const auto named = pick_named(arguments...);
   using NamedParameters = std::remove_const_t<decltype(named)>;
   check_planar_names<NamedParameters, Names<np::point_t>>();
+  check_keys<std::size_t, std::size_t, NamedParameters, typename Carried::Labels>();
   auto map = choose_parameter(get_parameter(named, np::point_map),
                               CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
@@ -232,9 +234,11 @@ requires internal::FaceGraph<Mesh>
       !Carried::splits_vertices,
       "remesh_planar_patches: SplitVertices is for soups; a mesh has halfedges for maps.");
   const auto named = internal::pick_named(arguments...);
+  using NamedParameters = std::remove_const_t<decltype(named)>;
   internal::check_planar_names<
-      std::remove_const_t<decltype(named)>,
+      NamedParameters,
       internal::Names<np::vertex_point_t, np::vertex_index_t, np::edge_is_constrained_t>>();
+  internal::check_keys_of_mesh<Mesh, NamedParameters, typename Carried::Labels>();
   auto points = choose_parameter(get_parameter(named, np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);

@@ -9,6 +9,7 @@
 #include <quadrille/internal/adapter/split_soup_adapter.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/call/arguments.h>
+#include <quadrille/internal/call/map_keys.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/call/piece_parameters.h>
 #include <quadrille/internal/call/run.h>
@@ -141,8 +142,7 @@ void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
 template <class Mesh, class Policies, class Carried, class NamedParameters>
 Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& carried,
                            const NamedParameters& named) {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::choose_parameter, CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
   static_assert(!Carried::splits_vertices,
                 "quadrille::simplify: SplitVertices is for soups; a mesh has halfedges for maps.");
@@ -152,6 +152,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
             np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
             parameters::edge_is_crease_t, parameters::edge_is_border_t, parameters::vertex_image_t,
             parameters::duplicate_output_t>());
+  check_keys_of_mesh<Mesh, NamedParameters, typename Carried::Labels>();
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   check_points<typename boost::property_traits<decltype(points)>::value_type, NamedParameters>();
@@ -204,7 +205,6 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
-  using Point = ElementOf<Points>;
   const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
   const auto creases = get_parameter(named, parameters::edge_is_crease);
   const auto borders = get_parameter(named, parameters::edge_is_border);
@@ -217,8 +217,9 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
       Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
             parameters::edge_is_border_t, parameters::border_edges_t,
             parameters::vertex_image_t>());
+  check_keys<std::size_t, std::size_t, NamedParameters, typename Carried::Labels>();
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
-                              CGAL::Identity_property_map<Point>());
+                              CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   auto attributes = pick_attributes<Cost>(named);
   Workspace workspace(memory_needs(policies, Carried::has_labels, std::ranges::size(points),
