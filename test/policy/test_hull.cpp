@@ -409,30 +409,3 @@ TEST_CASE("A surface that encloses nothing has no hull, and stays as it is") {
   CHECK(contains(message(test::sphere(2), Topology::parts_may_vanish), "keeps the topology"));
   CHECK(contains(message(test::sphere(2), ThresholdPairs{1}), "keeps the topology"));
 }
-
-TEST_CASE("The report tells the volume where there is one") {
-  const auto report_of = [](const Soup& soup, const auto&... arguments) {
-    test::PointSoup changed(soup);
-    const Report report = simplify<Quadric, VolumeKeeping<OptimalPlacement>>(
-        changed.points, changed.triangles, arguments...);
-    if (report.volume_after)
-      CHECK(std::abs(*report.volume_after - double(test::exact_volume(test::to_soup(changed)))) <=
-            1e-12 * std::abs(double(test::exact_volume(test::to_soup(changed)))));
-    return report;
-  };
-  for (const double unit : {1e-80, 1.0, 1e30}) {
-    const Soup soup = test::mapped(test::cube(4), [&](const Position& p) {
-      return unit * (p + Position{{1000, 0, -3000}});
-    });
-    CHECK(*report_of(soup).volume_before == Approx(unit * unit * unit).epsilon(1e-11));
-  }
-  CHECK(*report_of(ball_with_bubble()).volume_before ==
-        Approx(double(test::exact_volume(ball_with_bubble()))).epsilon(1e-13));
-  CHECK_FALSE(report_of(test::grid(4, 4)).volume_before.has_value());
-  CHECK_FALSE(report_of(test::sphere(2), Topology::free).volume_after.has_value());
-  Soup turned = test::sphere(2);
-  std::swap(turned.triangles[5][0], turned.triangles[5][1]);
-  CHECK_FALSE(report_of(turned).volume_before.has_value());
-  test::PointSoup plain(test::sphere(2));
-  CHECK_FALSE(simplify(plain.points, plain.triangles).volume_before.has_value()); // nobody asks
-}

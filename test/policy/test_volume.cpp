@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -104,4 +105,33 @@ TEST_CASE("The place of least cost that keeps the volume is near the plain one")
   const Result plain = simplified<Quadric, OptimalPlacement>(noisy_torus(50), 0.1);
   const Result kept = simplified<Quadric, VolumeKeeping<OptimalPlacement>>(noisy_torus(50), 0.1);
   CHECK(kept.report.error < 1.5 * plain.report.error);
+}
+
+TEST_CASE("The report tells the volume where there is one") {
+  const auto report_of = [](const Soup& soup, const auto&... arguments) {
+    const Result result =
+        simplified<Quadric, VolumeKeeping<OptimalPlacement>>(soup, 0.5, arguments...);
+    if (result.report.volume_after)
+      CHECK(std::abs(*result.report.volume_after - double(test::exact_volume(result.soup))) <=
+            1e-12 * std::abs(double(test::exact_volume(result.soup))));
+    return result.report;
+  };
+  for (const double unit : {1e-80, 1.0, 1e30}) {
+    const Soup soup = test::mapped(test::cube(4), [&](const Position& p) {
+      return unit * (p + Position{{1000, 0, -3000}});
+    });
+    CHECK(*report_of(soup).volume_before == Approx(unit * unit * unit).epsilon(1e-11));
+  }
+  Soup bubble = test::mapped(test::sphere(2), [](const Position& p) { return 0.6 * p; });
+  for (test::Triangle& t : bubble.triangles)
+    std::swap(t[0], t[1]);
+  const Soup ball = test::joined(test::sphere(3), bubble);
+  CHECK(*report_of(ball).volume_before == Approx(double(test::exact_volume(ball))).epsilon(1e-13));
+  CHECK_FALSE(report_of(test::grid(4, 4)).volume_before.has_value());
+  CHECK_FALSE(report_of(test::sphere(2), Topology::free).volume_after.has_value());
+  Soup turned = test::sphere(2);
+  std::swap(turned.triangles[5][0], turned.triangles[5][1]);
+  CHECK_FALSE(report_of(turned).volume_before.has_value());
+  CHECK_FALSE(simplified<Quadric, OptimalPlacement>(test::sphere(2), 0.5) // nobody asks
+                  .report.volume_before.has_value());
 }
