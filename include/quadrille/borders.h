@@ -119,8 +119,8 @@ inline namespace QUADRILLE_THREADING {
 /// without constrained vertices keeps three at least. Inner vertices stay where they are, and so do
 /// all that is left of the border.
 ///
-/// The other arguments are those of simplify: filters, channels, labels, topology is kept and
-/// cost, placement, pairs and stop are its own. StopReason::target_met says that all are gone that
+/// The other arguments are those of simplify but for cost, placement, pairs, stop and topology,
+/// which is kept: filters, channels, labels, an order and named parameters. StopReason::target_met says that all are gone that
 /// had to go, so that the border depends on nothing but itself. Else a filter or the topology holds
 /// some of them (Report::rejections counts): constrain these in all tiles, or allow more.
 ///

@@ -7,6 +7,7 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -3,7 +3,6 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/planar/border_chains.h>
 #include <quadrille/internal/planar/patch_borders.h>
 #include <quadrille/internal/planar/patch_growth.h>
 #include <quadrille/internal/planar/patch_triangulation.h>
