@@ -120,9 +120,10 @@ inline namespace QUADRILLE_THREADING {
 /// all that is left of the border.
 ///
 /// The other arguments are those of simplify but for cost, placement, pairs, stop and topology,
-/// which is kept: filters, channels, labels, an order and named parameters. StopReason::target_met says that all are gone that
-/// had to go, so that the border depends on nothing but itself. Else a filter or the topology holds
-/// some of them (Report::rejections counts): constrain these in all tiles, or allow more.
+/// which is kept: filters, channels, labels, an order and named parameters. StopReason::target_met
+/// says that all are gone that had to go, so that the border depends on nothing but itself. Else a
+/// filter or the topology holds some of them (Report::rejections counts): constrain these in all
+/// tiles, or allow more.
 ///
 /// Time O(n log n) as a rule. Throws std::invalid_argument for a tolerance that is negative or not
 /// a number, and what simplify throws.
