@@ -78,10 +78,9 @@ int main(int argc, char** argv) {
     std::vector<std::size_t> image(points.size());
     const quadrille::Report report = quadrille::simplify<quadrille::MemorylessQuadric>(
         left, triangles, quadrille::CostLimit{1e-12},
-        quadrille::parameters::vertex_is_shared_map(
-            CGAL::make_property_map(is_shared),
-            quadrille::parameters::bounding_box(
-                box, quadrille::parameters::vertex_image_map(CGAL::make_property_map(image)))));
+        quadrille::parameters::vertex_is_shared_map(CGAL::make_property_map(is_shared))
+            .vertex_image_map(CGAL::make_property_map(image))
+            .bounding_box(box));
     std::cout << report << '\n';
 
     constexpr std::size_t none = ~std::size_t{0};

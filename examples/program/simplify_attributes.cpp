@@ -66,11 +66,9 @@ private:
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
         *options_.topology, internal::intersection_of(options_),
         quadrille::NormalDeviation{options_.normal_deviation}, quadrille::record_into(recorder),
-        quadrille::parameters::vertex_image_map(
-            internal::PointImages{&image_},
-            quadrille::parameters::vertex_tolerance_map(
-                internal::SoupValues{&options_.tolerance},
-                quadrille::parameters::vertex_attribute_map(CGAL::make_property_map(carried))))
+        quadrille::parameters::vertex_image_map(internal::PointImages{&image_})
+            .vertex_tolerance_map(internal::SoupValues{&options_.tolerance})
+            .vertex_attribute_map(CGAL::make_property_map(carried))
             .vertex_is_constrained_map(internal::SoupValues{&options_.fixed})
             .visitor(std::cref(visitor)));
     attributes_.restore(mesh_, carried);

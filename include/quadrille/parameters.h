@@ -6,8 +6,12 @@
 
 #include <cstddef>
 
-/// Named parameters that CGAL has no name for. CGAL's own chain after them:
-/// `quadrille::parameters::edge_is_crease_map(creases).vertex_point_map(points)`.
+/// Named parameters that CGAL has no name for. They are joined with a dot, ours first and CGAL's
+/// after them:
+/// `quadrille::parameters::vertex_importance_map(i).edge_is_crease_map(c).vertex_point_map(p)`.
+/// What CGAL's functions return is a class of CGAL's, which knows no names but its own: behind such
+/// a chain one of ours takes it as a second argument,
+/// `quadrille::parameters::vertex_importance_map(i, CGAL::parameters::vertex_point_map(p))`.
 namespace quadrille::parameters {
 
 /// The tag of edge_is_crease_map().
@@ -36,15 +40,95 @@ enum border_edges_t { border_edges_tag };
 /// The tag of bounding_box().
 enum bounding_box_t { bounding_box_tag };
 
-/// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
-template <class Map>
-auto edge_is_crease_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, edge_is_crease_t>(map);
+/// A chain of named parameters of which the last is one of ours: each of the functions below is a
+/// member too, which puts its parameter behind this one, and so are those of CGAL.
+template <class T, class Tag, class Base = CGAL::internal_np::No_property>
+class Chain : public CGAL::Named_function_parameters<T, Tag, Base> {
+public:
+  using Cgals = CGAL::Named_function_parameters<T, Tag, Base>; ///< the same as CGAL has it
+  using Cgals::Cgals;
+
+  /// edge_is_crease_map() after this.
+  template <class Map>
+  auto edge_is_crease_map(const Map& map) const {
+    return then<edge_is_crease_t>(map);
+  }
+  /// face_is_selected_map() after this.
+  template <class Map>
+  auto face_is_selected_map(const Map& map) const {
+    return then<face_is_selected_t>(map);
+  }
+  /// vertex_tolerance_map() after this.
+  template <class Map>
+  auto vertex_tolerance_map(const Map& map) const {
+    return then<vertex_tolerance_t>(map);
+  }
+  /// vertex_is_shared_map() after this.
+  template <class Map>
+  auto vertex_is_shared_map(const Map& map) const {
+    return then<vertex_is_shared_t>(map);
+  }
+  /// edge_is_border_map() after this.
+  template <class Map>
+  auto edge_is_border_map(const Map& map) const {
+    return then<edge_is_border_t>(map);
+  }
+  /// border_edges() after this.
+  template <class Edges>
+  auto border_edges(const Edges& edges) const {
+    return then<border_edges_t>(edges);
+  }
+  /// bounding_box() after this.
+  auto bounding_box(const CGAL::Bbox_3& box) const { return then<bounding_box_t>(box); }
+  /// vertex_attribute_map() after this.
+  template <class Map>
+  auto vertex_attribute_map(const Map& map) const {
+    return then<vertex_attribute_t>(map);
+  }
+  /// vertex_quadric_map() after this.
+  template <class Map>
+  auto vertex_quadric_map(const Map& map) const {
+    return then<vertex_quadric_t>(map);
+  }
+  /// vertex_importance_map() after this.
+  template <class Map>
+  auto vertex_importance_map(const Map& map) const {
+    return then<vertex_importance_t>(map);
+  }
+  /// vertex_image_map() after this.
+  template <class Map>
+  auto vertex_image_map(const Map& map) const {
+    return then<vertex_image_t>(map);
+  }
+  /// duplicate_output_iterator() after this.
+  template <class Iterator>
+  auto duplicate_output_iterator(const Iterator& iterator) const {
+    return then<duplicate_output_t>(iterator);
+  }
+
+private:
+  template <class Next, class Value>
+  Chain<Value, Next, Cgals> then(const Value& value) const {
+    return {value, *this};
+  }
+};
+
+/// The chain of a value, which is the first one or comes after others.
+template <class Tag, class Value>
+Chain<Value, Tag> chain(const Value& value) {
+  return {value};
 }
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto edge_is_crease_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, edge_is_crease_t, Before>(map, before);
+/// The same, after others.
+template <class Tag, class Value, class T, class OtherTag, class Base>
+Chain<Value, Tag, CGAL::Named_function_parameters<T, OtherTag, Base>>
+chain(const Value& value, const CGAL::Named_function_parameters<T, OtherTag, Base>& before) {
+  return {value, before};
+}
+
+/// A property map from edges to bool: where it is true, the edge is a crease for `Quadric`.
+template <class Map, class... Before>
+auto edge_is_crease_map(const Map& map, const Before&... before) {
+  return chain<edge_is_crease_t>(map, before...);
 }
 
 /// A property map from faces (of a soup: from indices of triangles) to bool: only faces where it is
@@ -56,27 +140,17 @@ auto edge_is_crease_map(const Map& map, const Before& before) {
 ///
 /// The map is read, and not written: in a mesh descriptors of faces stay; of a soup, `Labels` of
 /// the same map come back in order.
-template <class Map>
-auto face_is_selected_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, face_is_selected_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto face_is_selected_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, face_is_selected_t, Before>(map, before);
+template <class Map, class... Before>
+auto face_is_selected_map(const Map& map, const Before&... before) {
+  return chain<face_is_selected_t>(map, before...);
 }
 
 /// A property map from vertices (of a soup: from point indices) to numbers: how far points may
 /// move, in the mesh's units, at least 0; infinity where that does not matter. Linear on faces. For
 /// ToleranceLimit, which says what it promises.
-template <class Map>
-auto vertex_tolerance_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, vertex_tolerance_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto vertex_tolerance_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, vertex_tolerance_t, Before>(map, before);
+template <class Map, class... Before>
+auto vertex_tolerance_map(const Map& map, const Before&... before) {
+  return chain<vertex_tolerance_t>(map, before...);
 }
 
 /// A property map from vertices (of a soup: from point indices) to bool, for a *piece* of a
@@ -95,63 +169,39 @@ auto vertex_tolerance_map(const Map& map, const Before& before) {
 /// the surface beyond the piece is looked at, which costs no accuracy beside MemorylessQuadric: a
 /// shared vertex does not move, and lies on all of its faces. Creases that cost policies find by
 /// angles, and labels' borders, are not seen at edges of two pieces.
-template <class Map>
-auto vertex_is_shared_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, vertex_is_shared_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto vertex_is_shared_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, vertex_is_shared_t, Before>(map, before);
+template <class Map, class... Before>
+auto vertex_is_shared_map(const Map& map, const Before&... before) {
+  return chain<vertex_is_shared_t>(map, before...);
 }
 
 /// A property map from edges of a mesh to bool, beside vertex_is_shared_map: edges of one face
 /// between two shared vertices that are borders of the whole surface. Others of one face are
 /// borders anyway.
-template <class Map>
-auto edge_is_border_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, edge_is_border_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto edge_is_border_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, edge_is_border_t, Before>(map, before);
+template <class Map, class... Before>
+auto edge_is_border_map(const Map& map, const Before&... before) {
+  return chain<edge_is_border_t>(map, before...);
 }
 
 /// The same of a soup: a range of pairs of point indices, as std::array<std::size_t, 2>.
-template <class Edges>
-auto border_edges(const Edges& edges) {
-  return CGAL::Named_function_parameters<Edges, border_edges_t>(edges);
-}
-/// The same parameter, after others in a chain.
-template <class Edges, class Before>
-auto border_edges(const Edges& edges, const Before& before) {
-  return CGAL::Named_function_parameters<Edges, border_edges_t, Before>(edges, before);
+template <class Edges, class... Before>
+auto border_edges(const Edges& edges, const Before&... before) {
+  return chain<border_edges_t>(edges, before...);
 }
 
 /// A CGAL::Bbox_3 in the scale of which the surface is simplified, instead of that of its own
 /// bounding box: relative limits are of its diagonal, and costs have the bits that they have
 /// in any other piece with the same box. A surface that reaches out of it by more than half of
 /// its diagonal is refused by std::invalid_argument; less may come of an earlier simplification.
-inline auto bounding_box(const CGAL::Bbox_3& box) {
-  return CGAL::Named_function_parameters<CGAL::Bbox_3, bounding_box_t>(box);
-}
-/// The same parameter, after others in a chain.
-template <class Before>
-auto bounding_box(const CGAL::Bbox_3& box, const Before& before) {
-  return CGAL::Named_function_parameters<CGAL::Bbox_3, bounding_box_t, Before>(box, before);
+template <class... Before>
+auto bounding_box(const CGAL::Bbox_3& box, const Before&... before) {
+  return chain<bounding_box_t>(box, before...);
 }
 
 /// A property map from vertices (of a soup: from point indices) to N numbers, for
 /// AttributeQuadric<N>.
-template <class Map>
-auto vertex_attribute_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, vertex_attribute_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto vertex_attribute_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, vertex_attribute_t, Before>(map, before);
+template <class Map, class... Before>
+auto vertex_attribute_map(const Map& map, const Before&... before) {
+  return chain<vertex_attribute_t>(map, before...);
 }
 
 /// A property map from vertices (of a soup: from point indices) to QuadricForm, which `simplify`
@@ -159,14 +209,9 @@ auto vertex_attribute_map(const Map& map, const Before& before) {
 /// The form is about the vertex, in the units of the mesh and its attributes; its values are mean
 /// squared distances to the planes, so its square root at 0 is the error of the vertex in the
 /// sense of Report::error. For costs whose memory is a QuadricForm.
-template <class Map>
-auto vertex_quadric_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, vertex_quadric_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto vertex_quadric_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, vertex_quadric_t, Before>(map, before);
+template <class Map, class... Before>
+auto vertex_quadric_map(const Map& map, const Before&... before) {
+  return chain<vertex_quadric_t>(map, before...);
 }
 
 /// A property map from vertices (of a soup: from point indices) to numbers, at least 0: by how much
@@ -185,14 +230,9 @@ auto vertex_quadric_map(const Map& map, const Before& before) {
 /// greatest importance of the call: pieces of a surface that are to fit need the same greatest one.
 ///
 /// Throws std::invalid_argument for one that is negative or not finite. Takes 4 bytes a vertex.
-template <class Map>
-auto vertex_importance_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, vertex_importance_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto vertex_importance_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, vertex_importance_t, Before>(map, before);
+template <class Map, class... Before>
+auto vertex_importance_map(const Map& map, const Before&... before) {
+  return chain<vertex_importance_t>(map, before...);
 }
 
 /// In the place of an index: see vertex_image_map.
@@ -207,28 +247,18 @@ inline constexpr std::size_t vanished = ~std::size_t{0};
 /// vertices are handles use a map that does not look at them, as
 /// boost::make_assoc_property_map(std_map). Of a vertex that a non-manifold result is written
 /// with several times, it is the first one: see duplicate_output_iterator.
-template <class Map>
-auto vertex_image_map(const Map& map) {
-  return CGAL::Named_function_parameters<Map, vertex_image_t>(map);
-}
-/// The same parameter, after others in a chain.
-template <class Map, class Before>
-auto vertex_image_map(const Map& map, const Before& before) {
-  return CGAL::Named_function_parameters<Map, vertex_image_t, Before>(map, before);
+template <class Map, class... Before>
+auto vertex_image_map(const Map& map, const Before&... before) {
+  return chain<vertex_image_t>(map, before...);
 }
 
 /// An output iterator that takes the vertices that a mesh gets so that it can hold a non-manifold
 /// result, each as a std::pair of the new vertex and the one that it is a duplicate of.
 /// Duplicates have the position of that, its attributes and, in a Surface_mesh or a mesh of
 /// OpenMesh, all of its properties; other maps are for the caller to fill.
-template <class Iterator>
-auto duplicate_output_iterator(const Iterator& iterator) {
-  return CGAL::Named_function_parameters<Iterator, duplicate_output_t>(iterator);
-}
-/// The same parameter, after others in a chain.
-template <class Iterator, class Before>
-auto duplicate_output_iterator(const Iterator& iterator, const Before& before) {
-  return CGAL::Named_function_parameters<Iterator, duplicate_output_t, Before>(iterator, before);
+template <class Iterator, class... Before>
+auto duplicate_output_iterator(const Iterator& iterator, const Before&... before) {
+  return chain<duplicate_output_t>(iterator, before...);
 }
 
 } // namespace quadrille::parameters

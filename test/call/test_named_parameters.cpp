@@ -6,8 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -190,4 +192,88 @@ TEST_CASE("CGAL's names of the graph are allowed where nothing reads them") {
                      .vertex_point_map(get(CGAL::vertex_point, mesh)));
   simplify(mesh, CGAL::parameters::default_values());
   CHECK(mesh.number_of_faces() < 128);
+}
+
+// --- Chains --------------------------------------------------------------------------------------
+
+TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours") {
+  namespace np = CGAL::internal_np;
+  using CGAL::parameters::get_parameter;
+  const auto check = [](const auto& named) {
+    CHECK(get_parameter(named, parameters::edge_is_crease) == 1);
+    CHECK(get_parameter(named, parameters::face_is_selected) == 2);
+    CHECK(get_parameter(named, parameters::vertex_tolerance) == 3);
+    CHECK(get_parameter(named, parameters::vertex_is_shared) == 4);
+    CHECK(get_parameter(named, parameters::edge_is_border) == 5);
+    CHECK(get_parameter(named, parameters::border_edges_tag) == 6);
+    CHECK(get_parameter(named, parameters::bounding_box_tag).xmax() == 7);
+    CHECK(get_parameter(named, parameters::vertex_attribute) == 8);
+    CHECK(get_parameter(named, parameters::vertex_quadric) == 9);
+    CHECK(get_parameter(named, parameters::vertex_importance) == 10);
+    CHECK(get_parameter(named, parameters::vertex_image) == 11);
+    CHECK(get_parameter(named, parameters::duplicate_output) == 12);
+    CHECK(get_parameter(named, np::vertex_point) == 13);
+  };
+  using namespace parameters;
+  check(edge_is_crease_map(1)
+            .face_is_selected_map(2)
+            .vertex_tolerance_map(3)
+            .vertex_is_shared_map(4)
+            .edge_is_border_map(5)
+            .border_edges(6)
+            .bounding_box({0, 0, 0, 7, 7, 7})
+            .vertex_attribute_map(8)
+            .vertex_quadric_map(9)
+            .vertex_importance_map(10)
+            .vertex_image_map(11)
+            .duplicate_output_iterator(12)
+            .vertex_point_map(13));
+  check(duplicate_output_iterator(12, vertex_image_map(11)
+                                          .vertex_importance_map(10)
+                                          .vertex_quadric_map(9)
+                                          .vertex_attribute_map(8)
+                                          .bounding_box({0, 0, 0, 7, 7, 7})
+                                          .border_edges(6)
+                                          .edge_is_border_map(5)
+                                          .vertex_is_shared_map(4)
+                                          .vertex_tolerance_map(3)
+                                          .face_is_selected_map(2)
+                                          .edge_is_crease_map(1)
+                                          .vertex_point_map(13)));
+}
+
+TEST_CASE("A call reads all of a chain, whether it ends with our names or with CGAL's") {
+  const Soup input = sphere(3);
+  const std::vector<double> importance = [&] {
+    std::vector<double> values;
+    for (const Position& p : input.points)
+      values.push_back(p[2] > 0 ? 8 : 1);
+    return values;
+  }();
+  std::vector<bool> fixed(input.points.size());
+  std::fill(fixed.begin(), fixed.begin() + 40, true);
+  const auto by_index = [](const auto& values) {
+    return boost::make_function_property_map<std::size_t>(
+        [&values](std::size_t v) { return values[v]; });
+  };
+  const auto run = [&](const auto& named_of) {
+    PointSoup soup(input);
+    std::vector<std::size_t> image(input.points.size());
+    simplify(soup.points, soup.triangles, FaceCount{200}, named_of(CGAL::make_property_map(image)));
+    return std::pair(soup.points, image);
+  };
+  using CGAL::parameters::vertex_is_constrained_map;
+  const auto by_arguments = run([&](const auto& image) {
+    return parameters::vertex_image_map(
+        image, parameters::vertex_importance_map(by_index(importance),
+                                                 vertex_is_constrained_map(by_index(fixed))));
+  });
+  const auto ends_with_cgals = run([&](const auto& image) {
+    return parameters::vertex_image_map(image)
+        .vertex_importance_map(by_index(importance))
+        .vertex_is_constrained_map(by_index(fixed));
+  });
+  CHECK(ends_with_cgals == by_arguments);
+  CHECK(run([&](const auto& image) { return parameters::vertex_image_map(image); }) !=
+        by_arguments);
 }

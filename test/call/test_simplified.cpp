@@ -139,6 +139,26 @@ TEST_CASE("Maps that are only read may be over the mesh") {
   CHECK(to_soup(coarse).points != to_soup(unbound.mesh).points);
 }
 
+TEST_CASE("Chains of our names go to the copy") {
+  const Mesh mesh = make_mesh(input());
+  Mesh right = mesh;
+  const auto named_of = [](Mesh& of) {
+    const auto is_selected = of.add_property_map<Mesh::Face_index, bool>("f:selected").first;
+    const auto importance = of.add_property_map<Vertex, double>("v:importance").first;
+    for (const auto f : of.faces())
+      is_selected[f] = f.idx() % 2 == 0;
+    for (const Vertex v : of.vertices())
+      importance[v] = v.idx() % 3;
+    return parameters::face_is_selected_map(is_selected).vertex_importance_map(importance);
+  };
+  Mesh read = mesh;
+  const auto [coarse, report] = simplified(read, FaceRatio{0.5}, named_of(read));
+  simplify(right, FaceRatio{0.5}, named_of(right));
+  right.collect_garbage();
+  CHECK(to_soup(coarse).points == to_soup(right).points);
+  CHECK(to_soup(coarse).points != to_soup(simplified(mesh, FaceRatio{0.5}).mesh).points);
+}
+
 TEST_CASE("A copy of a soup") {
   const PointSoup soup(input());
   const PointSoup before = soup;

@@ -131,18 +131,14 @@ inline KeepSolid intersection_of(const SoupOptions& options) {
 
 /// The named parameters that the options say.
 inline auto named_of(const SoupOptions& options, const SoupVisitor& visitor) {
-  const auto cgals = CGAL::parameters::vertex_is_constrained_map(SoupValues{&options.fixed})
-                         .visitor(std::cref(visitor));
-  const std::span<const std::array<std::uint32_t, 2>> borders(options.borders);
-  const CGAL::Named_function_parameters<std::optional<CGAL::Bbox_3>, parameters::bounding_box_t,
-                                        decltype(cgals)>
-      boxed(bounding_box_of(options), cgals);
-  const auto shared = parameters::vertex_is_shared_map(SoupValues{&options.shared},
-                                                       parameters::border_edges(borders, boxed));
-  const auto weighed = parameters::vertex_importance_map(SoupValues{&options.importance}, shared);
-  return parameters::face_is_selected_map(
-      SoupValues{&options.selected},
-      parameters::vertex_tolerance_map(SoupValues{&options.tolerance}, weighed));
+  return parameters::chain<parameters::bounding_box_t>(bounding_box_of(options))
+      .border_edges(std::span<const std::array<std::uint32_t, 2>>(options.borders))
+      .vertex_is_shared_map(SoupValues{&options.shared})
+      .vertex_importance_map(SoupValues{&options.importance})
+      .vertex_tolerance_map(SoupValues{&options.tolerance})
+      .face_is_selected_map(SoupValues{&options.selected})
+      .vertex_is_constrained_map(SoupValues{&options.fixed})
+      .visitor(std::cref(visitor));
 }
 
 /// By policies that the options say; `more` are labels and channels, if there are any.

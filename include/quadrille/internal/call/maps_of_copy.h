@@ -65,9 +65,12 @@ Map map_of_copy(const Map& map, [[maybe_unused]] const Mesh& mesh, [[maybe_unuse
   }
 }
 
-using ReadNames = Names<CGAL::internal_np::vertex_is_constrained_t,
-                        CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::face_patch_t,
-                        CGAL::internal_np::vertex_index_t, parameters::edge_is_crease_t>;
+using ReadNames =
+    Names<CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::edge_is_constrained_t,
+          CGAL::internal_np::face_patch_t, CGAL::internal_np::vertex_index_t,
+          parameters::edge_is_crease_t, parameters::edge_is_border_t,
+          parameters::face_is_selected_t, parameters::vertex_tolerance_t,
+          parameters::vertex_importance_t, parameters::vertex_is_shared_t>;
 using WrittenNames = Names<CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_color_map_t,
                            CGAL::internal_np::vertex_texture_map_t,
                            CGAL::internal_np::vertex_normal_map_t, parameters::vertex_attribute_t>;
@@ -99,6 +102,10 @@ auto of_copy(const CGAL::Named_function_parameters<T, Tag, Base>& named, const M
     return CGAL::Named_function_parameters<T, Tag, std::remove_const_t<decltype(before)>>(
         value_of_copy<Tag>(named.v, mesh, copy), before);
   }
+}
+template <class T, class Tag, class Base, class Mesh>
+auto of_copy(const parameters::Chain<T, Tag, Base>& named, const Mesh& mesh, Mesh& copy) {
+  return of_copy(as_cgals(named), mesh, copy);
 }
 /// Channels, labels, policies.
 template <class Argument, class Mesh>

@@ -22,6 +22,15 @@ template <class T>
 struct IsNamedParameters : std::false_type {};
 template <class T, class Tag, class Base>
 struct IsNamedParameters<CGAL::Named_function_parameters<T, Tag, Base>> : std::true_type {};
+template <class T, class Tag, class Base>
+struct IsNamedParameters<parameters::Chain<T, Tag, Base>> : std::true_type {};
+
+/// A chain of named parameters as CGAL has it.
+template <class T, class Tag, class Base>
+CGAL::Named_function_parameters<T, Tag, Base>
+as_cgals(const CGAL::Named_function_parameters<T, Tag, Base>& named) {
+  return named;
+}
 
 /// The named parameters of a call.
 inline auto pick_named() {
@@ -30,7 +39,7 @@ inline auto pick_named() {
 template <class First, class... Rest>
 auto pick_named(const First& first, const Rest&... rest) {
   if constexpr (IsNamedParameters<First>::value)
-    return first;
+    return as_cgals(first);
   else
     return pick_named(rest...);
 }
