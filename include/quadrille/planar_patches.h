@@ -163,7 +163,7 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
   const auto named = pick_named(arguments...);
   using NamedParameters = std::remove_const_t<decltype(named)>;
   check_planar_names<NamedParameters, Names<np::point_t>>();
-  check_keys<std::size_t, std::size_t, NamedParameters, typename Carried::Labels>();
+  check_keys_of_soup<Quadric, Carried, NamedParameters>();
   auto map = choose_parameter(get_parameter(named, np::point_map),
                               CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
@@ -238,7 +238,7 @@ requires internal::FaceGraph<Mesh>
   internal::check_planar_names<
       NamedParameters,
       internal::Names<np::vertex_point_t, np::vertex_index_t, np::edge_is_constrained_t>>();
-  internal::check_keys_of_mesh<Mesh, NamedParameters, typename Carried::Labels>();
+  internal::check_keys_of_mesh<Mesh, Quadric, Carried, NamedParameters>();
   auto points = choose_parameter(get_parameter(named, np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
@@ -271,8 +271,8 @@ requires(internal::PointContainer<Points>&& internal::TriangleContainer<Triangle
     remesh_planar_patches(Points&& points, Triangles&& triangles, const Arguments&... arguments) {
   static_assert(internal::is_changeable<Points> && internal::is_changeable<Triangles>,
                 "remesh_planar_patches changes the soup: it takes no temporary nor constant one.");
-  auto&& rows_of_points = internal::as_rows(points, "point");
-  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
+  auto&& rows_of_points = internal::as_rows(points, "point", triangles);
+  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle", points);
   return internal::remesh_soup(rows_of_points, rows_of_triangles, arguments...);
 }
 

@@ -41,6 +41,15 @@ struct CopyOf<std::span<T, N>> : std::type_identity<std::vector<std::remove_cons
     return {numbers.begin(), numbers.end()};
   }
 };
+/// A view of a matrix, as a map, as the matrix that it would be.
+template <class View>
+requires requires {
+  requires MatrixView<View>;
+  typename View::PlainObject;
+}
+struct CopyOf<View> : std::type_identity<typename View::PlainObject> {
+  static typename CopyOf::type of(const View& view) { return view; }
+};
 template <class Container>
 using Copy = typename CopyOf<Container>::type;
 
@@ -89,7 +98,7 @@ requires internal::FaceGraph<Mesh> Simplified<Mesh> simplified(const Mesh& mesh,
 
 /// A simplified copy of a soup, with its report: `auto [points, triangles, report] =
 /// simplified(points, triangles)`, of containers, flat numbers and matrices, as for `simplify`. Of
-/// a std::span, also of constant numbers, the copy is a std::vector.
+/// a std::span, also of constant numbers, the copy is a std::vector, of a map of Eigen a matrix.
 ///
 /// Maps and vectors of channels and labels are the caller's, and are written as by `simplify`, at
 /// the new indices: pass those of a copy. All named parameters have the meaning that they have

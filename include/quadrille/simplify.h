@@ -146,26 +146,28 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
 /// renderer, in place.
 ///
 /// - points: a container of floating-point numbers, x y z x y z …, as std::vector<float>; an Eigen
-///   matrix of a row for each and three columns, as Eigen::MatrixXd; a std::span of such numbers; a
+///   matrix of a row for each and three columns, as Eigen::MatrixXd, or of a column for each and
+///   three rows, as Eigen::Matrix3Xd; a Map or another view of one; a std::span of such numbers; a
 ///   VertexAttribute (see buffers.h); or a container as above
 /// - triangles: a container of integers, three for each, as std::vector<std::uint32_t>; a matrix of
-///   such rows, as Eigen::MatrixXi; a std::span; or a container as above
+///   such rows or columns, as Eigen::MatrixXi; a view; a std::span; or a container as above
 ///
-/// Containers and matrices get the size of the result. Spans and VertexAttributes cannot: what is
-/// left is at their beginning, Report::vertices_after points and Report::faces_after triangles;
-/// what follows it is unspecified. There is no point_map. The result has the same bits as that
-/// of std::array<float, 3>; otherwise as above.
+/// A matrix of three rows and three columns, of a type that does not tell, has a row for each,
+/// unless the other one has columns. Containers and matrices get the size of the result. Spans,
+/// views and VertexAttributes cannot: what is left is at their beginning, Report::vertices_after
+/// points and Report::faces_after triangles; what follows it is unspecified. There is no point_map.
+/// The result has the same bits as that of std::array<float, 3>; otherwise as above.
 ///
 /// Throws also std::invalid_argument for numbers that are not three for each point or triangle, and
-/// for a matrix of other than three columns.
+/// for a matrix of neither three columns nor three rows.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::BufferedSoup<std::remove_reference_t<Points>,
                                 std::remove_reference_t<Triangles>> &&
     internal::is_changeable<Points> && internal::is_changeable<Triangles>
         Report simplify(Points&& points, Triangles&& triangles, const Arguments&... arguments) {
-  auto&& rows_of_points = internal::as_rows(points, "point");
-  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle");
+  auto&& rows_of_points = internal::as_rows(points, "point", triangles);
+  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle", points);
   if constexpr (internal::Fitting<Cost, Placement, Arguments...>) {
     const auto policies = internal::pick_policies<Cost, Placement>(arguments...);
     const auto carried = internal::pick_carried<internal::CostOf<Cost, Arguments...>>(arguments...);

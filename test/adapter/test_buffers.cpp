@@ -288,10 +288,10 @@ TEST_CASE("What is no soup is refused with what and where, and stays as it was")
         "quadrille::simplify: face 0 names point 3 of 3");
   check(SmallMatrix<double>(2, 4), SmallMatrix<int>(1, 3),
         "quadrille::simplify: a matrix of points has 2 rows and 4 columns, not a row of three "
-        "columns for each point");
-  check(SmallMatrix<double>(3, 3), SmallMatrix<int>(3, 1),
-        "quadrille::simplify: a matrix of triangles has 3 rows and 1 columns, not a row of three "
-        "columns for each triangle");
+        "columns for each point, nor a column of three rows");
+  check(SmallMatrix<double>(3, 3), SmallMatrix<int>(2, 1),
+        "quadrille::simplify: a matrix of triangles has 2 rows and 1 columns, not a row of three "
+        "columns for each triangle, nor a column of three rows");
   SmallMatrix<int> negative(1, 3);
   negative(0, 1) = -7;
   check(SmallMatrix<double>(3, 3), negative, "quadrille::simplify: face 0 names point -7 of 3");

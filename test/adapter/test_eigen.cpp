@@ -31,6 +31,33 @@ Matrix matrix_of(const Rows& rows) {
   return matrix;
 }
 
+template <class Matrix, class Rows>
+Matrix columns_of(const Rows& rows) {
+  return matrix_of<Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, 3>>(rows).transpose();
+}
+
+struct Arrays {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+Arrays arrays_of(const Soup& soup) {
+  Arrays arrays;
+  for (const Position& p : soup.points)
+    arrays.points.push_back({p[0], p[1], p[2]});
+  for (const Triangle& t : soup.triangles)
+    arrays.triangles.push_back({t[0], t[1], t[2]});
+  return arrays;
+}
+// What simplify leaves of arrays.
+const Arrays& expected() {
+  static const Arrays result = [] {
+    Arrays arrays = arrays_of(input());
+    simplify(arrays.points, arrays.triangles, FaceRatio{0.3});
+    return arrays;
+  }();
+  return result;
+}
+
 // Simplifies matrices, and arrays of the same numbers.
 template <class V, class F, class... Arguments>
 void check(const Arguments&... arguments) {
@@ -63,6 +90,100 @@ TEST_CASE("Matrices of all kinds of numbers and layouts are soups") {
   check<Eigen::Matrix<double, Dynamic, 3, Eigen::RowMajor>,
         Eigen::Matrix<int, Dynamic, 3, Eigen::RowMajor>>(FaceRatio{0.3});
   check<Eigen::MatrixX3f, Eigen::Matrix<std::int64_t, Dynamic, 3>>(FaceRatio{0.3});
+}
+
+TEST_CASE("Matrices of three rows have a column for each") {
+  const auto check_columns = [](auto v, auto f, const Arrays& before, const Arrays& after) {
+    using V = decltype(v);
+    using F = decltype(f);
+    v = columns_of<V>(before.points);
+    f = columns_of<F>(before.triangles);
+    simplify(v, f, FaceRatio{0.3});
+    CHECK(v == columns_of<V>(after.points));
+    CHECK(f == columns_of<F>(after.triangles));
+  };
+  const Arrays before = arrays_of(input());
+  check_columns(Eigen::MatrixXd(), Eigen::MatrixXi(), before, expected());
+  check_columns(Eigen::Matrix3Xd(), Eigen::Matrix3Xi(), before, expected());
+
+  // 3 x 3: three triangles in columns are told by their points; by themselves they lie in rows
+  const Arrays fan{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}},
+                   {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}};
+  Arrays left = fan;
+  simplify(left.points, left.triangles, FaceRatio{0.3});
+  check_columns(Eigen::MatrixXd(), Eigen::MatrixXi(), fan, left);
+  auto v = matrix_of<Eigen::MatrixXd>(fan.points);
+  auto f = matrix_of<Eigen::MatrixXi>(fan.triangles);
+  simplify(v, f, FaceRatio{0.3});
+  CHECK(f == matrix_of<Eigen::MatrixXi>(left.triangles));
+}
+
+TEST_CASE("Of views of matrices, what is left is at the beginning") {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  const Arrays before = arrays_of(input());
+  const auto v_left = matrix_of<Eigen::MatrixXd>(expected().points);
+  const auto f_left = matrix_of<Eigen::MatrixXi>(expected().triangles);
+  const auto check_views = [&](auto v, auto f, const auto& v_all, const auto& f_all) {
+    const Report report = simplify(v, f, FaceRatio{0.3});
+    REQUIRE(report.vertices_after == expected().points.size());
+    REQUIRE(report.faces_after == expected().triangles.size());
+    CHECK(v_all.topRows(v_left.rows()) == v_left);
+    CHECK(f_all.topRows(f_left.rows()) == f_left);
+  };
+  SECTION("maps, by rows and by columns") {
+    auto v = matrix_of<Rows>(before.points);
+    auto f = matrix_of<Eigen::MatrixXi>(before.triangles);
+    check_views(Eigen::Map<Rows>(v.data(), v.rows(), 3),
+                Eigen::Map<Eigen::MatrixXi>(f.data(), f.rows(), 3), v, f);
+  }
+  SECTION("maps of three rows, as temporaries") {
+    auto v = columns_of<Eigen::Matrix3Xd>(before.points);
+    auto f = columns_of<Eigen::Matrix3Xi>(before.triangles);
+    simplify(Eigen::Map<Eigen::Matrix3Xd>(v.data(), 3, v.cols()),
+             Eigen::Map<Eigen::Matrix3Xi>(f.data(), 3, f.cols()), FaceRatio{0.3});
+    CHECK(v.leftCols(v_left.rows()) == v_left.transpose());
+    CHECK(f.leftCols(f_left.rows()) == f_left.transpose());
+  }
+  SECTION("transposes and blocks") {
+    auto v = columns_of<Eigen::MatrixXd>(before.points);
+    Eigen::MatrixXi f(before.triangles.size(), 5);
+    f.leftCols(3) = matrix_of<Eigen::MatrixXi>(before.triangles);
+    f.rightCols(2).setConstant(7);
+    check_views(v.transpose(), f.leftCols(3), v.transpose(), f.leftCols(3));
+    CHECK((f.rightCols(2).array() == 7).all());
+  }
+}
+
+TEST_CASE("A simplified copy of a view is a matrix") {
+  const Arrays before = arrays_of(input());
+  const auto v = columns_of<Eigen::Matrix3Xd>(before.points);
+  const auto f = matrix_of<Eigen::MatrixXi>(before.triangles);
+  const auto [v_left, f_left, report] =
+      simplified(Eigen::Map<const Eigen::Matrix3Xd>(v.data(), 3, v.cols()),
+                 Eigen::Map<const Eigen::MatrixXi>(f.data(), f.rows(), 3), FaceRatio{0.3});
+  CHECK(v_left == columns_of<Eigen::Matrix3Xd>(expected().points));
+  CHECK(f_left == matrix_of<Eigen::MatrixXi>(expected().triangles));
+  CHECK(v == columns_of<Eigen::Matrix3Xd>(before.points));
+}
+
+TEST_CASE("Views of the wrong size are refused before anything is changed") {
+  auto v = matrix_of<Eigen::MatrixXd>(arrays_of(input()).points);
+  auto f = matrix_of<Eigen::MatrixXi>(arrays_of(input()).triangles);
+  const Eigen::MatrixXd before = v;
+  CHECK_THROWS_WITH(simplify(v.leftCols(2), f.leftCols(3)),
+                    Catch::Contains("rows and 2 columns, not a row of three columns for each "
+                                    "point, nor a column of three rows"));
+  CHECK(v == before);
+}
+
+TEST_CASE("Attributes in columns are the rows of a transpose") {
+  auto v = columns_of<Eigen::MatrixXd>(arrays_of(input()).points);
+  auto f = columns_of<Eigen::MatrixXi>(arrays_of(input()).triangles);
+  Eigen::MatrixXd colors = v.array().abs() / 4;
+  auto by_rows = colors.transpose();
+  simplify(v, f, FaceRatio{0.3}, Colors{matrix_rows<3>(by_rows)});
+  colors.conservativeResize(3, v.cols());
+  CHECK((colors - Eigen::MatrixXd(v.array().abs() / 4)).norm() < 0.05 * colors.norm());
 }
 
 TEST_CASE("A vector of Eigen's points is a soup, with indices one after the other") {

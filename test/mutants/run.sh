@@ -49,6 +49,7 @@ passes() {
   esac
   case $1 in
     gltf* | mesh_io | public_data) sources="$folder/examples/mesh_io/*.cpp" ;; # quadrille_mesh_io
+    eigen) options=$(pkg-config --cflags eigen3) ;;
     any_order) options="-O1 -I$folder/test/any_order" ;;
     parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;
     error_limit | float_precision | hausdorff_limit | tolerance_limit | targets | thin_features) options=-O1 ;; # take minutes without

@@ -34,9 +34,6 @@ public:
             SurfaceInput<3>& surface) {
     for_each_channel(maps_, [&](auto& map, std::size_t) {
       using Key = typename std::remove_cvref_t<decltype(map)>::Key;
-      static_assert(std::same_as<Key, Vertex> || std::same_as<Key, Halfedge>,
-                    "quadrille: a channel of a mesh is a property map over its vertices or over "
-                    "its halfedges.");
       ChannelInput input = map.input(workspace);
       if constexpr (std::same_as<Key, Vertex>)
         for (std::size_t v = 0; v < vertices.size(); ++v)

@@ -140,6 +140,18 @@ requires internal::PointContainer<Points> && internal::has_no_range_first<Argume
   return {};
 }
 
+/// Does not compile, for matrices of other numbers than those of points and of triangles.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::MatrixLike<Points> && internal::MatrixLike<Triangles> &&
+    (!internal::BufferedSoup<Points, Triangles>)Report
+    simplify(const Points&, const Triangles&, const Arguments&...) {
+  static_assert(internal::BufferedSoup<Points, Triangles>,
+                "The numbers of these matrices are not those of a soup: points are of float or "
+                "double, triangles of integers, and the points come first.");
+  return {};
+}
+
 /// The same with nothing but defaults, lest it be taken by CGAL::simplify(x).
 template <class Mesh>
 requires internal::ReadableGraph<Mesh>

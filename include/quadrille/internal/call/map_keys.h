@@ -1,14 +1,18 @@
 #ifndef QUADRILLE_INTERNAL_CALL_MAP_KEYS_H
 #define QUADRILLE_INTERNAL_CALL_MAP_KEYS_H
 
+#include <quadrille/internal/adapter/channel_map.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <concepts>
+#include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -33,10 +37,11 @@ constexpr bool take_key(Names<Tags...>) {
 }
 
 /// Refuses to compile a call with a property map over something else than what it is read for.
-template <class Vertex, class Face, class NamedParameters, class Labels>
+template <class Vertex, class Face, class Cost, class Carried, class NamedParameters>
 constexpr void check_keys() {
   namespace np = CGAL::internal_np;
-  using OfVertices = Names<np::vertex_is_constrained_t, parameters::vertex_tolerance_t,
+  using OfVertices = Names<np::vertex_is_constrained_t, np::vertex_point_t, np::vertex_index_t,
+                           decltype(attribute_name<Cost>()), parameters::vertex_tolerance_t,
                            parameters::vertex_importance_t, parameters::vertex_is_shared_t,
                            parameters::vertex_image_t, parameters::vertex_quadric_t>;
   static_assert(
@@ -47,22 +52,54 @@ constexpr void check_keys() {
       take_key<Face, NamedParameters>(Names<parameters::face_is_selected_t, np::face_patch_t>()),
       "face_is_selected_map or face_patch_map is a map over something else: its keys have to be "
       "the faces of the mesh, of a soup the indices of triangles.");
-  if constexpr (!std::same_as<Labels, NoLabels>)
-    static_assert(takes_key<decltype(Labels::map), Face>,
+  if constexpr (Carried::has_labels)
+    static_assert(takes_key<decltype(Carried::Labels::map), Face>,
                   "The map of Labels is over something else: its keys have to be the faces of the "
                   "mesh, of a soup the indices of triangles.");
 }
 
-template <class Mesh, class NamedParameters, class Labels>
+/// Is a channel over such keys? `takes` is asked with an object of their type; a list of channels
+/// that are told at run time has none.
+template <class Channel>
+constexpr bool has_keys([[maybe_unused]] auto takes) {
+  if constexpr (requires { typename Channel::Source; })
+    return takes(std::type_identity<typename boost::property_traits<
+                     typename MapOfSource<typename Channel::Source>::type>::key_type>());
+  else
+    return true;
+}
+template <class... Channel>
+constexpr bool have_keys(const std::tuple<Channel...>*, [[maybe_unused]] auto takes) {
+  return (has_keys<Channel>(takes) && ...);
+}
+
+template <class Mesh, class Cost, class Carried, class NamedParameters>
 constexpr void check_keys_of_mesh() {
   using Graph = boost::graph_traits<Mesh>;
-  check_keys<typename Graph::vertex_descriptor, typename Graph::face_descriptor, NamedParameters,
-             Labels>();
+  using Vertex = typename Graph::vertex_descriptor;
+  check_keys<Vertex, typename Graph::face_descriptor, Cost, Carried, NamedParameters>();
   static_assert(take_key<typename Graph::edge_descriptor, NamedParameters>(
                     Names<CGAL::internal_np::edge_is_constrained_t, parameters::edge_is_crease_t,
                           parameters::edge_is_border_t>()),
                 "A named parameter edge_..._map is a map over something else: its keys have to be "
                 "the edges of the mesh.");
+  constexpr auto is_corner = []<class Key>(std::type_identity<Key>) {
+    return std::same_as<Key, Vertex> || std::same_as<Key, typename Graph::halfedge_descriptor>;
+  };
+  static_assert(have_keys(static_cast<typename Carried::Channels*>(nullptr), is_corner),
+                "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
+                "of a mesh are property maps over its vertices or over its halfedges.");
+}
+
+template <class Cost, class Carried, class NamedParameters>
+constexpr void check_keys_of_soup() {
+  check_keys<std::size_t, std::size_t, Cost, Carried, NamedParameters>();
+  constexpr auto is_index = []<class Key>(std::type_identity<Key>) {
+    return std::convertible_to<std::size_t, Key>;
+  };
+  static_assert(have_keys(static_cast<typename Carried::Channels*>(nullptr), is_index),
+                "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
+                "of a soup are property maps over the indices of its points.");
 }
 
 } // namespace quadrille::internal

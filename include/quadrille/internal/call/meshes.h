@@ -152,7 +152,7 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
             np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
             parameters::edge_is_crease_t, parameters::edge_is_border_t, parameters::vertex_image_t,
             parameters::duplicate_output_t>());
-  check_keys_of_mesh<Mesh, NamedParameters, typename Carried::Labels>();
+  check_keys_of_mesh<Mesh, Cost, Carried, NamedParameters>();
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   check_points<typename boost::property_traits<decltype(points)>::value_type, NamedParameters>();
@@ -217,7 +217,7 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
       Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
             parameters::edge_is_border_t, parameters::border_edges_t,
             parameters::vertex_image_t>());
-  check_keys<std::size_t, std::size_t, NamedParameters, typename Carried::Labels>();
+  check_keys_of_soup<Cost, Carried, NamedParameters>();
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
