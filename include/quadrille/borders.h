@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_BORDERS_H
 #define QUADRILLE_BORDERS_H
 
+#include <quadrille/internal/base/function_name.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/pairs/border_lines.h>
 #include <quadrille/internal/surface/thinned_line.h>
@@ -99,8 +100,10 @@ Report thin_borders(double tolerance, Run run) {
     throw std::invalid_argument("quadrille::simplify_borders: the tolerance " + text_of(tolerance) +
                                 " is not a distance");
   ThinnedBorders borders(tolerance);
-  return run(Quadric{}, ThinnedBorderPlacement{&borders}, ThinnedBorderPairs{&borders},
-             ThinnedBorderStop{&borders}, ThinnedBorderFilter{&borders}, Topology::kept);
+  return in_name_of("simplify_borders", [&] {
+    return run(Quadric{}, ThinnedBorderPlacement{&borders}, ThinnedBorderPairs{&borders},
+               ThinnedBorderStop{&borders}, ThinnedBorderFilter{&borders}, Topology::kept);
+  });
 }
 
 } // namespace internal

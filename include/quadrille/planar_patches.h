@@ -9,6 +9,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/adapter/label_numbers.h>
+#include <quadrille/internal/base/function_name.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/map_keys.h>
 #include <quadrille/internal/call/meshes.h>
@@ -177,6 +178,40 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
   return remesh_with(adapter, std::move(input), tolerance);
 }
 
+template <class Mesh, class... Arguments>
+PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
+  namespace np = CGAL::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const PlanarTolerance tolerance = pick_planar_tolerance(arguments...);
+  const auto carried = pick_carried<Quadric>(arguments...);
+  using Carried = std::remove_const_t<decltype(carried)>;
+  static_assert(
+      !Carried::splits_vertices,
+      "remesh_planar_patches: SplitVertices is for soups; a mesh has halfedges for maps.");
+  const auto named = pick_named(arguments...);
+  using NamedParameters = std::remove_const_t<decltype(named)>;
+  check_planar_names<NamedParameters,
+                     Names<np::vertex_point_t, np::vertex_index_t, np::edge_is_constrained_t>>();
+  check_keys_of_mesh<Mesh, Quadric, Carried, NamedParameters>();
+  auto points = choose_parameter(get_parameter(named, np::vertex_point),
+                                 CGAL::get_property_map(CGAL::vertex_point, mesh));
+  auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
+  Workspace workspace({0, 0});
+  auto channels = channel_maps(carried.channels);
+  FaceGraphAdapter<Mesh, decltype(points), decltype(indices), NoAttributes, decltype(channels)>
+      adapter(mesh, points, indices, {}, workspace, std::move(channels));
+  SurfaceInput<3> input = adapter.read();
+  fix_vertices(adapter, input, named);
+  with_map<np::edge_is_constrained_t>(named, [&](const auto& map) {
+    adapter.fix_edges(map, input);
+    adapter.name_creases(map, input);
+  });
+  if constexpr (Carried::has_labels)
+    input.labels = numbers_of_labels(carried.labels.map, faces(mesh), workspace);
+  return remesh_with(adapter, std::move(input), tolerance);
+}
+
 } // namespace internal
 
 /// Finds the planar patches of a triangle mesh and triangulates each anew, in place, between the
@@ -224,38 +259,8 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
 template <class Mesh, class... Arguments>
 requires internal::FaceGraph<Mesh>
     PlanarReport remesh_planar_patches(Mesh& mesh, const Arguments&... arguments) {
-  namespace np = CGAL::internal_np;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const PlanarTolerance tolerance = internal::pick_planar_tolerance(arguments...);
-  const auto carried = internal::pick_carried<Quadric>(arguments...);
-  using Carried = std::remove_const_t<decltype(carried)>;
-  static_assert(
-      !Carried::splits_vertices,
-      "remesh_planar_patches: SplitVertices is for soups; a mesh has halfedges for maps.");
-  const auto named = internal::pick_named(arguments...);
-  using NamedParameters = std::remove_const_t<decltype(named)>;
-  internal::check_planar_names<
-      NamedParameters,
-      internal::Names<np::vertex_point_t, np::vertex_index_t, np::edge_is_constrained_t>>();
-  internal::check_keys_of_mesh<Mesh, Quadric, Carried, NamedParameters>();
-  auto points = choose_parameter(get_parameter(named, np::vertex_point),
-                                 CGAL::get_property_map(CGAL::vertex_point, mesh));
-  auto indices = CGAL::get_initialized_vertex_index_map(mesh, named);
-  internal::Workspace workspace({0, 0});
-  auto channels = internal::channel_maps(carried.channels);
-  internal::FaceGraphAdapter<Mesh, decltype(points), decltype(indices), internal::NoAttributes,
-                             decltype(channels)>
-      adapter(mesh, points, indices, {}, workspace, std::move(channels));
-  internal::SurfaceInput<3> input = adapter.read();
-  internal::fix_vertices(adapter, input, named);
-  internal::with_map<np::edge_is_constrained_t>(named, [&](const auto& map) {
-    adapter.fix_edges(map, input);
-    adapter.name_creases(map, input);
-  });
-  if constexpr (Carried::has_labels)
-    input.labels = internal::numbers_of_labels(carried.labels.map, faces(mesh), workspace);
-  return internal::remesh_with(adapter, std::move(input), tolerance);
+  return internal::in_name_of("remesh_planar_patches",
+                              [&] { return internal::remesh_mesh(mesh, arguments...); });
 }
 
 /// The same for a polygon soup of triangles, in any of the forms that `simplify` takes: containers
@@ -271,9 +276,11 @@ requires(internal::PointContainer<Points>&& internal::TriangleContainer<Triangle
     remesh_planar_patches(Points&& points, Triangles&& triangles, const Arguments&... arguments) {
   static_assert(internal::is_changeable<Points> && internal::is_changeable<Triangles>,
                 "remesh_planar_patches changes the soup: it takes no temporary nor constant one.");
-  auto&& rows_of_points = internal::as_rows(points, "point", triangles);
-  auto&& rows_of_triangles = internal::as_rows(triangles, "triangle", points);
-  return internal::remesh_soup(rows_of_points, rows_of_triangles, arguments...);
+  return internal::in_name_of("remesh_planar_patches", [&] {
+    auto&& rows_of_points = internal::as_rows(points, "point", triangles);
+    auto&& rows_of_triangles = internal::as_rows(triangles, "triangle", points);
+    return internal::remesh_soup(rows_of_points, rows_of_triangles, arguments...);
+  });
 }
 
 } // namespace quadrille

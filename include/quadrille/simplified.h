@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_SIMPLIFIED_H
 #define QUADRILLE_SIMPLIFIED_H
 
+#include <quadrille/internal/base/function_name.h>
 #include <quadrille/internal/call/maps_of_copy.h>
 #include <quadrille/simplify.h>
 
@@ -90,8 +91,10 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
 requires internal::FaceGraph<Mesh> Simplified<Mesh> simplified(const Mesh& mesh,
                                                                const Arguments&... arguments) {
   Simplified<Mesh> result{mesh, {}};
-  result.report = quadrille::simplify<Cost, Placement>(
-      result.mesh, internal::of_copy(arguments, mesh, result.mesh)...);
+  result.report = internal::in_name_of("simplified", [&] {
+    return quadrille::simplify<Cost, Placement>(result.mesh,
+                                                internal::of_copy(arguments, mesh, result.mesh)...);
+  });
   internal::tidy_up(result.mesh);
   return result;
 }
@@ -111,8 +114,9 @@ requires internal::CopiedSoup<internal::Copy<Points>, internal::Copy<Triangles>>
             const Points& points, const Triangles& triangles, const Arguments&... arguments) {
   SimplifiedSoup<internal::Copy<Points>, internal::Copy<Triangles>> result{
       internal::CopyOf<Points>::of(points), internal::CopyOf<Triangles>::of(triangles), {}};
-  result.report =
-      quadrille::simplify<Cost, Placement>(result.points, result.triangles, arguments...);
+  result.report = internal::in_name_of("simplified", [&] {
+    return quadrille::simplify<Cost, Placement>(result.points, result.triangles, arguments...);
+  });
   return result;
 }
 

@@ -656,7 +656,7 @@ TEST_CASE("what makes no sense is refused before anything changes") {
   refused(good, no_part, "attributes -1");
   Soup bad = good;
   bad.points[3][1] = std::numeric_limits<double>::infinity();
-  refused(bad, usual, "vertex 3 is not finite");
+  refused(bad, usual, "quadrille::remesh_planar_patches: vertex 3 is not finite");
   bad = good;
   bad.triangles[2][1] = 99;
   refused(bad, usual, "99");

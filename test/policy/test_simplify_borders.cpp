@@ -226,4 +226,7 @@ TEST_CASE("What holds a border is told, and a tolerance that is none is refused"
   for (const double none : {-1.0, std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_AS(simplify_borders(soup.points, soup.triangles, none), std::invalid_argument);
   CHECK(is_identical(soup, before));
+  soup.triangles[2][1] = 9999999;
+  CHECK_THROWS_WITH(simplify_borders(soup.points, soup.triangles, 1.0),
+                    Catch::StartsWith("quadrille::simplify_borders: face 2 names point 9999999"));
 }
