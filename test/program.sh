@@ -939,6 +939,49 @@ sed '11,1691s/ 64$/ -1/' detail.ply >wrong.ply
 run 2 wrong.ply out.off --importance detail
 expect stderr '^wrong.ply: .*the importance of vertex [0-9]*, -1, is negative or not finite'
 
+# Only a region is simplified, by scalars of faces or by names; all others stay as they are
+awk 'BEGIN {
+  n = 20
+  printf "ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\nproperty double z\n", (n + 1) ^ 2
+  printf "element face %d\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n", 2 * n * n
+  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print i, j, 3 * sin(i / 6) * cos(j / 7)
+  for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+    v = i * (n + 1) + j; label = (i < n / 2 ? 3 : i < 3 * n / 4 ? 5 : 0)
+    print 3, v, v + n + 1, v + n + 2, label "\n" 3, v, v + n + 2, v + 1, label
+  }
+}' >labels.ply
+faces_beyond() { # file.off, x: the corners of each face beyond that, by their places, in order
+  awk -v x="$2" 'NR == 2 { n = $1 } NR > 2 && NF == 3 { at[v] = $1; place[v++] = $0 }
+    NR > 2 && NF == 4 && at[$2] + at[$3] + at[$4] > 3 * x { print place[$2], place[$3], place[$4] }' "$1"
+}
+run 0 labels.ply all.off --keep 100%
+for region in 'label=3 10 --faces 100' 'label 15 --keep 25%'; do # what is not selected lies beyond
+  # shellcheck disable=SC2086
+  set -- $region
+  run 0 labels.ply out.off --region "$1" "$3" "$4"
+  faces_beyond all.off "$2" >before
+  [ -s before ] || fail "no face lies beyond $2"
+  faces_beyond out.off "$2" | cmp -s before - || fail "faces outside of the region have changed"
+  if [ "$1" = label ]; then expect_ratio out.off 350; else expect_faces out.off 500; fi
+done
+run 0 labels.ply out.off --region label=3,label=5 --keep 25%
+faces=$(sed -n 2p out.off | cut -d' ' -f2)
+[ "$faces" -gt 200 ] && [ "$faces" -le 350 ] || fail "the region is another one in OFF: $faces faces"
+run 2 labels.ply out.off --region ''
+expect stderr "is not a list of names"
+run 2 labels.ply out.off --region label=4
+expect stderr '^labels.ply: no face of IN is in the region'
+run 2 labels.ply out.off --region head,label
+expect stderr "^labels.ply: the faces of IN have no 'head', but 'label'"
+run 2 roof.off out.off --region head
+expect stderr "^roof.off: the faces of IN have no 'head', nor any name"
+awk '/^element vertex/ { n = $3 } /^end_header/ { body = 1; next } !body { next }
+  v < n { print "v", $0; ++v; next }
+  $5 != last { print "g side" $5; last = $5 } { print "f", $2 + 1, $3 + 1, $4 + 1 }' labels.ply >sides.obj
+run 0 sides.obj out.obj --region side3 --faces 100
+[ "$(awk '/^g / { group = $2 } /^f / && group == "side3"' out.obj | wc -l)" -eq 100 ] || fail "the group has other than 100 faces"
+[ "$(grep -c '^f ' out.obj)" -eq 500 ] || fail "other groups have changed"
+
 # Vertices that nearly touch: a sheet of loose quadrilaterals with noise
 awk 'BEGIN {
   n = 10; print "OFF\n" 4 * n * n, n * n, 0

@@ -99,6 +99,9 @@ bool run(Options options, ProgressLine& progress) {
     throw std::runtime_error(
         options.input + (options.importance.empty() ? ": --tolerance" : ": --importance") +
         " is for files whose vertices have scalars with names (.ply), not " + "for glTF");
+  if (!options.region.empty())
+    throw std::runtime_error(options.input + ": --region is for files whose faces have names or " +
+                             "scalars (.obj, .ply), not for glTF");
   if (options.weld)
     throw std::runtime_error(options.input + ": --weld is not for glTF, of which vertices at " +
                              "exactly the same place are one anyway");

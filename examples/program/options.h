@@ -49,6 +49,8 @@ struct Options {
   std::string importance;                // the name of a scalar of IN's vertices; empty: all alike
   std::vector<double> importances;       // its values, once IN has been read
   std::vector<double> tolerances;        // the same of the target's
+  std::string region;                    // names of IN's faces; empty: all of it
+  std::vector<bool> selected;            // which faces are in it, once IN has been read
   Amount pairs;                          // closer than this; 0: edges only
   std::string topology;                  // empty: free if there are pairs that are no edges
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it

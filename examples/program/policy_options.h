@@ -93,6 +93,16 @@ inline void add_quadric(CLI::App& app, Options& options) {
       ->group("Policies");
 }
 
+inline void add_region(CLI::App& app, Options& options) {
+  app.add_option("--region", options.region,
+                 "simplify these faces only, to the target that counts them alone, and leave all "
+                 "others as they are: names of objects, groups or materials, or scalars of faces "
+                 "with their values or not 0, as head,arm or label=3,label=7")
+      ->check(word_that([](const std::string& list) { return !list.empty(); }, "a list of names"))
+      ->type_name("LIST")
+      ->group("Policies");
+}
+
 inline void add_topology(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },

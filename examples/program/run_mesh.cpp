@@ -6,6 +6,7 @@
 #include "figures.h"
 #include "outcome.h"
 #include "position_recorder.h"
+#include "region.h"
 #include "runs.h"
 #include "simplify_mesh.h"
 #include "verification.h"
@@ -39,6 +40,8 @@ void take_scalars(Options& options, const IndexedMesh& mesh) {
   try {
     take(options.importance, options.importances);
     take(options.target.tolerance, options.tolerances);
+    if (!options.region.empty())
+      options.selected = Region(mesh, options.region).faces();
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }

@@ -25,7 +25,7 @@ quadrille::SoupOptions::Cost cost(const Options& options) {
 /// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
 bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
   return options.is_relaxed || options.crease_degrees || options.has_lines_or_noise() ||
-         !options.importances.empty() || needs_channels(mesh);
+         !options.importances.empty() || !options.selected.empty() || needs_channels(mesh);
 }
 
 /// Without attributes that vary.
@@ -65,6 +65,7 @@ quadrille::SoupOptions soup_options(const Options& options) {
     result.weighting = quadrille::Weighting::by_squared_area;
   result.importance = options.importances;
   result.tolerance = options.tolerances;
+  result.selected = options.selected;
   if (options.placement == "endpoint")
     result.placement = Soup::Placement::endpoint;
   if (options.placement == "midpoint")
