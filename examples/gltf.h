@@ -132,6 +132,29 @@ private:
   std::vector<GltfPlacement> placements_;
 };
 
+/// What the document of one file will not have, or not find, when it is written to another.
+inline std::vector<std::string> remarks_of(GltfMeshes& meshes, const std::filesystem::path& in,
+                                           const std::filesystem::path& out) {
+  std::vector<std::string> remarks;
+  const auto remark = [&](const char* what, std::size_t count) {
+    if (count > 0)
+      remarks.push_back(what + (": " + std::to_string(count)));
+  };
+  std::size_t left_out = 0;
+  for (const GltfSurface& surface : meshes.surfaces())
+    left_out += surface.count_left_out();
+  remark("triangles left out for having two equal corners, or the corners of another one, the same "
+         "way round",
+         left_out);
+  const auto folder = [](const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal().parent_path();
+  };
+  if (folder(in) != folder(out))
+    remark("its images are files, which OUT names as it does, but from another folder",
+           meshes.image_files().size());
+  return remarks;
+}
+
 /// Writes a document of such an extension: all of it, or, throwing `std::runtime_error`, nothing.
 inline void write_gltf(const std::filesystem::path& path, GltfDocument document,
                        const std::string& extension, bool is_forced = false) {

@@ -22,6 +22,9 @@
 
 namespace quadrille_examples {
 
+/// By how much less counts what shall hardly count.
+inline constexpr double hardly = 1. / 64;
+
 /// How much attributes count, and what becomes of the seams of textures, as
 /// quadrille::ChannelOptions has it.
 struct ChannelChoices {

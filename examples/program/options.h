@@ -26,9 +26,6 @@
 
 namespace quadrille_examples {
 
-/// By how much less counts what shall hardly count.
-inline constexpr double hardly = 1. / 64;
-
 struct Options {
   std::string input, output;
   Target target;

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,22 +34,8 @@ void require_fit(const Options& options, const Surfaces& surfaces) {
 }
 
 void print_remarks(const Options& options, GltfMeshes& meshes) {
-  const auto remark = [&](const char* what, std::size_t count) {
-    if (count > 0)
-      print_remark(options, what + (": " + std::to_string(count)));
-  };
-  std::size_t left_out = 0;
-  for (const GltfSurface& surface : meshes.surfaces())
-    left_out += surface.count_left_out();
-  remark("triangles left out for having two equal corners, or the corners of another one, the same "
-         "way round",
-         left_out);
-  const auto folder = [](const std::string& file) {
-    return std::filesystem::absolute(file).lexically_normal().parent_path();
-  };
-  if (folder(options.input) != folder(options.output))
-    remark("its images are files, which OUT names as it does, but from another folder",
-           meshes.image_files().size());
+  for (const std::string& remark : remarks_of(meshes, options.input, options.output))
+    print_remark(options, remark);
 }
 
 /// What can be measured of a surface where it is in the scene: positions and the first texture

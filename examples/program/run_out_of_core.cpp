@@ -1,6 +1,7 @@
 #include "outcome.h"
 #include "runs.h"
 
+#include "../mesh_channels.h"
 #include "../mesh_io/replace_file.h"
 
 #include <quadrille/file.h>

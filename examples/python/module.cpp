@@ -4,7 +4,10 @@
 #include "../mesh_io/winding.h"
 #include "arrays.h"
 #include "calibration.h"
+#include "callbacks.h"
+#include "engines.h"
 #include "files.h"
+#include "gltf.h"
 #include "interruptible.h"
 #include "levels.h"
 #include "measures.h"
@@ -64,10 +67,32 @@ py::dict arrays_of(SoupResult result) {
   return arrays;
 }
 
+/// By which engines a call runs.
+enum class Way { compiled, calibrated, outer_hull, inner_hull, same_volume };
+
+/// `cost` is a function in place of a cost of the options, or None.
+SoupResult simplified_by(Way way, const SoupView& soup, const SoupOptions& options,
+                         const py::object& cost) {
+  if (!cost.is_none())
+    return soup_by_cost(soup, options, cost_of(cost));
+  switch (way) {
+  case Way::calibrated:
+    return calibrated_soup(soup, options);
+  case Way::outer_hull:
+  case Way::inner_hull:
+    return hull_of_soup(soup, options, way == Way::outer_hull);
+  case Way::same_volume:
+    return soup_of_same_volume(soup, options);
+  default:
+    return simplified_soup(soup, options);
+  }
+}
+
 py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint32_t>& faces,
                          const std::optional<Numbers<std::uint32_t>>& labels,
                          const std::vector<ChannelArrays>& channels, SoupOptions options,
-                         SharedLevels* levels, py::object progress, bool is_calibrated) {
+                         SharedLevels* levels, py::object progress, Way way, const py::object& cost,
+                         const py::object& filter, const py::object& stop) {
   SoupView soup{rows<3>(points), rows<3>(faces), {}, {}};
   if (labels)
     soup.labels = numbers(*labels);
@@ -75,9 +100,11 @@ py::dict simplify_arrays(const Numbers<double>& points, const Numbers<std::uint3
     soup.channels.push_back(view_of(channel));
   Interruptible proceed(std::move(progress));
   options.proceed = [&](const Status& status) { return proceed(status); };
+  options.allows = filter_of(filter);
+  options.stop = stop_of(stop);
   const auto run = [&] {
     const py::gil_scoped_release unlocked;
-    return is_calibrated ? calibrated_soup(soup, options) : simplified_soup(soup, options);
+    return simplified_by(way, soup, options, cost);
   };
   if (!levels)
     return arrays_of(run());
@@ -145,6 +172,15 @@ void add_choices(py::module_& m) {
       .value("kept", Topology::kept)
       .value("free", Topology::free)
       .value("parts_may_vanish", Topology::parts_may_vanish);
+}
+
+void add_ways(py::module_& m) {
+  py::enum_<Way>(m, "Way")
+      .value("compiled", Way::compiled)
+      .value("calibrated", Way::calibrated)
+      .value("outer_hull", Way::outer_hull)
+      .value("inner_hull", Way::inner_hull)
+      .value("same_volume", Way::same_volume);
 }
 
 void add_channels(py::module_& m) {
@@ -278,6 +314,7 @@ PYBIND11_MODULE(_core, m) {
 #endif
   add_options(m);
   add_choices(m);
+  add_ways(m);
   add_channels(m);
   add_status(m);
   add_report(m);
@@ -285,6 +322,10 @@ PYBIND11_MODULE(_core, m) {
   add_importance(m);
   add_files(m);
   add_measures(m);
+  add_callbacks(m);
+#ifdef QUADRILLE_PYTHON_WITH_GLTF
+  add_gltf(m);
+#endif
   m.def("simplify", simplify_arrays);
 }
 

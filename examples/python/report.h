@@ -182,6 +182,9 @@ inline void add_report(py::module_& m) {
           "self_intersections", [](const Report& r) { return pair_of(r.self_intersections); },
           "how many pairs of faces of the input intersect, and of the result; None but with "
           "no_self_intersection=True")
+      .def_readonly("volume_before", &Report::volume_before,
+                    "that the input encloses; None but with hull and keep_volume")
+      .def_readonly("volume_after", &Report::volume_after, "that the result encloses")
       .def_readonly(
           "normal_bound_degrees", &quadrille::Report::normal_bound_degrees,
           "no normal of the result is further from those of the input that it stands for; None but "

@@ -75,6 +75,23 @@ struct SoupBox {
   std::array<double, 3> high; ///< the greatest, each at least the least
 };
 
+/// A contraction as a filter of the options sees it, see FilterPolicy: places are in the unit of
+/// the points, indices those of the input; with SoupOptions::split_vertices those of points are of
+/// places, in the order of the first point at each.
+struct SoupContraction {
+  /// A face that changes: its moving corner and its two others.
+  struct Face {
+    std::size_t index;                   ///< in the input
+    std::array<double, 3> before, after; ///< where its moving corner is, and will be
+    std::array<double, 3> second, third; ///< where the others are
+  };
+  std::size_t first, second;              ///< the ends of the pair
+  std::array<double, 3> target;           ///< where the vertex goes that both become
+  std::vector<Face> faces;                ///< those that stay and change
+  std::vector<std::size_t> removed_faces; ///< the indices of those that go
+  std::size_t highest_degree;             ///< of the ends, in faces
+};
+
 /// What simplified_soup() and simplify_soup() are asked for. Each field is a policy of `simplify`,
 /// by its name.
 struct SoupOptions {
@@ -96,6 +113,8 @@ struct SoupOptions {
   /// ToleranceLimit.
   std::vector<double> tolerance = {};
   std::optional<double> cost_limit = {}; ///< see CostLimit: at least 0
+  /// A stop policy beside these: true is enough. See StopPolicy.
+  std::function<bool(const Status&)> stop = {};
 
   Cost cost = Cost::quadric;                          ///< what a contraction costs
   double boundary_weight = Quadric{}.boundary_weight; ///< of costs that have one; at least 0
@@ -107,6 +126,9 @@ struct SoupOptions {
   double normal_deviation = 180;                      ///< degrees, see NormalDeviation
   bool no_self_intersection = false;                  ///< see NoSelfIntersection
   bool keep_solid = false;                            ///< see keep_solid()
+  /// A filter beside these: may this contraction be done? See FilterPolicy; with several threads it
+  /// is asked by several at a time.
+  std::function<bool(const SoupContraction&)> allows = {};
   /// Points that stay where they are: empty, or a value for each point.
   std::vector<bool> fixed = {};
   /// How much what happens at points counts, at least 0: empty, or a value for each point. See

@@ -13,6 +13,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -51,6 +52,39 @@ SoupOptions options_to(std::size_t faces, SoupOptions::Cost cost = SoupOptions::
   options.cost = cost;
   return options;
 }
+
+// What a filter has been told of all contractions, of which it refuses some.
+struct Told {
+  std::vector<std::size_t> indices;
+  std::vector<std::array<double, 3>> places;
+
+  bool add(std::size_t first, std::size_t second, std::size_t degree, const auto& removed,
+           const std::array<double, 3>& target) {
+    indices.insert(indices.end(), {first, second, degree});
+    for (const std::size_t face : removed)
+      indices.push_back(face);
+    places.push_back(target);
+    return target[2] > -0.5;
+  }
+  bool add_faces(const auto& faces, auto of) {
+    for (const auto& face : faces) {
+      indices.push_back(face.index);
+      for (const auto& place : {face.before, face.after, face.second, face.third})
+        places.push_back(of(place));
+    }
+    return true;
+  }
+};
+
+struct Listening {
+  Told* told;
+  bool allows(const auto& contraction) const {
+    return told->add(contraction.first(), contraction.second(), contraction.highest_degree(),
+                     contraction.removed_faces(), contraction.target().coordinates) &&
+           told->add_faces(contraction.faces(),
+                           [](const auto& place) { return place.coordinates; });
+  }
+};
 
 const Soup soup = test::random_with_borders(3), closed = test::sphere(3);
 
@@ -161,6 +195,29 @@ TEST_CASE("Lines, noise and importance are options of the compiled library") {
   options.line_weight = 1;
   CHECK_THROWS_WITH(simplify_soup(arrays.points, arrays.triangles, options),
                     Catch::Contains("are for the cost quadric"));
+}
+
+TEST_CASE("A filter and a stop of the compiled library are asked as those of the templates") {
+  const auto is_enough = [](const Status& status) { return status.contractions >= 40; };
+  Told of_templates, of_options;
+  SoupOptions options;
+  options.stop = is_enough; // and there is no FaceRatio
+  options.allows = [&](const SoupContraction& contraction) {
+    return of_options.add(contraction.first, contraction.second, contraction.highest_degree,
+                          contraction.removed_faces, contraction.target) &&
+           of_options.add_faces(contraction.faces, [](const auto& place) { return place; });
+  };
+  check(closed, options, is_enough, Listening{&of_templates});
+  CHECK(of_options.indices == of_templates.indices);
+  CHECK(of_options.places == of_templates.places);
+  Arrays result(closed);
+  const Report report = simplify_soup(result.points, result.triangles, options);
+  CHECK(report.contractions == 40);
+  CHECK(report.rejections[static_cast<std::size_t>(Rejection::filter)] > 0);
+
+  options.faces = closed.triangles.size() - 20; // is met before
+  result = Arrays(closed);
+  CHECK(simplify_soup(result.points, result.triangles, options).contractions == 10);
 }
 
 TEST_CASE("Fixed points stay, and the images tell what became of the others") {

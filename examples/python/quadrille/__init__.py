@@ -13,6 +13,7 @@ Channel     values of one of these with options: how much it counts, what become
 Simplified  what simplify() returns: a Mesh with a report
 Levels      all levels of detail of a surface from one run, in memory and in a file
 read_mesh, write_mesh  files: OFF, OBJ, PLY, STL, GOCAD
+simplify_gltf  glTF documents, from file to file
 curvature_importance, view_importance  for simplify(importance=...): where more faces stay
 surface_distance  how far two surfaces are from each other
 verify      does a result keep what was promised of it?
@@ -21,8 +22,9 @@ Costs are those of Garland and Heckbert 1997, and what came of them: see the man
 """
 
 from . import _core
-from ._core import Report, Status
+from ._core import Contraction, Pair, Report, Status
 from ._files import read_mesh, write_mesh
+from ._gltf import simplify_gltf
 from ._importance import curvature_importance, view_importance
 from ._levels import Level, Levels
 from ._measures import Distance, Finding, Verdict, surface_distance, verify
@@ -30,6 +32,6 @@ from ._mesh import Channel, Mesh, Simplified
 from ._simplify import simplify
 
 __version__: str = _core.version
-__all__ = ["Channel", "Distance", "Finding", "Level", "Levels", "Mesh", "Report", "Simplified", "Status", "Verdict",
-           "curvature_importance", "read_mesh", "simplify", "surface_distance", "verify", "view_importance",
-           "write_mesh"]
+__all__ = ["Channel", "Contraction", "Distance", "Finding", "Level", "Levels", "Mesh", "Pair", "Report", "Simplified",
+           "Status", "Verdict", "curvature_importance", "read_mesh", "simplify", "simplify_gltf", "surface_distance",
+           "verify", "view_importance", "write_mesh"]

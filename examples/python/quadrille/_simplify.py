@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
@@ -10,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
 from ._levels import Levels
-from ._mesh import (Mesh, Simplified, Values, _choice, read_attributes, read_channels, set_channels,
-                    turned)
+from ._mesh import Mesh, Simplified, Values, read_attributes, read_channels, set_channels, turned
+from ._options import Functions, function_of, make_options, read_number
 
 
 def simplify(
@@ -28,7 +27,8 @@ def simplify(
     both_ways: bool = False,
     calibrated: bool = False,
     tolerance: Optional[ArrayLike] = None,
-    cost: str = "quadric",
+    stop: Optional[Callable[[_core.Status], bool]] = None,
+    cost: Optional[Union[str, Callable[[_core.Pair], float]]] = None,
     placement: Optional[str] = None,
     order: str = "greedy",
     threads: int = 1,
@@ -45,6 +45,9 @@ def simplify(
     normal_deviation: float = 180.0,
     no_self_intersection: bool = False,
     keep_solid: bool = False,
+    keep_volume: bool = False,
+    hull: Optional[str] = None,
+    filter: Optional[Callable[[_core.Contraction], bool]] = None,
     fixed: Optional[ArrayLike] = None,
     selected: Optional[ArrayLike] = None,
     importance: Optional[ArrayLike] = None,
@@ -98,11 +101,14 @@ def simplify(
                      run, and to end one gives the best result of those before
     tolerance        instead of these, a distance for each point, at least 0: no triangle of the input
                      further from the result than the least of its corners, see ToleranceLimit
+    stop             a function of a Status, which is asked before each contraction: True is enough
 
     How:
 
-    cost             'quadric' (the fastest), 'memoryless_quadric' (a fifth more accurate, half as
-                     fast), 'thin_feature_quadric' (the same, and thin parts stay) or 'edge_length'
+    cost             'quadric' (by default, the fastest), 'memoryless_quadric' (a fifth more accurate,
+                     half as fast), 'thin_feature_quadric' (the same, and thin parts stay) or
+                     'edge_length'; or a function of a Pair: a number of at least 0, the least is
+                     contracted first. uv, normals and the like add their own to it
     placement        where the new point goes: 'optimal' (by default but for edge_length), 'midpoint'
                      (by default for edge_length) or 'endpoint' (points of the result are of the input)
     order            'greedy' (the cheapest pair first) or 'relaxed' (in passes, which threads share)
@@ -124,6 +130,10 @@ def simplify(
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
                      several times as long
     keep_solid       a closed solid stays one, and the surface has to be one: see solid.h; for 'greedy'
+    keep_volume      what the surface encloses stays as much; for 'greedy', by 'memoryless_quadric'
+    hull             'outer' (the result encloses the surface, which is closed) or 'inner' (the other
+                     way round); for 'greedy', by 'memoryless_quadric'
+    filter           a function of a Contraction: False forbids it
     fixed            points that stay where they are: booleans of the shape (n,), or indices
     selected         triangles that are simplified: booleans of the shape (m,), or indices. Targets are
                      of these; all points of others stay where they are
@@ -157,6 +167,10 @@ def simplify(
     copied. Do not write to them meanwhile. Other threads of Python run on, and Ctrl-C ends it with a
     KeyboardInterrupt.
 
+    Functions of Python (stop, cost, filter) are asked for each contraction or pair, so that a call takes
+    many times as long: some microseconds for each question, beside what they do themselves. What
+    they raise ends the call with nothing changed. For the same they have to answer the same.
+
     Raises ValueError for what is wrong with an argument, and says which and where; TypeError for
     attributes that are no dict of names, levels that are no Levels, and objects that are no surface;
     MemoryError.
@@ -168,45 +182,58 @@ def simplify(
                 _source=mesh._source, _source_faces=mesh._source_faces,
                 **{name: getattr(mesh, name) if values is None else values
                    for name, values in given.items()})
-    options = _core.Options()
-    _set_targets(options, faces=faces, vertices=vertices, ratio=ratio, error=error,
-                 relative_error=relative_error)
-    if target_reduction is not None:
-        options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
-                                    error=error, relative_error=relative_error, tolerance=tolerance)
-    options.both_ways = bool(both_ways)
+    options = make_options(
+        faces=faces, vertices=vertices, ratio=ratio, target_reduction=target_reduction, error=error,
+        relative_error=relative_error, both_ways=both_ways, cost=None if callable(cost) else cost,
+        placement=placement, order=order, threads=threads, boundary_weight=boundary_weight,
+        crease_degrees=crease_degrees, crease_weight=crease_weight, weighting=weighting,
+        line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
+        topology=topology, pairs_closer_than=pairs_closer_than, normal_flip=normal_flip,
+        normal_deviation=normal_deviation, no_self_intersection=no_self_intersection,
+        keep_solid=keep_solid, eager=eager, share=share, refresh=refresh)
+    functions = Functions(cost if callable(cost) else None, function_of("filter", filter),
+                          function_of("stop", stop), function_of("progress", progress))
+    way = _way_of(options, cost, hull, bool(keep_volume), bool(calibrated))
+    if tolerance is not None and target_reduction is not None:
+        raise ValueError("target_reduction is given beside tolerance: they are two targets")
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
-    options.cost = _choice("cost", cost, _core.Cost)
-    options.weighting = _choice("weighting", weighting, _core.Weighting)
-    options.order = _choice("order", order, _core.Order)
-    if placement is not None:
-        options.placement = _choice("placement", placement, _core.Placement)
-    if topology is not None:
-        options.topology = _choice("topology", topology, _core.Topology)
-    _set_numbers(options, boundary_weight=boundary_weight, crease_degrees=crease_degrees,
-                 crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
-                 line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
-                 normal_flip=normal_flip, normal_deviation=normal_deviation,
-                 label_border_weight=label_border_weight, share=share)
-    options.threads = _count("threads", threads)
-    options.eager, options.refresh = bool(eager), bool(refresh)
+    options.label_border_weight = read_number("label_border_weight", label_border_weight)
     options.split_vertices = bool(split_vertices)
-    options.no_self_intersection = bool(no_self_intersection)
-    options.keep_solid = bool(keep_solid)
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if selected is not None:
         options.selected = _arrays.mask("selected", selected, len(mesh.faces), "triangle")
     if importance is not None:
         options.importance = _arrays.factors("importance", importance, len(mesh.points))
-    if progress is not None and not callable(progress):
-        raise ValueError(f"progress is {progress!r}, which cannot be called")
     if levels is not None and not isinstance(levels, Levels):
         raise TypeError(f"levels is a {type(levels).__name__}, not a Levels to record into")
     if calibrated:
         _check_calibrated(options, levels)
-    return _simplified(mesh, options, levels, progress, bool(orient), bool(calibrated))
+    return _simplified(mesh, options, levels, bool(orient), way, functions)
+
+
+def _way_of(options, cost, hull, keep_volume, calibrated) -> _core.Way:
+    """By which engine, and what does not go with it."""
+    if hull is not None and hull not in ("outer", "inner"):
+        raise ValueError(f"hull is {hull!r}, neither 'outer' nor 'inner'")
+    asked = [name for name, is_asked in (("hull", hull is not None), ("keep_volume", keep_volume),
+                                         ("calibrated", calibrated), ("a function as cost", callable(cost)))
+             if is_asked]
+    if len(asked) > 1:
+        raise ValueError(f"{asked[0]} does not go with {asked[1]}")
+    if hull is None and not keep_volume:
+        return _core.Way.calibrated if calibrated else _core.Way.compiled
+    if cost not in (None, "memoryless_quadric"):
+        raise ValueError(f"{asked[0]} is by cost='memoryless_quadric', not by {cost!r}")
+    if options.order != _core.Order.greedy:
+        raise ValueError(f"{asked[0]} is for the order 'greedy'")
+    if options.placement is not None:
+        raise ValueError(f"{asked[0]} says where points go, and does not go with a placement")
+    options.cost = _core.Cost.memoryless_quadric
+    if hull is None:
+        return _core.Way.same_volume
+    return _core.Way.outer_hull if hull == "outer" else _core.Way.inner_hull
 
 
 def _check_calibrated(options, levels):
@@ -236,47 +263,7 @@ def _mesh_of(points, triangles) -> Tuple[Mesh, Any]:
     raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
 
 
-def _ratio_left(target_reduction, **others):
-    given = [name for name, value in others.items() if value is not None]
-    if given:
-        raise ValueError(f"target_reduction is given beside {given[0]}: they are two targets")
-    number = _number("target_reduction", target_reduction)
-    if not 0 < number < 1:
-        raise ValueError(f"target_reduction is {number}, not in (0, 1): it is the part of the faces that "
-                         "goes")
-    return 1 - number
-
-
-def _count(name, value):
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise ValueError(f"{name} is {value!r}, not an integer") from None
-    if number < 0 or number >= 2**32:
-        raise ValueError(f"{name} is {number}, not in [0, 2**32)")
-    return number
-
-
-def _number(name, value):
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} is {value!r}, not a number") from None
-
-
-def _set_numbers(options, **numbers):
-    for name, value in numbers.items():
-        setattr(options, name, _number(name, value))
-
-
-def _set_targets(options, **targets):
-    for name, value in targets.items():
-        if value is not None:
-            convert = _count if name in ("faces", "vertices") else _number
-            setattr(options, name, convert(name, value))
-
-
-def _simplified(mesh, options, levels, progress, orient, is_calibrated):
+def _simplified(mesh, options, levels, orient, way, functions):
     points = _arrays.real_rows("points", mesh.points, 3)
     faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
     labels, label_numbers, label_type = None, None, None
@@ -288,7 +275,8 @@ def _simplified(mesh, options, levels, progress, orient, is_calibrated):
     if orient:
         faces, remarks = _oriented(points, faces, channels, options.split_vertices)
     arrays = _core.simplify(points, faces, label_numbers, [c.arguments() for c in channels], options,
-                            None if levels is None else levels._levels, progress, is_calibrated)
+                            None if levels is None else levels._levels, functions.progress, way,
+                            functions.cost, functions.filter, functions.stop)
     if levels is not None:
         levels._names = [channel.name for channel in channels]
     result = Simplified(

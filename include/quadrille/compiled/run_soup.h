@@ -59,7 +59,9 @@ public:
       take_limits(options, hausdorff_, relative_hausdorff_);
     else
       take_limits(options, error_, relative_error_);
-    if (!faces_ && !ratio_ && !vertices_ && !cost_ && !is_asking_for_distance())
+    if (options.stop)
+      stop_ = {&options.stop};
+    else if (!faces_ && !ratio_ && !vertices_ && !cost_ && !is_asking_for_distance())
       ratio_ = FaceRatio{};
   }
 
@@ -77,6 +79,11 @@ public:
   }
 
 private:
+  struct Asked {
+    const std::function<bool(const Status&)>* is_enough;
+    bool operator()(const Status& status) const { return (*is_enough)(status); }
+  };
+
   template <class Limit>
   static void take_limits(const SoupOptions& options, std::optional<Limit>& absolute,
                           std::optional<Limit>& relative) {
@@ -91,7 +98,7 @@ private:
     const auto holds = [&](const auto& stop) { return stop && is(*stop); };
     return holds(faces_) || holds(ratio_) || holds(vertices_) || holds(error_) ||
            holds(relative_error_) || holds(hausdorff_) || holds(relative_hausdorff_) ||
-           holds(tolerance_) || holds(cost_);
+           holds(tolerance_) || holds(cost_) || holds(stop_);
   }
 
   std::optional<FaceCount> faces_;
@@ -101,6 +108,28 @@ private:
   std::optional<HausdorffLimit> hausdorff_, relative_hausdorff_;
   std::optional<ToleranceLimit> tolerance_;
   std::optional<CostLimit> cost_;
+  std::optional<Asked> stop_;
+};
+
+/// The filter of the options, which may have none.
+struct SoupFilter {
+  const std::function<bool(const SoupContraction&)>& asked;
+
+  bool is_absent() const { return !asked; }
+  bool allows(const auto& contraction) const {
+    SoupContraction seen{.first = contraction.first(),
+                         .second = contraction.second(),
+                         .target = space(contraction.target()).coordinates,
+                         .faces = {},
+                         .removed_faces = {},
+                         .highest_degree = contraction.highest_degree()};
+    for (const auto& f : contraction.faces())
+      seen.faces.push_back({f.index, f.before.coordinates, f.after.coordinates,
+                            f.second.coordinates, f.third.coordinates});
+    for (const std::size_t face : contraction.removed_faces())
+      seen.removed_faces.push_back(face);
+    return asked(seen);
+  }
 };
 
 struct SoupVisitor {
@@ -141,9 +170,9 @@ inline auto named_of(const SoupOptions& options, const SoupVisitor& visitor) {
       .visitor(std::cref(visitor));
 }
 
-/// By policies that the options say; `more` are labels and channels, if there are any.
-template <class Cost, class... More>
-Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
+/// By policies that the options say, in an order; `more` are labels and channels, if there are any.
+template <class Cost, class Placement, class Order, class... More>
+Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, const Order& order,
                    const More&... more) {
   const SoupOptions& options = run.options;
   const SoupVisitor visitor{options.proceed};
@@ -152,10 +181,10 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
   const auto simplify_soup = [&](const auto&... rest) {
     const auto run_with = [&](const auto&... topology) {
       return simplify(run.points, run.triangles, cost, placement,
-                      ThresholdPairs(options.pairs_closer_than), SoupStop(options),
-                      order_of(options), NormalFlip(options.normal_flip), intersection_of(options),
-                      NormalDeviation{options.normal_deviation}, record_into(recorder), more...,
-                      topology..., rest...);
+                      ThresholdPairs(options.pairs_closer_than), SoupStop(options), order,
+                      NormalFlip(options.normal_flip), SoupFilter{options.allows},
+                      intersection_of(options), NormalDeviation{options.normal_deviation},
+                      record_into(recorder), more..., topology..., rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();
   };
@@ -165,12 +194,11 @@ Report simplify_by(SoupRun& run, const Cost& cost, BuiltInPlacement placement,
   return simplify_soup(parameters::vertex_image_map(PointImages{&run.image}, named));
 }
 
-/// The same with whatever a soup carries, in an engine of its own.
-template <class Cost>
-Report simplify_with_all(SoupRun& run, const Cost& cost, BuiltInPlacement placement) {
-  if (!run.is_carrying())
-    return simplify_by(run, cost, placement);
-  return simplify_by(run, cost, placement,
+/// The same with whatever a soup carries, or may carry.
+template <class Cost, class Placement, class Order>
+Report simplify_with_all(SoupRun& run, const Cost& cost, const Placement& placement,
+                         const Order& order) {
+  return simplify_by(run, cost, placement, order,
                      Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
                      SoupChannelList{run.soup.channels, &run.channels});
 }
@@ -214,7 +242,12 @@ Cost with_weights(Cost cost, const SoupOptions& options) {
 
 template <class Cost>
 Report simplify_by_cost(SoupRun& run, const Cost& cost) {
-  return simplify_with_all(run, with_weights(cost, run.options), placement_of<Cost>(run.options));
+  const Cost weighted = with_weights(cost, run.options);
+  const BuiltInPlacement placement = placement_of<Cost>(run.options);
+  const AnyOrder order = order_of(run.options);
+  if (run.is_carrying()) // there is an engine for either
+    return simplify_with_all(run, weighted, placement, order);
+  return simplify_by(run, weighted, placement, order);
 }
 
 } // namespace quadrille::internal

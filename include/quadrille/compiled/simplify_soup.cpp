@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -32,7 +33,7 @@ void require_count(const char* name, std::size_t values, std::size_t count, cons
            " " + of_what);
 }
 
-void validate(const SoupView& soup, const SoupOptions& options) {
+void validate_call(const SoupView& soup, const SoupOptions& options) {
   require_count("fixed", options.fixed.size(), soup.points.size(), "points");
   require_count("tolerance", options.tolerance.size(), soup.points.size(), "points");
   if (!options.tolerance.empty() && (options.error || options.relative_error))
@@ -71,7 +72,7 @@ Report simplify_by_cost_of_options(SoupRun& run) {
 }
 
 // Of a soup without triangles nothing is left; else it has been cancelled before it was touched.
-SoupChannel untouched(const SoupChannelView& channel, bool has_values) {
+SoupChannel unchanged_channel(const SoupChannelView& channel, bool has_values) {
   if (!has_values)
     return {channel.components, {}, {}};
   return {channel.components,
@@ -81,8 +82,9 @@ SoupChannel untouched(const SoupChannelView& channel, bool has_values) {
 
 } // namespace
 
-SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
-  validate(soup, options);
+SoupResult internal::run_soup(const SoupView& soup, const SoupOptions& options,
+                              const std::function<Report(SoupRun&)>& simplify) {
+  validate_call(soup, options);
   const bool has_values = !soup.triangles.empty();
   const SoupView bare{soup.points, soup.triangles, {}, {}};
   SoupRun run{has_values ? soup : bare,
@@ -96,18 +98,22 @@ SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
     std::iota(run.image.begin(), run.image.end(), std::size_t{0});
   }
   SoupResult result;
-  result.report = simplify_by_cost_of_options(run);
+  result.report = simplify(run);
   result.points = std::move(run.points).take();
   std::tie(result.triangles, result.input_faces) = std::move(run.triangles).take();
   result.channels = std::move(run.channels);
   if (result.channels.empty())
     for (const SoupChannelView& channel : soup.channels)
-      result.channels.push_back(untouched(channel, has_values));
+      result.channels.push_back(unchanged_channel(channel, has_values));
   if (!soup.labels.empty())
     for (const std::uint32_t face : result.input_faces)
       result.labels.push_back(soup.labels[face]);
   result.image = std::move(run.image);
   return result;
+}
+
+SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options) {
+  return internal::run_soup(soup, options, simplify_by_cost_of_options);
 }
 
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options,

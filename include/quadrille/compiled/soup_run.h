@@ -5,6 +5,7 @@
 #include <quadrille/compiled/soup_arrays.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 /// \file
@@ -25,6 +26,10 @@ struct SoupRun {
     return !soup.labels.empty() || !soup.channels.empty() || options.split_vertices;
   }
 };
+
+/// Checks a call, lets `simplify` do it, and takes what it leaves.
+SoupResult run_soup(const SoupView& soup, const SoupOptions& options,
+                    const std::function<Report(SoupRun&)>& simplify);
 
 } // namespace quadrille::internal
 

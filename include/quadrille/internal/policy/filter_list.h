@@ -65,6 +65,9 @@ private:
   template <class Filter>
   void add(const Filter& filter) {
     validate(filter);
+    if constexpr (requires { filter.is_absent(); })
+      if (filter.is_absent())
+        return;
     if constexpr (std::same_as<Filter, NormalFlip>)
       if (!std::exchange(is_normal_flip_given_, true)) {
         normal_flip_ = filter;

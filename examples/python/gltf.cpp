@@ -1,0 +1,53 @@
+#include "gltf.h"
+
+#include "../gltf.h"
+#include "callbacks.h"
+#include "interruptible.h"
+
+#include <quadrille/channels.h>
+#include <quadrille/compiled.h>
+#include <quadrille/report.h>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+namespace {
+
+using namespace quadrille;
+
+std::tuple<Report, std::vector<std::string>>
+simplify_gltf(const std::filesystem::path& in, const std::filesystem::path& out,
+              SoupOptions options, const std::optional<Seams>& seams, const py::object& stop,
+              py::object progress) {
+  Interruptible proceed(std::move(progress));
+  options.proceed = [&](const Status& status) { return proceed(status); };
+  options.stop = stop_of(stop);
+  const py::gil_scoped_release unlocked;
+  GltfMeshes meshes = GltfMeshes::read(in);
+  if (meshes.surfaces().empty())
+    throw std::invalid_argument(in.string() + ": there are no triangles to simplify");
+  std::vector<std::string> remarks = remarks_of(meshes, in, out);
+  const Report report =
+      GltfSceneSurface(meshes.surfaces(), meshes.placements())
+          .simplify(std::move(options), {.of_numbers = hardly, .texture_seams = seams});
+  write_gltf(out, meshes.take(), out.extension().string());
+  return {report, std::move(remarks)};
+}
+
+} // namespace
+
+void add_gltf(py::module_& m) {
+  m.def("simplify_gltf", simplify_gltf);
+}
+
+} // namespace quadrille_examples

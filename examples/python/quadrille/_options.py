@@ -1,0 +1,114 @@
+"""What simplify() and simplify_gltf() are asked for, whatever the surface."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Callable, NamedTuple, Optional
+
+from . import _core
+from ._mesh import _choice
+
+
+class Functions(NamedTuple):
+    """Functions of the user's, or None."""
+
+    cost: Optional[Callable[[_core.Pair], float]]
+    filter: Optional[Callable[[_core.Contraction], bool]]
+    stop: Optional[Callable[[_core.Status], bool]]
+    progress: Optional[Callable[[_core.Status], Optional[bool]]]
+
+
+def make_options(
+    *,
+    faces: Optional[int] = None,
+    ratio: Optional[float] = None,
+    target_reduction: Optional[float] = None,
+    vertices: Optional[int] = None,
+    error: Optional[float] = None,
+    relative_error: Optional[float] = None,
+    both_ways: bool = False,
+    cost: Optional[str] = None,
+    placement: Optional[str] = None,
+    order: str = "greedy",
+    threads: int = 1,
+    boundary_weight: float = 100.0,
+    crease_degrees: float = 180.0,
+    crease_weight: float = 100.0,
+    weighting: str = "by_area",
+    line_weight: float = 0.0,
+    normal_noise: float = 0.0,
+    position_noise: float = 0.0,
+    topology: Optional[str] = None,
+    pairs_closer_than: float = 0.0,
+    normal_flip: float = 90.0,
+    normal_deviation: float = 180.0,
+    no_self_intersection: bool = False,
+    keep_solid: bool = False,
+    eager: bool = False,
+    share: float = 0.5,
+    refresh: bool = False,
+) -> _core.Options:
+    """By their names in simplify()."""
+    options = _core.Options()
+    for name, count in (("faces", faces), ("vertices", vertices)):
+        if count is not None:
+            setattr(options, name, read_count(name, count))
+    for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error)):
+        if number is not None:
+            setattr(options, name, read_number(name, number))
+    if target_reduction is not None:
+        options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
+                                    error=error, relative_error=relative_error)
+    options.both_ways = bool(both_ways)
+    options.cost = _core.Cost.quadric if cost is None else _choice("cost", cost, _core.Cost)
+    options.weighting = _choice("weighting", weighting, _core.Weighting)
+    options.order = _choice("order", order, _core.Order)
+    if placement is not None:
+        options.placement = _choice("placement", placement, _core.Placement)
+    if topology is not None:
+        options.topology = _choice("topology", topology, _core.Topology)
+    numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,
+                   crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
+                   line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
+                   normal_flip=normal_flip, normal_deviation=normal_deviation, share=share)
+    for name, number in numbers.items():
+        setattr(options, name, read_number(name, number))
+    options.threads = read_count("threads", threads)
+    options.eager, options.refresh = bool(eager), bool(refresh)
+    options.no_self_intersection = bool(no_self_intersection)
+    options.keep_solid = bool(keep_solid)
+    return options
+
+
+def function_of(name: str, function: Any) -> Any:
+    if function is not None and not callable(function):
+        raise ValueError(f"{name} is {function!r}, which cannot be called")
+    return function
+
+
+def read_count(name: str, value: Any) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ValueError(f"{name} is {value!r}, not an integer") from None
+    if number < 0 or number >= 2**32:
+        raise ValueError(f"{name} is {number}, not in [0, 2**32)")
+    return number
+
+
+def read_number(name: str, value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} is {value!r}, not a number") from None
+
+
+def _ratio_left(target_reduction, **others):
+    given = [name for name, value in others.items() if value is not None]
+    if given:
+        raise ValueError(f"target_reduction is given beside {given[0]}: they are two targets")
+    number = read_number("target_reduction", target_reduction)
+    if not 0 < number < 1:
+        raise ValueError(f"target_reduction is {number}, not in (0, 1): it is the part of the faces that "
+                         "goes")
+    return 1 - number
