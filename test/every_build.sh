@@ -1,8 +1,9 @@
 #!/bin/sh
 # What the tests do by one compiler, in one build, by both: Debug and Release builds of g++ and clang
 # give the same results to the last digit, of four costs, and those of the headers alone are those of
-# the library, which test_digests holds; costs are the same with and without vectors; calls of the
-# documents compile without a warning, and the benchmarks compile; and the package in JavaScript is what it
+# the library, which test_digests holds; costs are the same with and without vectors; the
+# headers compile where min and max are macros, and take a part of a user's own; calls of the documents
+# compile without a warning, and the benchmarks compile; and the package in JavaScript is what it
 # has to be, where there is emscripten. It takes about half an hour of a processor.
 #   sh test/every_build.sh [MODEL.off]
 # The model is cow.off by default, of the models of a configured build: CGAL_DATA_DIR, or that of
@@ -32,6 +33,8 @@ for compiler in g++ clang++; do
     test/support/read_model.cpp test/programs/test_digests.cpp -lOpenMeshCore -lmpfr -lgmp -o "$folder/digests"
   "$folder/digests"
   sh test/lanes.sh $compiler -std=c++20 -Iinclude
+  sh test/min_max_macros.sh include $compiler -std=c++20 -Iinclude -fsyntax-only
+  sh test/own_part.sh . $compiler -std=c++20 -Iinclude
   sh test/documented_calls.sh . $compiler -std=c++20 -Iinclude -fsyntax-only -Wall -Wextra \
     -Wno-unused-local-typedefs -Wdouble-promotion -Werror
 done

@@ -14,8 +14,8 @@ namespace quadrille::internal {
 
 /// The least and the greatest coordinates of what has been told.
 struct FileBox {
-  Vector<3> low{{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
-                 std::numeric_limits<double>::max()}};
+  Vector<3> low{{(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)(),
+                 (std::numeric_limits<double>::max)()}};
   Vector<3> high{{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(),
                   std::numeric_limits<double>::lowest()}};
 

@@ -143,9 +143,9 @@ public:
         all.counters()[i] +=
             static_cast<std::uint64_t>(std::llround(unit * weight * static_cast<double>(from[i])));
     }
-    const std::uint64_t wanted = unit * (faces_ - std::min(faces_left, faces_));
+    const std::uint64_t wanted = unit * (faces_ - (std::min)(faces_left, faces_));
     return samples_.empty() ? std::numeric_limits<float>::infinity()
-                            : all.cost_for(std::min(wanted, all.total()));
+                            : all.cost_for((std::min)(wanted, all.total()));
   }
 
 private:

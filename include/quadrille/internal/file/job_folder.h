@@ -59,7 +59,7 @@ public:
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {
       const std::string name = entry.path().filename().string();
       if (name.rfind("phase-", 0) == 0 && std::filesystem::exists(entry.path() / "plan"))
-        k = std::max(k, static_cast<unsigned>(std::stoul(name.substr(6))));
+        k = (std::max)(k, static_cast<unsigned>(std::stoul(name.substr(6))));
     }
     return k;
   }

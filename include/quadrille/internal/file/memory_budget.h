@@ -35,7 +35,7 @@ public:
         options.whole_faces > 0 ? (std::min)(options.whole_faces, most_faces()) : most_faces();
     const unsigned wanted = options.parts_in_flight > 0
                                 ? options.parts_in_flight
-                                : std::max(1U, std::thread::hardware_concurrency());
+                                : (std::max)(1U, std::thread::hardware_concurrency());
     // Parts of later phases may have half as many faces again, since a vertex that is left is not
     // always one of two faces.
     in_flight_ =

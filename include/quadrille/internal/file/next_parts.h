@@ -151,7 +151,7 @@ private:
   static std::size_t memory_size(const std::vector<SurvivorsHeader>& parts) {
     std::uint64_t size = 0;
     for (const SurvivorsHeader& h : parts)
-      size = std::max(size, h.memory_size);
+      size = (std::max)(size, h.memory_size);
     return static_cast<std::size_t>(size);
   }
 
@@ -187,7 +187,7 @@ private:
   void give_vertices(PartScatter& scatter, const Survivors& part, const PartTree& cut) const {
     Requests requests;
     for_faces(part, cut, [&](const FaceRow&, const auto& places, const auto& homes) {
-      const PartNumber to = std::min({homes[0], homes[1], homes[2]});
+      const PartNumber to = (std::min)({homes[0], homes[1], homes[2]});
       for (std::size_t i = 0; i < 3; ++i)
         requests.add({static_cast<VertexId>(places[i]), to});
     });

@@ -101,7 +101,7 @@ private:
       std::uint32_t at = 0;
       while (at + 2 < counts.size() && below + counts[at] / 2 < wanted)
         below += counts[at++];
-      return std::max(at, 1U);
+      return (std::max)(at, 1U);
     }
 
     void give_number(const Cells& box, std::uint64_t all) {

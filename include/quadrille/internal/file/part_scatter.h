@@ -34,7 +34,7 @@ public:
     requests_.push_back(request);
     if (requests_.size() >= limit_) {
       sort();
-      limit_ = std::max(limit_, 2 * requests_.size());
+      limit_ = (std::max)(limit_, 2 * requests_.size());
     }
   }
   /// Calls take(part) for each that requests the vertex. Vertices have to come in ascending order,
@@ -72,7 +72,7 @@ public:
   template <class Ask>
   void add_face(const FaceRow& corners, const std::array<PartNumber, 3>& homes, std::uint32_t label,
                 Ask request) {
-    const PartNumber part = std::min({homes[0], homes[1], homes[2]});
+    const PartNumber part = (std::min)({homes[0], homes[1], homes[2]});
     faces_.add(part, corners.data(), sizeof(corners));
     if (has_labels_)
       labels_.add(part, &label, sizeof(label));

@@ -56,7 +56,7 @@ public:
     }
     const std::uint64_t own = plan_.parts[part].faces.size / sizeof(FaceRow);
     const std::uint64_t share =
-        Schedule::share(all - std::min(all, target()), begin, begin + own, all);
+        Schedule::share(all - (std::min)(all, target()), begin, begin + own, all);
     return FaceCount{static_cast<std::size_t>(own - share)};
   }
   Schedule schedule() const {
@@ -88,7 +88,7 @@ public:
     PhasePlan plan;
     plan.key = key_;
     plan.phase = 1;
-    const bool is_whole = input.faces() <= std::min(budget_.part_faces(), budget_.whole_faces());
+    const bool is_whole = input.faces() <= (std::min)(budget_.part_faces(), budget_.whole_faces());
     FirstParts parts(input, plan.input);
     const PartScatter scatter = parts.write(
         folder_, is_whole ? input.vertices() : part_vertices(input), budget_.buffers(), tell);
@@ -218,7 +218,7 @@ private:
   std::uint64_t part_vertices(const PlyInput& input) const {
     const double per_face =
         static_cast<double>(input.vertices()) / static_cast<double>(input.faces());
-    const double count = static_cast<double>(budget_.part_faces()) * std::min(per_face, 1.0);
+    const double count = static_cast<double>(budget_.part_faces()) * (std::min)(per_face, 1.0);
     return std::max<std::uint64_t>(static_cast<std::uint64_t>(count), 1);
   }
 
@@ -226,7 +226,7 @@ private:
   void tally(PhasePlan& plan) const {
     for (const SurvivorsHeader& h : headers()) {
       plan.contractions += h.tally.contractions;
-      plan.error = std::max(plan.error, h.tally.error);
+      plan.error = (std::max)(plan.error, h.tally.error);
       for (std::size_t i = 0; i < rejection_causes; ++i)
         plan.rejections[i] += h.tally.rejections[i];
       plan.bytes_written += h.content_size();

@@ -99,7 +99,7 @@ private:
   // What is missing for certain is told at once and not after hours.
   void require_size() const {
     const std::uint64_t vertices_end = vertices_begin_ + vertices_->count * *vertices_->row_size();
-    const std::uint64_t least = std::max(vertices_end, faces_begin_ + faces_->count);
+    const std::uint64_t least = (std::max)(vertices_end, faces_begin_ + faces_->count);
     if (file_.size() < least)
       fail_file(file_.path(), "ends at byte " + std::to_string(file_.size()) + "; with " +
                                   std::to_string(vertices_->count) + " vertices and " +

@@ -21,7 +21,7 @@ class Schedule {
 public:
   Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t part_vertices) {
     const double n = static_cast<double>(std::max<std::uint64_t>(target, 1));
-    const double least_part = std::min(
+    const double least_part = (std::min)(
         0.25, 40 / std::sqrt(static_cast<double>(std::max<std::uint64_t>(part_vertices, 1))));
     double count = static_cast<double>(faces);
     while (count * least_part > 4 * n)

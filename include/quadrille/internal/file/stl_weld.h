@@ -161,7 +161,7 @@ private:
     };
     std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(is_later)> queue(is_later);
     const auto block = static_cast<std::size_t>(
-        std::clamp<std::uint64_t>(memory_ / 4 / std::max(runs_, 1U), 1 << 14, 1 << 20));
+        std::clamp<std::uint64_t>(memory_ / 4 / (std::max)(runs_, 1U), 1 << 14, 1 << 20));
     for (unsigned r = 0; r < runs_; ++r) {
       runs.push_back(std::make_unique<Run>(folder_ / ("run-" + std::to_string(r)), block));
       if (runs[r]->next())

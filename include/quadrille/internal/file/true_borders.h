@@ -48,7 +48,7 @@ private:
   }
 
   void add(VertexId a, VertexId b) {
-    edges_.push_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
+    edges_.push_back(std::uint64_t{(std::min)(a, b)} << 32 | (std::max)(a, b));
   }
 
   // An edge that comes twice has two faces, wherever these are.
