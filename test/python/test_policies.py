@@ -153,9 +153,11 @@ class Functions(unittest.TestCase):
             raise KeyError("mine")
 
         for name in ("cost", "filter", "stop"):
-            for order in ("greedy", "relaxed"):
-                with self.subTest(name, order=order), self.assertRaisesRegex(KeyError, "mine"):
-                    quadrille.simplify(points, faces, order=order, **{name: fail})
+            for call in (dict(), dict(order="relaxed"), dict(order="relaxed", threads=2)):
+                if call.get("threads", 1) > 1 and not quadrille._core.has_threads:
+                    continue
+                with self.subTest(name, **call), self.assertRaisesRegex(KeyError, "mine"):
+                    quadrille.simplify(points, faces, **call, **{name: fail})
         self.assertTrue((points == before).all())
 
     def test_what_they_may_not_answer(self):
