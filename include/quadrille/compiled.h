@@ -81,11 +81,14 @@ struct SoupBox {
 struct SoupContraction {
   /// A face that changes: its moving corner and its two others.
   struct Face {
-    std::size_t index;                   ///< in the input
-    std::array<double, 3> before, after; ///< where its moving corner is, and will be
-    std::array<double, 3> second, third; ///< where the others are
+    std::size_t index;            ///< in the input
+    std::array<double, 3> before; ///< where its moving corner is
+    std::array<double, 3> after;  ///< where that will be
+    std::array<double, 3> second; ///< where its next corner is
+    std::array<double, 3> third;  ///< where its last corner is
   };
-  std::size_t first, second;              ///< the ends of the pair
+  std::size_t first;                      ///< an end of the pair
+  std::size_t second;                     ///< the other one
   std::array<double, 3> target;           ///< where the vertex goes that both become
   std::vector<Face> faces;                ///< those that stay and change
   std::vector<std::size_t> removed_faces; ///< the indices of those that go
