@@ -282,6 +282,8 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// - `F::cause`: the Rejection that counts where it says no; Rejection::filter without it.
 /// - `filter.validate()`: throws if the policy makes no sense.
+/// - `filter.is_absent()`, for a choice at run time: true if it allows everything. It is then not
+///   asked, and costs nothing.
 /// - `F::ScaleFree`: the filter does as well in any unit of length, see concepts.h.
 ///
 /// **The least model**:
