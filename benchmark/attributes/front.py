@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Distance against error of colours at weights of the colours, ours and those of meshoptimizer, on ten models. Needs the Debian
+# Distance against error of colours at weights of the colours, ours and those of meshoptimizer and VTK, on ten models. Needs the Debian
 # packages python3-numpy, python3-vtk9 and nodejs, the Python module quadrille of the build, and `npm install meshoptimizer` in a
 # folder of its own:
 #   PYTHONPATH=BUILD/examples/python NODE_MODULES=... python3 benchmark/attributes/front.py MESHES OUT.csv [--ratio 0.1] [--only MODEL...] [--contenders NAME...]
@@ -14,6 +14,10 @@ import time
 
 import numpy as np
 import quadrille
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
 sys.path.insert(0, os.path.dirname(__file__))
 import coloured_models  # noqa: E402
@@ -24,6 +28,7 @@ OURS = {"quadric": {}, "passes": {"order": "relaxed"}, "passes refreshed": {"ord
         "memoryless": {"cost": "memoryless_quadric"}}
 IMPORTANCES = (0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 10)
 WEIGHTS = (0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1, 2, 5)
+VTK, VTK_WEIGHTS = "VTK", (0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1)
 PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "front_peer.mjs")
 
 
@@ -56,13 +61,46 @@ def theirs(model, count, weight, update):
     return float(run.stdout), Coloured(floats[0] + centre, indices.astype(int), np.clip(floats[1], 0, 1))
 
 
+def vtks(model, count, weight):
+    """vtkQuadricDecimation, to which colours are vectors, since scalars would be one number."""
+    points, triangles, colours = model
+    surface = vtkPolyData()
+    surface.SetPoints(vtkPoints())
+    surface.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    cells = np.insert(triangles, 0, 3, axis=1).astype(np.int64).ravel()
+    surface.SetPolys(vtkCellArray())
+    surface.GetPolys().ImportLegacyFormat(numpy_to_vtkIdTypeArray(cells, deep=True))
+    surface.GetPointData().SetVectors(numpy_to_vtk(colours, deep=True))
+    decimation = vtkQuadricDecimation()
+    decimation.SetInputData(surface)
+    decimation.SetTargetReduction(1 - count / len(triangles))
+    decimation.AttributeErrorMetricOn()
+    decimation.VectorsAttributeOn()
+    decimation.SetVectorsWeight(weight)
+    for others in (decimation.SetScalarsAttribute, decimation.SetNormalsAttribute, decimation.SetTCoordsAttribute,
+                   decimation.SetTensorsAttribute):
+        others(False)
+    start = time.process_time()
+    decimation.Update()
+    spent = time.process_time() - start
+    result = decimation.GetOutput()
+    faces = vtk_to_numpy(result.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    values = vtk_to_numpy(result.GetPointData().GetVectors())
+    return 1000 * spent, Coloured(vtk_to_numpy(result.GetPoints().GetData()), faces, np.clip(values, 0, 1))
+
+
 PEERS = {"meshoptimizer": False, "meshoptimizer update": True}
 
 
 def rows(model, count, contenders):
     for name in contenders:
-        for weight in IMPORTANCES if name in OURS else WEIGHTS:
-            run = ours(model, count, weight, OURS[name]) if name in OURS else theirs(model, count, weight, PEERS[name])
+        for weight in IMPORTANCES if name in OURS else VTK_WEIGHTS if name == VTK else WEIGHTS:
+            if name in OURS:
+                run = ours(model, count, weight, OURS[name])
+            elif name == VTK:
+                run = vtks(model, count, weight)
+            else:
+                run = theirs(model, count, weight, PEERS[name])
             yield name, weight, *run
 
 
@@ -72,7 +110,7 @@ def main():
     parser.add_argument("out")
     parser.add_argument("--ratio", type=float, default=0.1)
     parser.add_argument("--only", nargs="*")
-    parser.add_argument("--contenders", nargs="*", default=[*OURS, *PEERS])
+    parser.add_argument("--contenders", nargs="*", default=[*OURS, *PEERS, VTK])
     given = parser.parse_args()
     with open(given.out, "w") as file:
         table = csv.writer(file)
