@@ -259,7 +259,8 @@ TEST_CASE("Each contraction goes beyond the planes of all faces around it, exact
                            test::large(test::with_noise(test::plate_with_holes(2, 4), 3, 0.03))}) {
     CHECK(contract_and_check<MemorylessQuadric, OuterHull>(soup, 1, false) >
           soup.points.size() / 3);
-    CHECK(contract_and_check<MemorylessQuadric, InnerHull>(soup, -1, false) > soup.points.size() / 4);
+    CHECK(contract_and_check<MemorylessQuadric, InnerHull>(soup, -1, false) >
+          soup.points.size() / 4);
   }
 }
 
