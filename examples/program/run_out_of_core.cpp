@@ -1,3 +1,4 @@
+#include "launch.h"
 #include "outcome.h"
 #include "runs.h"
 
@@ -55,15 +56,37 @@ class PartsRun {
 public:
   PartsRun(const Options& options, ProgressLine& progress)
       : options_(options), progress_(progress) {
-    if (output_extension(options) != ".ply")
-      throw std::runtime_error(options.output + ": --out-of-core writes PLY only");
-    if (is_standard_input(options.input) || is_standard_output(options.output))
-      throw std::runtime_error(
-          "--out-of-core reads and writes files, not standard input or output");
-    require_replaceable(options.output, options.is_forced);
+    if (options.step.empty() && launched_processes() > 1)
+      launch_.emplace();
   }
 
+  /// Of ranks the first one tells how it ended, and only its status counts, as otherwise mpirun
+  /// might end it before it has.
   bool run() {
+    if (!launch_ || launch_->is_first())
+      return run_cost();
+    try {
+      run_cost();
+    } catch (const std::exception&) {
+    }
+    return true;
+  }
+
+private:
+  void require_files() const {
+    if (output_extension(options_) != ".ply")
+      throw std::runtime_error(options_.output + ": --out-of-core writes PLY only");
+    if (is_standard_input(options_.input) || is_standard_output(options_.output))
+      throw std::runtime_error(
+          "--out-of-core reads and writes files, not standard input or output");
+    require_replaceable(options_.output, options_.is_forced);
+  }
+
+  bool run_cost() {
+    if (launch_)
+      launch_->on_first([&] { require_files(); });
+    else
+      require_files();
     if (options_.cost == "memoryless")
       return run_with<quadrille::MemorylessQuadric>();
     if (options_.cost == "thin-features")
@@ -73,15 +96,18 @@ public:
     return run_with<quadrille::Quadric>();
   }
 
-private:
   template <class Cost>
   bool run_with() {
     constexpr bool has_minimizer = quadrille::PlacementPolicy<quadrille::OptimalPlacement, Cost>;
     const Target& target = options_.target;
     const auto run_to = [&](const auto& stop) {
+      const quadrille::OutOfCore how = out_of_core(options_, progress_);
+      const BuiltInPlacement place = placement(options_, has_minimizer);
+      if (launch_)
+        return tell_of(launch_->simplify_file(options_.input, options_.output, stop, how, Cost(),
+                                              place, topology(options_)));
       quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology> job(
-          options_.input, stop, out_of_core(options_, progress_), Cost(),
-          placement(options_, has_minimizer), topology(options_));
+          options_.input, stop, how, Cost(), place, topology(options_));
       return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
     };
     if (target.faces && target.ratio)
@@ -120,6 +146,8 @@ private:
     progress_.clear();
     if (report.stop == quadrille::StopReason::cancelled)
       throw Interrupted();
+    if (launch_ && !launch_->is_first())
+      return true;
     for (const std::string& dropped : report.dropped)
       print_remark(options_, "left out: " + dropped);
     if (!report.is_count_exact)
@@ -134,6 +162,7 @@ private:
 
   const Options& options_;
   ProgressLine& progress_;
+  std::optional<Launch> launch_; // where there are several ranks
 };
 
 /// Faces of a file, if it is one that could be simplified by parts.

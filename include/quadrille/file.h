@@ -91,6 +91,8 @@ public:
   unsigned phase() const { return job_.plan().phase; }                   ///< at work, from 1 on
   std::size_t parts() const { return job_.plan().parts.size(); }         ///< of this phase
   unsigned parts_in_flight() const { return job_.budget().in_flight(); } ///< that fit, as asked
+  /// Where a driver may have files of its own; it is gone with the phase.
+  std::filesystem::path phase_folder() const { return job_.folder().phase(phase()); }
 
   /// Simplifies a part of the phase; nothing to do if that is done. Several threads may do so at a
   /// time. False, with nothing done, if `is_cancelled`, which is asked now and then, says so.

@@ -2,11 +2,13 @@
 #define QUADRILLE_MPI_H
 
 #include <quadrille/file.h>
+#include <quadrille/internal/file/task_claims.h>
 
 #define OMPI_SKIP_MPICXX 1  ///< of OpenMPI the interface of C only
 #define MPICH_SKIP_MPICXX 1 ///< of MPICH the same
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -15,7 +17,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <random>
 #include <stdexcept>
+#include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 /// \file
@@ -27,78 +33,46 @@ namespace quadrille {
 
 namespace internal {
 
-/// Which part is next, counted in the memory of the first rank. All ranks make it and destroy it
-/// together.
-class PartCounter {
-public:
-  explicit PartCounter(MPI_Comm communicator) {
-    int rank = 0;
-    MPI_Comm_rank(communicator, &rank);
-    std::int64_t* count = nullptr;
-    MPI_Win_allocate(rank == 0 ? sizeof(std::int64_t) : 0, sizeof(std::int64_t), MPI_INFO_NULL,
-                     communicator, &count, &window_);
-    MPI_Win_lock_all(0, window_);
-    if (rank == 0)
-      *count = 0;
-    MPI_Win_sync(window_);
-    MPI_Barrier(communicator);
-  }
-  ~PartCounter() {
-    MPI_Win_unlock_all(window_);
-    MPI_Win_free(&window_);
-  }
-  PartCounter(const PartCounter&) = delete;
-  PartCounter& operator=(const PartCounter&) = delete;
-
-  std::size_t next() { return static_cast<std::size_t>(add(1)); }
-  /// No rank begins another part.
-  void end() { add(std::int64_t{1} << 40); }
-
-private:
-  std::int64_t add(std::int64_t number) {
-    std::int64_t before = 0;
-    MPI_Fetch_and_op(&number, &before, MPI_INT64_T, 0, 0, MPI_SUM, window_);
-    MPI_Win_flush(0, window_);
-    return before;
-  }
-
-  MPI_Win window_ = MPI_WIN_NULL;
-};
-
 /// The ranks of a communicator. All of them call its functions in the same order.
 class Ranks {
 public:
   explicit Ranks(MPI_Comm communicator) {
     MPI_Comm_dup(communicator, &communicator_);
     MPI_Comm_rank(communicator_, &rank_);
+    MPI_Comm_size(communicator_, &size_);
   }
   ~Ranks() { MPI_Comm_free(&communicator_); }
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
   bool is_first() const { return rank_ == 0; }
+  std::size_t size() const { return static_cast<std::size_t>(size_); }
 
-  /// Runs a task on each rank. If it throws on one it does on all: what that threw, or that another
-  /// rank has failed.
+  /// Runs a task on each rank. If it throws on some it does on all: what it threw there, and on the
+  /// others what the first of these said.
   template <class Task>
   void run(const Task& task) const {
-    enum { well, cancelled, failed };
-    int outcome = well, worst = well;
+    bool is_cancelled = false;
     std::exception_ptr error;
+    std::string message;
     try {
       task();
     } catch (const JobCancelled&) {
-      outcome = cancelled;
+      is_cancelled = true;
+    } catch (const std::exception& exception) {
+      error = std::current_exception();
+      message = exception.what();
     } catch (...) {
-      outcome = failed;
       error = std::current_exception();
     }
-    MPI_Allreduce(&outcome, &worst, 1, MPI_INT, MPI_MAX, communicator_);
+    const auto [failed, cancelled] = first_of({error != nullptr, is_cancelled});
+    if (failed < size_)
+      tell_all(message, failed);
     if (error)
       std::rethrow_exception(error);
-    if (worst == failed)
-      throw std::runtime_error("quadrille::simplify_file: another rank has failed");
-    if (worst == cancelled)
+    if (failed < size_)
+      throw std::runtime_error("rank " + std::to_string(failed) + ": " + message);
+    if (cancelled < size_)
       throw JobCancelled();
   }
 
@@ -114,24 +88,70 @@ public:
     return numbers;
   }
 
-  /// Runs task(i) for i < n, each on one rank, as they come.
+  /// Runs task(i) for i < n, each on one rank, as they come: see TaskClaims, which are in a folder
+  /// that is made in `shared`, and is gone at the end. All ranks have to see that.
   template <class Task>
-  void share(std::size_t n, const Task& task) const {
-    PartCounter counter(communicator_);
+  void share(std::size_t n, const Task& task,
+             const std::filesystem::path& shared = std::filesystem::temp_directory_path()) const {
+    const auto number = on_first([&] {
+      const std::random_device::result_type random = std::random_device()();
+      std::filesystem::create_directory(claims(shared, random));
+      return std::array<std::int64_t, 1>{random};
+    })[0];
+    const std::filesystem::path folder = claims(shared, number);
+    const auto remove = [&](const void*) {
+      std::error_code ignored;
+      if (is_first())
+        std::filesystem::remove_all(folder, ignored);
+    };
+    const std::unique_ptr<const void, decltype(remove)> at_end(this, remove);
     run([&] {
-      try {
-        for (std::size_t i = counter.next(); i < n; i = counter.next())
-          task(i);
-      } catch (...) {
-        counter.end();
-        throw;
-      }
+      if (!std::filesystem::exists(folder))
+        fail_file(folder, "is not there for rank " + std::to_string(rank_) +
+                              ": all ranks have to see the same scratch folder");
     });
+    run([&] { run_claimed(folder, n, task); });
   }
 
 private:
+  static std::filesystem::path claims(const std::filesystem::path& shared, std::int64_t number) {
+    return shared / ("claims-" + std::to_string(number));
+  }
+
+  template <class Task>
+  void run_claimed(const std::filesystem::path& folder, std::size_t n, const Task& task) const {
+    TaskClaims claims(folder, n, static_cast<std::size_t>(rank_), static_cast<std::size_t>(size_));
+    try {
+      while (const std::optional<std::size_t> i = claims.next())
+        task(*i);
+    } catch (...) {
+      claims.end();
+      throw;
+    }
+  }
+
+  // The first rank of which each is true, or how many there are. Who waits sleeps, so that those
+  // who work have all processors.
+  std::array<int, 2> first_of(const std::array<bool, 2>& is_true) const {
+    const std::array<int, 2> own{is_true[0] ? rank_ : size_, is_true[1] ? rank_ : size_};
+    std::array<int, 2> first{};
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Iallreduce(own.data(), first.data(), 2, MPI_INT, MPI_MIN, communicator_, &request);
+    for (int is_there = 0; MPI_Test(&request, &is_there, MPI_STATUS_IGNORE), is_there == 0;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return first;
+  }
+
+  // What one rank has becomes that of all.
+  void tell_all(std::string& text, int from) const {
+    int size = static_cast<int>(text.size());
+    MPI_Bcast(&size, 1, MPI_INT, from, communicator_);
+    text.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(text.data(), size, MPI_CHAR, from, communicator_);
+  }
+
   MPI_Comm communicator_ = MPI_COMM_NULL;
-  int rank_ = 0;
+  int rank_ = 0, size_ = 1;
 };
 
 /// What all ranks know of a report: integers.
@@ -157,16 +177,18 @@ inline void take_numbers(const std::array<std::int64_t, 8>& numbers, FileReport&
 
 /// simplify_file over the ranks of a communicator: all of them call it with the same arguments.
 ///
-/// Each rank simplifies one part at a time, the next that is left; the steps between, the cut of
-/// the file, the next phase, the result, are the first rank's. OutOfCore::memory is that of each
-/// rank, and parts_in_flight does not count. Surfaces go through the files of the scratch folder
-/// only, which all ranks must see, as they must see the input; messages hold a few integers. The
-/// result has the same bytes for any number of ranks, and those of simplify_file in one process.
+/// Each rank simplifies one part at a time, the next that is left, and asks no other rank for it;
+/// the steps between, the cut of the file, the next phase, the result, are the first rank's.
+/// OutOfCore::memory is that of each rank, and parts_in_flight does not count. Surfaces go through
+/// the files of the scratch folder only, which all ranks must see, as they must see the input;
+/// messages hold a few integers. The result has the same bytes for any number of ranks, and those
+/// of simplify_file in one process.
 ///
-/// If a rank throws, all do, when the parts at work are done. If a rank is lost, MPI ends the job;
-/// with OutOfCore::restart the next one goes on. OutOfCore::proceed is asked on the first rank,
-/// between parts of its own. Returns the report on the first rank; on others its faces, vertices,
-/// phases, parts, `stop` and is_count_exact.
+/// If a rank throws, all do, when the parts at work are done: the others a std::runtime_error with
+/// its number and what it said. If a rank is lost, MPI ends the job; with OutOfCore::restart the
+/// next one goes on. OutOfCore::proceed is asked on each rank, where there is one, and ends the job
+/// of all. Returns the report on the first rank; on others its faces, vertices, phases, parts,
+/// `stop` and is_count_exact.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
 FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& input,
                          const std::filesystem::path& output, const Stop& stop, OutOfCore options,
@@ -174,18 +196,20 @@ FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& inp
                          const Policies&... policies) {
   using Job = PartitionedSimplifier<Cost, Placement, Policies...>;
   const internal::Ranks ranks(communicator);
-  if (!ranks.is_first())
-    options.proceed = {};
   std::optional<Job> job;
+  std::size_t done = 0; // by this rank
   const auto take_up = [&](bool is_restarted) {
     options.restart = is_restarted;
     job.emplace(input, stop, options, cost, placement, policies...);
     job->partition();
   };
+  const auto is_cancelled = [&] {
+    return !job->proceeds((std::min)(done * ranks.size(), job->parts()));
+  };
   const auto simplify_part = [&](std::size_t part) {
-    if (!job->proceeds(part))
+    if (is_cancelled() || !job->simplify(part, is_cancelled))
       throw internal::JobCancelled();
-    job->simplify(part);
+    ++done;
   };
   const auto begin = std::chrono::steady_clock::now();
   FileReport report;
@@ -197,7 +221,8 @@ FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& inp
         if (!ranks.is_first())
           take_up(true);
       });
-      ranks.share(job->parts(), simplify_part);
+      done = 0;
+      ranks.share(job->parts(), simplify_part, job->phase_folder());
     } while (ranks.on_first([&] { return Flag{job->close()}; })[0] != 0);
     internal::take_numbers(ranks.on_first([&] {
       report = job->sew(output);

@@ -17,6 +17,7 @@
 #include <quadrille/internal/file/part_tree.h>
 #include <quadrille/internal/file/schedule.h>
 #include <quadrille/internal/file/stl_weld.h>
+#include <quadrille/internal/file/task_claims.h>
 #include <quadrille/internal/file/true_borders.h>
 
 #include <catch2/catch.hpp>
@@ -31,6 +32,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -324,6 +326,44 @@ TEST_CASE("A sample tells the cost at which as many faces are left") {
   CHECK(samples.limit(910) == Approx(3).epsilon(0.04));
   CHECK(samples.limit(0) == Approx(30).epsilon(0.04));
   CHECK(CostSamples(10).limit(5) > 1e30F);
+}
+
+TEST_CASE("Each task is claimed once, by whichever process is free") {
+  const Folder here;
+  const auto folder = here.path("");
+  constexpr std::size_t tasks = 60, processes = 4;
+  std::vector<std::vector<std::size_t>> got(processes);
+  TaskClaims slow(folder, tasks, 0, processes);
+  got[0].push_back(slow.next().value()); // and asks no more until the others have all
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t p = 1; p < processes; ++p)
+      others.emplace_back([&, p] {
+        TaskClaims claims(folder, tasks, p, processes);
+        while (const auto task = claims.next())
+          got[p].push_back(*task);
+      });
+  }
+  CHECK_FALSE(slow.next());
+  CHECK(got[0] == std::vector<std::size_t>{0});
+  std::multiset<std::size_t> all;
+  for (const auto& of_one : got)
+    all.insert(of_one.begin(), of_one.end());
+  CHECK(all.size() == tasks);
+  CHECK(std::set<std::size_t>(all.begin(), all.end()).size() == tasks);
+}
+
+TEST_CASE("Processes begin with tasks of their own, and end at a word") {
+  const Folder folder;
+  TaskClaims first(folder.path(""), 5, 0, 2), second(folder.path(""), 5, 1, 2);
+  CHECK(first.next() == 0U);
+  CHECK(second.next() == 1U);
+  CHECK(second.next() == 3U);
+  CHECK(second.next() == 4U); // the last one of the other
+  second.end();
+  CHECK_FALSE(first.next()); // though 2 is left
+  CHECK_THROWS_WITH(TaskClaims(folder.path("none"), 5, 0, 1).next(),
+                    Catch::Contains("none/0: cannot be made"));
 }
 
 } // namespace
