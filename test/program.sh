@@ -1242,9 +1242,9 @@ run 0 $by_steps cut
 run 2 $by_steps 1
 expect stderr '^--step 1: the phase has 1 parts, from 0 on$'
 run 2 whole.ply out.ply --faces 100 --out-of-core scratch --memory 128M
-expect stderr '^scratch: has a job in it: '
+expect stderr '^scratch/quadrille-job: has a job in it: '
 run 2 whole.ply out.ply --faces 90 --out-of-core scratch --memory 128M --restart
-expect stderr '^scratch: has parts of another file, or of another target, '
+expect stderr '^scratch/quadrille-job: has parts of another file, or of another target, '
 expect_same out.ply expected.ply
 for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--placement endpoint' '--topology free'; do
   rm -rf scratch

@@ -32,7 +32,7 @@ quadrille::OutOfCore out_of_core(const Options& options, ProgressLine& progress)
   result.scratch = options.scratch;
   result.memory = options.memory;
   result.parts_in_flight = options.threads;
-  result.restart = options.restarts || (!options.step.empty() && options.step != "cut");
+  result.restart = options.restarts || options.step == "close";
   result.attribute_importance = options.cost.empty() ? 1 : hardly;
   result.positions_only = options.positions_only;
   result.proceed = [&](const quadrille::FileStatus& status) {
@@ -119,14 +119,18 @@ private:
 
   template <class Job>
   bool step(Job& job) {
-    job.partition();
+    const bool is_part = options_.step != "cut" && options_.step != "close";
+    if (is_part)
+      job.join();
+    else
+      job.partition();
     if (options_.step == "close" && !job.close()) {
       progress_.clear();
       const bool is_met = tell_of(job.sew(options_.output), true);
       std::cout << 0 << std::endl;
       return is_met;
     }
-    if (options_.step != "cut" && options_.step != "close")
+    if (is_part)
       simplify(job, static_cast<std::size_t>(std::stoull(options_.step)));
     progress_.clear();
     std::cout << job.parts() << std::endl;

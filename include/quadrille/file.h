@@ -5,6 +5,7 @@
 
 #include <quadrille/file_report.h>
 #include <quadrille/internal/file/job_key.h>
+#include <quadrille/internal/file/job_lock.h>
 #include <quadrille/internal/file/job_watch.h>
 #include <quadrille/internal/file/limit_search.h>
 #include <quadrille/internal/file/part_runner.h>
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,15 +46,20 @@ namespace quadrille {
 /// FileReport report = job.sew("out.ply");
 /// ```
 ///
-/// A process that runs parts only makes the same object, with OutOfCore::restart, and calls
-/// partition(), which takes up the phase that is at work. Each step writes its files as a whole or
-/// not at all, and is left out if they are there: so a job that was stopped anywhere goes on.
-/// partition(), close() and sew() are for one process at a time, the last two when all parts are
-/// simplified.
+/// A process that runs parts only makes the same object, and calls join(), which takes up the phase
+/// that is at work. Each step writes its files as a whole or not at all, and is left out if they
+/// are there: so a job that was stopped anywhere goes on.
+///
+/// partition(), close() and sew() drive the job, the last two when all parts are simplified. The
+/// object that has called one of them holds a lock in the scratch folder until it is destroyed or
+/// has sewn: no other object may drive the job meanwhile, of whatever process. The lock of a
+/// process that has ended counts for nothing.
 ///
 /// All functions throw std::runtime_error, with the name of the file, for one that can't be read or
 /// written, is not what it should be or has changed, and what `simplify` throws. What is done stays
-/// in the scratch folder then.
+/// in the scratch folder then; but if partition() throws, the job leaves nothing behind. All that a
+/// job has there is in a folder of its own, quadrille-job; nothing else is read, written or
+/// removed.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class... Policies>
 class PartitionedSimplifier {
 public:
@@ -77,15 +84,32 @@ public:
                         const OutOfCore& options)
       : PartitionedSimplifier(input, stop, options, Cost(), Placement(), Policies()...) {}
 
-  /// Cuts the file into the parts of the first phase; or takes up the phase that is at work.
+  /// Cuts the file into the parts of the first phase; or, with OutOfCore::restart, takes up the
+  /// phase that is at work.
   void partition() {
+    lock();
     if (job_.folder().phase_at_work() > 0 && !options_.restart)
-      internal::fail_file(options_.scratch, "has a job in it: restart it, or remove the folder");
+      internal::fail_file(job_.folder().path(),
+                          "has a job in it: restart it, or remove this folder");
     if (job_.take_up())
-      return;
-    const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
-    tell(0);
-    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2), limit(), tell);
+      return job_.remove_phase_before();
+    try {
+      cut();
+    } catch (const internal::JobCancelled&) {
+      job_.folder().remove_phases();
+      if (!source_.is_welded(job_.folder()))
+        remove_job();
+      throw;
+    } catch (...) {
+      remove_job();
+      throw;
+    }
+  }
+
+  /// Takes up the phase that is at work, to simplify parts of it.
+  void join() {
+    if (!job_.take_up())
+      internal::fail_file(job_.folder().scratch(), "has no job in it whose parts are cut");
   }
 
   unsigned phase() const { return job_.plan().phase; }                   ///< at work, from 1 on
@@ -120,6 +144,7 @@ public:
   /// Ends the phase, and begins the next one; false if it was the last, and what is left can be
   /// sewn. Throws std::logic_error if parts are missing.
   bool close() {
+    lock();
     watch_.tell(job_, FileStage::regroup, 0);
     return job_.end_phase(internal::PieceOfPart<Cost>::add_memory(), limit());
   }
@@ -127,11 +152,12 @@ public:
   /// Writes what is left to a binary PLY file, with floats or doubles as the input has, and empties
   /// the scratch folder. The file is there as a whole or not at all.
   FileReport sew(const std::filesystem::path& output) {
+    lock();
     watch_.tell(job_, FileStage::sew, 0);
     FileReport report = this->report();
     job_.add_last_phase(report);
     job_.sew(output, report);
-    job_.folder().remove();
+    remove_job();
     report.peak_memory = internal::MemoryBudget::peak();
     return report;
   }
@@ -172,6 +198,22 @@ private:
     return {options_.scratch, budget, target, scalars, options_.attribute_importance, key.value()};
   }
 
+  void lock() {
+    if (!lock_)
+      lock_.emplace(job_.folder());
+  }
+
+  void remove_job() {
+    lock_->remove_job();
+    lock_.reset();
+  }
+
+  void cut() {
+    const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
+    tell(0);
+    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2), limit(), tell);
+  }
+
   // What finds the limit of a phase that is about to begin.
   auto limit() const {
     return [this] { return internal::find_limit(job_, runner_, watch_); };
@@ -188,6 +230,7 @@ private:
   internal::PartRunner<Cost, Placement, Policies...> runner_;
   internal::JobWatch watch_;
   internal::PartedJob job_;
+  std::optional<internal::JobLock> lock_; // while this drives the job
 };
 
 /// Simplifies a surface from a file to another one, by parts, in no more memory than is told.

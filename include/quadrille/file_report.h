@@ -42,8 +42,8 @@ struct FileStatus {
 /// How a file is simplified in parts.
 struct OutOfCore {
   /// A folder for what lies on disk meanwhile, on a file system that all who run parts see. It is
-  /// made if it is not there, and is empty again at the end. About 28 bytes for each face of the
-  /// input.
+  /// made if it is not there, and is as it was at the end: the job has a folder of its own in it.
+  /// About 28 bytes for each face of the input.
   std::filesystem::path scratch;
   /// How many bytes the process shall take at most. It has to be at least two bytes for each vertex
   /// of the input, beside 64 MB.

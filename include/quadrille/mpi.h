@@ -197,12 +197,8 @@ FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& inp
   using Job = PartitionedSimplifier<Cost, Placement, Policies...>;
   const internal::Ranks ranks(communicator);
   std::optional<Job> job;
+  const auto make = [&] { job.emplace(input, stop, options, cost, placement, policies...); };
   std::size_t done = 0; // by this rank
-  const auto take_up = [&](bool is_restarted) {
-    options.restart = is_restarted;
-    job.emplace(input, stop, options, cost, placement, policies...);
-    job->partition();
-  };
   const auto is_cancelled = [&] {
     return !job->proceeds((std::min)(done * ranks.size(), job->parts()));
   };
@@ -215,11 +211,11 @@ FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& inp
   FileReport report;
   using Flag = std::array<std::int64_t, 1>;
   try {
-    ranks.on_first([&] { return take_up(options.restart), Flag{}; });
+    ranks.on_first([&] { return make(), job->partition(), Flag{}; });
     do {
       ranks.run([&] {
         if (!ranks.is_first())
-          take_up(true);
+          make(), job->join();
       });
       done = 0;
       ranks.share(job->parts(), simplify_part, job->phase_folder());

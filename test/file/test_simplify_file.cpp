@@ -530,12 +530,110 @@ TEST_CASE("Parts are run one by one, in any order, by any process") {
       job.simplify(part);
     CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
     Job other(folder.path("in.ply"), FaceCount{800}, options);
-    other.partition();
+    other.join();
     other.simplify(0);
     is_over = !job.close();
     if (is_over)
       job.sew(folder.path("out.ply"));
   }
+  CHECK(content_of(folder.path("out.ply")) == once);
+}
+
+// --- The scratch folder is the user's ------------------------------------------------------------
+
+/// All files below a folder, with their content, and all folders.
+std::map<std::string, std::string> tree_of(const std::filesystem::path& path) {
+  std::map<std::string, std::string> tree;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+    tree[entry.path().string()] = entry.is_directory() ? "" : content_of(entry.path());
+  return tree;
+}
+
+TEST_CASE("A job removes what it has made, and nothing else") {
+  const Folder folder;
+  const auto scratch = folder.path("scratch");
+  Soup bad = surface();
+  bad.points[100][1] = std::numeric_limits<double>::quiet_NaN();
+  folder.file("in.ply", ply_of(surface()));
+  folder.file("in.stl", test::stl_of(surface()));
+  folder.file("bad.ply", ply_of(bad));
+  folder.file("bad.stl", test::stl_of(bad));
+  for (const char* const name : {"phase-1/b", "welding", "empty", "quadrille-job"})
+    std::filesystem::create_directories(scratch / name);
+  for (const char* const name :
+       {"labels", "plan", "welded-1.ply", "welding/run-0", "phase-1/plan", "phase-1/b/left-0"})
+    folder.file((std::filesystem::path("scratch") / name).string(), name);
+  const auto before = tree_of(scratch);
+  for (const char* const input : {"in.ply", "in.stl"})
+    run(folder, in_parts(folder, part_of_16), 800, input);
+  for (const char* const input : {"bad.ply", "bad.stl"})
+    CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, input),
+                      Catch::Contains(input) && Catch::Contains("not finite"));
+  CHECK(tree_of(scratch) == before);
+
+  OutOfCore options = in_parts(folder, part_of_16, 1);
+  run(folder, ended_early(options));
+  folder.file("scratch/quadrille-job/phase-1/left-mine", "mine");
+  std::filesystem::create_directory(scratch / "quadrille-job/phase-1/claims-7");
+  folder.file("scratch/quadrille-job/phase-1/claims-7/0", ""); // of ranks that were killed
+  options.restart = true;
+  run(folder, options);
+  auto after = before;
+  after[(scratch / "quadrille-job" / "phase-1").string()] = "";
+  after[(scratch / "quadrille-job" / "phase-1" / "left-mine").string()] = "mine";
+  CHECK(tree_of(scratch) == after);
+
+  options.scratch = folder.path("a/b");
+  CHECK_THROWS_WITH(run(folder, options, 800, "bad.ply"), Catch::Contains("not finite"));
+  run(folder, options);
+  CHECK_FALSE(std::filesystem::exists(folder.path("a")));
+}
+
+TEST_CASE("A folder that is no job's is not entered") {
+  for (const char* const name : {"quadrille-job", "quadrille-job/a.txt", "quadrille-job/job",
+                                 "quadrille-job/lock", "quadrille-job/phase-1/plan"}) {
+    INFO(name);
+    const Folder folder;
+    folder.file("in.ply", ply_of(surface()));
+    const auto path = folder.path("scratch") / name;
+    std::filesystem::create_directories(path.parent_path());
+    folder.file((std::filesystem::path("scratch") / name).string(), "of the user's");
+    const auto before = tree_of(folder.path("scratch"));
+    for (const bool restart : {false, true}) {
+      OutOfCore options = in_parts(folder, part_of_16);
+      options.restart = restart;
+      CHECK_THROWS_WITH(run(folder, options),
+                        Catch::StartsWith(folder.path("scratch/quadrille-job").string()));
+    }
+    CHECK(tree_of(folder.path("scratch")) == before);
+  }
+}
+
+TEST_CASE("One job at a time works in a folder, and who that is is told") {
+  const Folder folder;
+  OutOfCore options = in_parts(folder, part_of_16);
+  const std::string once = content_at_once(folder, options);
+  using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
+  Job job(folder.path("in.ply"), FaceCount{800}, options);
+  job.partition();
+  options.restart = true;
+  const auto process = "scratch: process " + std::to_string(::getpid()) + " of ";
+  CHECK_THROWS_WITH(run(folder, options), Catch::Contains(process));
+  Job other(folder.path("in.ply"), FaceCount{800}, options);
+  CHECK_THROWS_WITH(other.partition(), Catch::Contains(process));
+  other.join(); // which may simplify parts
+  other.simplify(3);
+  CHECK_THROWS_WITH(other.close(), Catch::Contains(process));
+  CHECK_THROWS_WITH(job.close(), Catch::Contains("part 0 of phase"));
+  do
+    for (std::size_t part = 0; part < job.parts(); ++part)
+      job.simplify(part);
+  while (job.close());
+  job.sew(folder.path("out.ply"));
+  CHECK(content_of(folder.path("out.ply")) == once);
+  CHECK_THROWS_WITH(other.join(), Catch::Contains("has no job in it"));
+  std::filesystem::remove(folder.path("out.ply"));
+  run(folder, options); // the lock is gone
   CHECK(content_of(folder.path("out.ply")) == once);
 }
 
@@ -548,7 +646,7 @@ void require_refusal(const std::string& name, const std::string& content,
   INFO(message);
   CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, name),
                     Catch::Contains(folder.path(name).string() + ": ") && Catch::Contains(message));
-  CHECK_FALSE(std::filesystem::exists(folder.path("out.ply")));
+  CHECK(folder.size() == 1);
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -632,27 +730,26 @@ TEST_CASE("Files of the scratch folder that have changed end in a sentence") {
   Job job(folder.path("in.ply"), FaceCount{800}, options);
   job.partition();
   job.simplify(1);
-  const auto faces = folder.path("scratch") / "phase-1" / "faces-0";
-  const auto left = folder.path("scratch") / "phase-1" / "left-1";
+  const auto faces = folder.path("scratch") / "quadrille-job" / "phase-1" / "faces-0";
+  const auto left = folder.path("scratch") / "quadrille-job" / "phase-1" / "left-1";
   std::string content = content_of(faces);
   content[17] ^= 1;
-  folder.file("scratch/phase-1/faces-0", content);
+  folder.file("scratch/quadrille-job/phase-1/faces-0", content);
   CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: is not what was written"));
   content[17] ^= 1;
-  folder.file("scratch/phase-1/faces-0", content.substr(0, content.size() - 12));
+  folder.file("scratch/quadrille-job/phase-1/faces-0", content.substr(0, content.size() - 12));
   CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("faces-0: has"));
-  folder.file("scratch/phase-1/faces-0", content);
+  folder.file("scratch/quadrille-job/phase-1/faces-0", content);
   const std::string good = content_of(left);
   std::string bad = good;
   bad[bad.size() - 3] ^= 1;
-  folder.file("scratch/phase-1/left-1", bad);
+  folder.file("scratch/quadrille-job/phase-1/left-1", bad);
   job.simplify(1); // is done again
   CHECK(content_of(left).substr(300) == good.substr(300));
-  std::string plan = content_of(folder.path("scratch") / "phase-1" / "plan");
+  std::string plan = content_of(folder.path("scratch") / "quadrille-job" / "phase-1" / "plan");
   plan[40] ^= 1;
-  folder.file("scratch/phase-1/plan", plan);
-  options.restart = true;
-  CHECK_THROWS_WITH(Job(folder.path("in.ply"), FaceCount{800}, options).partition(),
+  folder.file("scratch/quadrille-job/phase-1/plan", plan);
+  CHECK_THROWS_WITH(Job(folder.path("in.ply"), FaceCount{800}, options).join(),
                     Catch::Contains("plan: is not what was written"));
 }
 

@@ -3,31 +3,82 @@
 
 #include <quadrille/internal/file/disk_file.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The names of the files of a scratch folder.
+/// Is it one of the names that a job gives to its files: a stem, perhaps with numbers, and perhaps
+/// unfinished?
+inline bool is_job_file(std::string_view name, std::initializer_list<std::string_view> stems) {
+  const std::size_t end = (std::min)(name.find_first_of("-."), name.size());
+  if (std::find(stems.begin(), stems.end(), name.substr(0, end)) == stems.end())
+    return false;
+  std::string rest(name.substr(end));
+  for (const std::string_view known : {".unfinished", ".ply"})
+    if (const std::size_t at = rest.find(known); at != std::string::npos)
+      rest.erase(at, known.size());
+  return rest.find_first_not_of("-0123456789") == std::string::npos;
+}
+
+/// Removes the files from a folder whose names are a job's, and the folder if nothing else is in
+/// it.
+template <class IsOwn>
+void remove_files_if(const std::filesystem::path& folder, const IsOwn& is_own) {
+  std::error_code error;
+  std::vector<std::filesystem::path> found;
+  for (std::filesystem::directory_iterator i(folder, error), end; !error && i != end;
+       i.increment(error))
+    if (is_own(i->path().filename().string()) &&
+        !std::filesystem::is_directory(i->symlink_status()))
+      found.push_back(i->path());
+  for (const std::filesystem::path& path : found)
+    if (!std::filesystem::remove(path, error) && error)
+      fail_file(path, "cannot be removed: " + error.message());
+  ::rmdir(folder.c_str());
+}
+inline void remove_job_files(const std::filesystem::path& folder,
+                             std::initializer_list<std::string_view> stems) {
+  remove_files_if(folder, [&](const std::string& name) { return is_job_file(name, stems); });
+}
+
+/// The folder that a job makes for itself in the scratch folder, and the names of its files. No
+/// file of another name is read, written over or removed.
 ///
-/// welded-KEY.ply         the surface of a soup, see StlWeld
-/// labels                  what these are, see LabelTable
-/// phase-K/plan            what the phase is: there once all of the phase's input is
-/// phase-K/vertices-P      the vertices of part P, as VertexRow
-/// phase-K/faces-P         its faces, as FaceRow
-/// phase-K/labels-P        the label of each face, if there are labels
-/// phase-K/borders         edges of one face between vertices that are shared, as two numbers
-/// phase-K/left-P          what is left of the part: there once it has been simplified
+/// job                    says that the folder is a job's, see JobLock
+/// lock                   who works there, see JobLock
+/// welding/               files of a soup that is made a surface, see StlWeld
+/// welded-KEY.ply         that surface
+/// labels                 what these are, see LabelTable
+/// phase-K/plan           what the phase is: there once all of the phase's input is
+/// phase-K/vertices-P     the vertices of part P, as VertexRow
+/// phase-K/faces-P        its faces, as FaceRow
+/// phase-K/labels-P       the label of each face, if there are labels
+/// phase-K/borders        edges of one face between vertices that are shared, as two numbers
+/// phase-K/left-P         what is left of the part: there once it has been simplified
+/// phase-K/claims-N/      which process has which part, see TaskClaims
 class JobFolder {
 public:
-  explicit JobFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  /// In the scratch folder of the user's, of which it need not be known yet whether it is there.
+  explicit JobFolder(const std::filesystem::path& scratch)
+      : scratch_(scratch.has_filename() ? scratch : scratch.parent_path()),
+        path_(scratch_ / "quadrille-job") {}
 
+  const std::filesystem::path& scratch() const { return scratch_; }
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path marker() const { return path_ / "job"; }
+  std::filesystem::path lock() const { return path_ / "lock"; }
   std::filesystem::path phase(unsigned k) const { return path_ / ("phase-" + std::to_string(k)); }
   std::filesystem::path plan(unsigned k) const { return phase(k) / "plan"; }
   std::filesystem::path borders(unsigned k) const { return phase(k) / "borders"; }
@@ -45,7 +96,9 @@ public:
   std::filesystem::path left(unsigned k, std::size_t part) const {
     return phase(k) / ("left-" + std::to_string(part));
   }
-  /// A soup whose vertices have been made one.
+  /// Where a soup is made a surface.
+  std::filesystem::path welding() const { return path_ / "welding"; }
+  /// That surface.
   std::filesystem::path welded(std::uint64_t key) const {
     return path_ / ("welded-" + std::to_string(key) + ".ply");
   }
@@ -53,14 +106,9 @@ public:
   /// The phase that is at work: the one with a plan. Nothing has been finished if it is 0.
   unsigned phase_at_work() const {
     unsigned k = 0;
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(path_, ignored))
-      return 0;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
-      const std::string name = entry.path().filename().string();
-      if (name.rfind("phase-", 0) == 0 && std::filesystem::exists(entry.path() / "plan"))
-        k = (std::max)(k, static_cast<unsigned>(std::stoul(name.substr(6))));
-    }
+    for (const unsigned phase : phases())
+      if (std::filesystem::exists(plan(phase)))
+        k = (std::max)(k, phase);
     return k;
   }
 
@@ -73,36 +121,56 @@ public:
       fail_file(phase(k), "cannot be made: " + error.message());
   }
   void remove_phase(unsigned k) const {
-    std::error_code error;
-    std::filesystem::remove(plan(k), error); // first: it says that the others are there
-    std::filesystem::remove_all(phase(k), error);
-    std::error_code ignored;
-    if (error && std::filesystem::exists(phase(k), ignored))
-      fail_file(phase(k), "cannot be removed: " + error.message());
+    ::unlink(plan(k).c_str()); // first: it says that the others are there
+    remove_claims(phase(k));
+    remove_job_files(phase(k), {"plan", "vertices", "faces", "labels", "borders", "left"});
+  }
+  void remove_phases() const {
+    for (const unsigned k : phases())
+      remove_phase(k);
   }
   /// What a soup was made.
   void remove_welded() const {
-    std::error_code ignored;
-    std::vector<std::filesystem::path> found;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
-      if (entry.path().filename().string().rfind("welded-", 0) == 0)
-        found.push_back(entry.path());
-    for (const std::filesystem::path& path : found)
-      std::filesystem::remove(path, ignored);
-    std::filesystem::remove_all(path_ / "welding", ignored);
-  }
-  /// Removes whatever a job has there, and the folder if nothing else is in it.
-  void remove() const {
-    for (unsigned k = 0; k <= phase_at_work() + 1; ++k)
-      remove_phase(k);
-    remove_welded();
-    std::error_code ignored;
-    std::filesystem::remove(label_table(), ignored);
-    std::filesystem::remove(path_, ignored);
+    remove_job_files(welding(), {"run", "corners"});
+    remove_job_files(path_, {"welded"});
   }
 
 private:
-  std::filesystem::path path_;
+  static bool is_number(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+  }
+  // A run that was killed has left them.
+  static void remove_claims(const std::filesystem::path& phase) {
+    constexpr std::string_view stem = "claims-";
+    std::error_code error;
+    for (std::filesystem::directory_iterator i(phase, error), end; !error && i != end;
+         i.increment(error)) {
+      const std::string name = i->path().filename().string();
+      if (name.rfind(stem, 0) == 0 && is_number(std::string_view(name).substr(stem.size())))
+        remove_files_if(i->path(),
+                        [](const std::string& file) { return is_number(file) || file == "ended"; });
+    }
+  }
+  // The number of a folder of a phase, from 1 on, as phase() writes it.
+  static std::optional<unsigned> phase_of(const std::string& name) {
+    constexpr std::string_view stem = "phase-";
+    const std::string digits = name.substr((std::min)(name.size(), stem.size()));
+    if (name.rfind(stem, 0) != 0 || !is_number(digits) || digits.size() > 5 || digits[0] == '0')
+      return std::nullopt;
+    return static_cast<unsigned>(std::stoul(digits));
+  }
+  std::vector<unsigned> phases() const {
+    std::vector<unsigned> result;
+    std::error_code error;
+    for (std::filesystem::directory_iterator i(path_, error), end; !error && i != end;
+         i.increment(error))
+      if (const auto k = phase_of(i->path().filename().string()))
+        result.push_back(*k);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  std::filesystem::path scratch_, path_;
 };
 
 } // namespace quadrille::internal

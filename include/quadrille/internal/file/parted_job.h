@@ -73,9 +73,12 @@ public:
     if (plan_.key != key_)
       fail_file(folder_.path(), "has parts of another file, or of another target, cost or size of "
                                 "parts; remove it, or give another folder");
-    if (phase > 1)
-      folder_.remove_phase(phase - 1); // it was over
     return true;
+  }
+  /// The phase before is over, and its files go, also if a run was killed before that.
+  void remove_phase_before() const {
+    if (plan_.phase > 1)
+      folder_.remove_phase(plan_.phase - 1);
   }
 
   /// Cuts a file into the parts of the first phase; `limit()` finds the limit of its costs.
@@ -84,6 +87,7 @@ public:
     budget_.require_tables(input.vertices());
     if (input.faces() == 0 || input.vertices() == 0)
       fail_file(input.file().path(), "nothing to simplify: it has no faces");
+    folder_.remove_phases(); // of a run that was killed
     folder_.begin_phase(1);
     PhasePlan plan;
     plan.key = key_;
@@ -146,7 +150,7 @@ public:
     const PartScatter scatter = next.write(plan.input.box, plan.input.vertices, most,
                                            Schedule::fraction(plan.phase), budget_.buffers());
     begin(std::move(plan), scatter, limit);
-    folder_.remove_phase(plan_.phase - 1);
+    remove_phase_before();
     return true;
   }
 

@@ -4,6 +4,7 @@
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/byte_stream.h>
 #include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/rows.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ public:
   /// `folder` is for files that are gone at the end; `memory` in bytes.
   static void run(const std::filesystem::path& input, const std::filesystem::path& output,
                   const std::filesystem::path& folder, std::uint64_t memory) {
-    std::filesystem::remove_all(folder);
+    remove_files(folder);
     std::filesystem::create_directories(folder);
     StlWeld weld(input, folder, memory);
     weld.sort_runs();
@@ -41,7 +42,11 @@ public:
     weld.merge_runs(file);
     weld.write_faces(file);
     file.finish();
-    std::filesystem::remove_all(folder);
+    remove_files(folder);
+  }
+  /// Of a run that was killed, too, and the folder if nothing else is in it.
+  static void remove_files(const std::filesystem::path& folder) {
+    remove_job_files(folder, {"run", "corners"});
   }
 
   /// Throws std::runtime_error for a file that has not the size that its count of faces says.

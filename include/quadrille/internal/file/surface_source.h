@@ -40,13 +40,17 @@ public:
     return ply_ ? ply_->dropped() : std::vector<std::string>();
   }
 
+  /// Is there a surface that has been made of a soup?
+  bool is_welded(const JobFolder& folder) const {
+    return is_stl_ && std::filesystem::exists(folder.welded(key_));
+  }
   /// The surface. Where it has to be welded, that is done now, if it has not been.
   const PlyInput& surface(const JobFolder& folder, std::uint64_t memory) {
     if (ply_)
       return *ply_;
     const std::filesystem::path welded = folder.welded(key_);
-    if (!std::filesystem::exists(welded))
-      StlWeld::run(path_, welded, folder.path() / "welding", memory);
+    if (!is_welded(folder))
+      StlWeld::run(path_, welded, folder.welding(), memory);
     open(welded);
     return *ply_;
   }

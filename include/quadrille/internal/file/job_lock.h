@@ -1,0 +1,256 @@
+#ifndef QUADRILLE_INTERNAL_FILE_JOB_LOCK_H
+#define QUADRILLE_INTERNAL_FILE_JOB_LOCK_H
+
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/job_folder.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// What had to be made for a job, and goes with it: folders up to the scratch folder, and that of
+/// the job. It is written to the marker, by which a folder is known as a job's.
+struct JobMarker {
+  unsigned levels = 0;
+  bool has_folder = false;
+
+  void write(const std::filesystem::path& path) const {
+    const std::string text = magic + "levels " + std::to_string(levels) + " folder " +
+                             std::to_string(has_folder ? 1 : 0) + "\n";
+    WholeFile file = WholeFile::by_any_process(path);
+    file.write(text.data(), text.size());
+    file.finish();
+  }
+
+  static JobMarker read(const std::filesystem::path& path) {
+    const InputFile file(path);
+    std::string text(static_cast<std::size_t>((std::min<std::uint64_t>)(file.size(), 512)), '\0');
+    file.read(0, text.data(), text.size());
+    JobMarker marker;
+    std::istringstream words(text.substr((std::min)(text.size(), magic.size())));
+    std::string levels, folder, more;
+    if (text.rfind(magic, 0) != 0 ||
+        !(words >> levels >> marker.levels >> folder >> marker.has_folder) || levels != "levels" ||
+        folder != "folder" || words >> more)
+      fail_file(path, "is not what was written, so it is not known whose this folder is");
+    return marker;
+  }
+
+private:
+  static inline const std::string magic = "quadrille job 1\n";
+};
+
+/// Who drives a job: one process at a time, as long as the object is there. It makes the folder of
+/// the job, and holds a lock that the system takes back when the process ends, however it ends
+/// (flock(2), which Linux brings to NFS, too). The file of the lock tells the host and the process.
+/// Where a file system has no locks, it is taken if that process is of this host and is no more.
+class JobLock {
+public:
+  /// Throws std::runtime_error if another process drives a job there, or if the folder has
+  /// something in it that is no job's.
+  explicit JobLock(const JobFolder& folder) : folder_(folder) {
+    // Another process that is about to end may remove the folder, or the file, in between.
+    for (int tries = 0; !take(); ++tries) {
+      if (tries == most_tries)
+        fail_file(folder_.scratch(), "another process works there");
+      std::this_thread::sleep_for(a_moment);
+    }
+  }
+  ~JobLock() { close(); }
+  JobLock(const JobLock&) = delete;
+  JobLock& operator=(const JobLock&) = delete;
+
+  /// Removes what the job has made, and nothing else.
+  void remove_job() {
+    folder_.remove_phases();
+    folder_.remove_welded();
+    ::unlink(folder_.label_table().c_str());
+    ::unlink(folder_.lock().c_str());
+    ::unlink(folder_.marker().c_str());
+    remove_folders();
+  }
+
+private:
+  static constexpr int most_tries = 100;
+  static constexpr std::chrono::milliseconds a_moment{10};
+  static inline const std::string owner_begin = "process ";
+
+  // False if it is to be tried again.
+  bool take() {
+    made_ = {};
+    make_folders();
+    std::error_code error;
+    if (!std::filesystem::exists(folder_.path(), error))
+      return false;
+    require_own();
+    descriptor_ = ::open(folder_.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno == ENOENT)
+      return false;
+    if (descriptor_ < 0)
+      undo(folder_.lock(), std::string("cannot be opened: ") + std::strerror(errno));
+    if (!is_taken()) {
+      const std::string owner = read_owner();
+      close();
+      if (!owner.empty())
+        fail_file(folder_.scratch(), owner + " works there, on a job that is not over");
+      return false; // it is about to tell its name
+    }
+    if (is_at_its_place())
+      return tell_owner(), true;
+    close();
+    return false;
+  }
+
+  void make_folders() {
+    std::error_code error;
+    std::filesystem::path level = folder_.scratch();
+    for (; !level.empty() && !std::filesystem::exists(level, error); level = level.parent_path())
+      ++made_.levels;
+    std::filesystem::create_directories(folder_.scratch(), error);
+    if (error)
+      undo(folder_.scratch(), "cannot be made: " + error.message());
+    made_.has_folder = ::mkdir(folder_.path().c_str(), 0777) == 0;
+    if (!made_.has_folder && errno != EEXIST && errno != ENOENT)
+      undo(folder_.path(), std::string("cannot be made: ") + std::strerror(errno));
+    if (!made_.has_folder)
+      return;
+    try {
+      made_.write(folder_.marker());
+    } catch (const std::exception&) {
+      remove_folders();
+      throw;
+    }
+  }
+
+  // A folder without a marker has to be empty, but for a lock, and gets one.
+  void require_own() const {
+    if (has_marker())
+      return static_cast<void>(JobMarker::read(folder_.marker()));
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder_.path(), error))
+      fail_file(folder_.path(), "is no folder, and has the name of a job's; move it, or give "
+                                "another scratch folder");
+    for (std::filesystem::directory_iterator i(folder_.path(), error), end; !error && i != end;
+         i.increment(error))
+      if (!is_job_file(i->path().filename().string(), {"job"}) && !is_lock(i->path()))
+        fail_file(folder_.path(), "is not a job's, and has " + i->path().filename().string() +
+                                      " in it; move it, or give another scratch folder");
+    made_.write(folder_.marker());
+  }
+
+  // Another process that has just made the folder is about to write it.
+  bool has_marker() const {
+    std::error_code error;
+    for (int tries = 0; tries < 3; ++tries) {
+      if (std::filesystem::exists(folder_.marker(), error))
+        return true;
+      std::this_thread::sleep_for(a_moment);
+    }
+    return false;
+  }
+
+  bool is_lock(const std::filesystem::path& path) const {
+    if (path != folder_.lock())
+      return false;
+    const InputFile file(path);
+    std::string text(owner_begin.size(), '\0');
+    return file.read_some(0, text.data(), text.size()) == text.size() && text == owner_begin;
+  }
+
+  bool is_taken() const {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0)
+      return true;
+    if (errno == EWOULDBLOCK || errno == EINTR)
+      return false;
+    return !is_alive(read_owner()); // there are no locks
+  }
+
+  static bool is_alive(const std::string& owner) {
+    std::istringstream words(owner);
+    std::string process, of, host;
+    ::pid_t number = 0;
+    if (!(words >> process >> number >> of >> host) || host != host_name())
+      return !owner.empty();
+    return number != ::getpid() && (::kill(number, 0) == 0 || errno == EPERM);
+  }
+
+  // The file may have been removed by the process that had it before.
+  bool is_at_its_place() const {
+    struct ::stat own = {}, there = {};
+    return ::fstat(descriptor_, &own) == 0 && ::stat(folder_.lock().c_str(), &there) == 0 &&
+           own.st_ino == there.st_ino && own.st_dev == there.st_dev;
+  }
+
+  // Its first line, once that is there.
+  std::string read_owner() const {
+    std::array<char, 512> text{};
+    const ::ssize_t got = ::pread(descriptor_, text.data(), text.size(), 0);
+    const std::string owner(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    const std::size_t end = owner.find('\n');
+    return end == std::string::npos ? "" : owner.substr(0, end);
+  }
+
+  static std::string host_name() {
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this host";
+  }
+
+  void tell_owner() {
+    const std::string owner =
+        owner_begin + std::to_string(::getpid()) + " of " + host_name() + "\n";
+    if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, owner.data(), owner.size(), 0) !=
+                                                static_cast<::ssize_t>(owner.size()))
+      undo(folder_.lock(), std::string("cannot be written in full: ") + std::strerror(errno));
+    if (!std::filesystem::exists(folder_.marker()))
+      made_.write(folder_.marker());
+    made_ = JobMarker::read(folder_.marker());
+  }
+
+  // Takes back what has been made by now.
+  [[noreturn]] void undo(const std::filesystem::path& path, const std::string& what) const {
+    if (made_.has_folder) {
+      ::unlink(folder_.marker().c_str());
+      ::unlink(folder_.lock().c_str());
+    }
+    remove_folders();
+    fail_file(path, what);
+  }
+  void remove_folders() const {
+    if (made_.has_folder)
+      ::rmdir(folder_.path().c_str());
+    std::filesystem::path level = folder_.scratch();
+    for (unsigned i = 0; i < made_.levels; ++i, level = level.parent_path())
+      ::rmdir(level.c_str());
+  }
+
+  void close() {
+    if (descriptor_ >= 0)
+      ::close(std::exchange(descriptor_, -1));
+  }
+
+  JobFolder folder_;
+  JobMarker made_;
+  int descriptor_ = -1;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_JOB_LOCK_H
