@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,11 +46,15 @@ auto with_errors_of(const std::filesystem::path& path, Work work) {
 /// A document and the surfaces of its meshes, but of those that have no triangles.
 class GltfMeshes {
 public:
-  /// Throws `std::runtime_error` with one line for a file that is missing, broken, or has what
-  /// cannot be taken through a simplification.
-  static GltfMeshes read(const std::filesystem::path& path) {
+  /// `labels` are names of attributes of integers: regions of their values stay, as those of
+  /// primitives do. Throws `std::runtime_error` with one line for a file that is missing, broken,
+  /// or has what cannot be taken through a simplification, and for a name that no such attribute
+  /// has.
+  static GltfMeshes read(const std::filesystem::path& path,
+                         const std::set<std::string>& labels = {}) {
     const Source source = read_source(path);
-    return with_errors_of(path, [&] { return GltfMeshes(GltfReader(source).read(), path); });
+    return with_errors_of(path,
+                          [&] { return GltfMeshes(GltfReader(source).read(), path, labels); });
   }
 
   std::vector<GltfSurface>& surfaces() { return surfaces_; }
@@ -93,14 +98,21 @@ public:
   }
 
 private:
-  GltfMeshes(GltfDocument document, const std::filesystem::path& path)
+  GltfMeshes(GltfDocument document, const std::filesystem::path& path,
+             const std::set<std::string>& labels)
       : document_(std::move(document)), path_(path) {
     require_sound_views();
+    std::set<std::string> missing = labels;
     for (std::size_t i = 0; i < size_of(document_.json, "meshes"); ++i) {
       std::vector<GltfPrimitive> primitives = read_primitives(i);
+      for (GltfPrimitive& primitive : primitives)
+        call_labels(primitive, labels, missing);
       if (!primitives.empty())
         surfaces_.emplace_back(std::move(primitives));
     }
+    if (!missing.empty())
+      throw std::runtime_error("no attribute of integers has the name " +
+                               in_quotes(*missing.begin()));
     placements_ = GltfPlacements::of(document_);
   }
 
@@ -115,6 +127,15 @@ private:
                                    " is not simplified");
       bytes_of_view(document_, i);
     }
+  }
+
+  static void call_labels(GltfPrimitive& primitive, const std::set<std::string>& labels,
+                          std::set<std::string>& missing) {
+    for (GltfAttribute& attribute : primitive.attributes)
+      if (attribute.kind == AttributeKind::name && labels.contains(attribute.name)) {
+        attribute.is_label = true;
+        missing.erase(attribute.name);
+      }
   }
 
   std::vector<GltfPrimitive> read_primitives(std::size_t mesh) const {

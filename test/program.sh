@@ -1163,6 +1163,10 @@ run 2 sheet.gltf out.gltf --levels 50%,64
 expect stderr '^--levels: 64 is not coarser than 50% before it, of 128 faces$'
 run 1 sheet.gltf levels.glb --levels 50%,0
 expect stderr '^levels.glb, level 0: the target was not reached: '
+run 2 sheet.gltf out.gltf --labels _PART,_LAYER
+expect stderr "^sheet.gltf: no attribute of integers has the name '_LAYER'$"
+run 2 roof.off out.off --labels _PART
+expect stderr '^roof.off: --labels is for glTF'
 run 2 sheet.gltf out.gltf --record record.qlv
 expect stderr '^sheet.gltf: --record is not for glTF$'
 head -c 900 out.glb >cut.glb

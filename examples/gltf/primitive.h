@@ -26,7 +26,7 @@ enum class AttributeKind {
   tangent, ///< a direction, and a sign that has no value in between
   color,
   number, ///< of any meaning; also the displacements of morph targets
-  name,   ///< integers, which have no values in between
+  name,   ///< integers, which have no values in between; here also the signs of tangents
   skin    ///< joints and their weights, which go together
 };
 
@@ -36,13 +36,7 @@ struct GltfAttribute {
   std::optional<std::size_t> target;
   AttributeKind kind;
   Elements elements;
-
-  /// The components from this one on have no values in between.
-  std::size_t first_fixed() const {
-    return kind == AttributeKind::name      ? 0
-           : kind == AttributeKind::tangent ? 3
-                                            : elements.type().components;
-  }
+  bool is_label = false; ///< do faces of different values lie in different regions, which stay?
 };
 
 /// The triangles of a primitive, and its vertices.

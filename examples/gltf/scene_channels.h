@@ -72,11 +72,14 @@ public:
 
 private:
   static constexpr const char* skin = " skin"; // no attribute has such a name
+  /// What has no values in between counts so much less than others: it changes by its whole range
+  /// across an edge, or has no order. Then it goes where that is cheap, and the shape is as good as
+  /// without it.
+  static constexpr double part_of_names = 1. / 16;
 
   std::size_t number_of(const GltfChannel& channel, std::size_t faces) {
     for (std::size_t i = 0; i < channels_.size(); ++i)
-      if (channels_[i].kind == channel.kind && channels_[i].name == channel.name &&
-          channels_[i].target == channel.target)
+      if (channels_[i].is_of(channel))
         return i;
     channels_.push_back({channel.kind, channel.name, channel.target, {}});
     quadrille::SoupChannel& values = channels_.back().values;
@@ -153,14 +156,22 @@ private:
 
   static quadrille::SoupChannelView::Kind kind_of(AttributeKind kind) {
     using Kind = quadrille::SoupChannelView::Kind;
-    return kind == AttributeKind::texture  ? Kind::texture
-           : kind == AttributeKind::color  ? Kind::colors
-           : kind == AttributeKind::number ? Kind::attributes
-                                           : Kind::normals;
+    switch (kind) {
+    case AttributeKind::texture:
+      return Kind::texture;
+    case AttributeKind::color:
+      return Kind::colors;
+    case AttributeKind::normal:
+    case AttributeKind::tangent:
+      return Kind::normals;
+    default:
+      return Kind::attributes;
+    }
   }
 
   /// Displacements are lengths as they are, normals and colours count by default; others as well,
   /// but by the size of a mesh and not of the scene, in which meshes may be far from each other.
+  /// What has no values in between holds nothing: a corner has one of those that there were.
   static quadrille::ChannelOptions options_of(const GltfChannel& channel,
                                               const ChannelChoices& choices, double length) {
     if (channel.kind == AttributeKind::texture)
@@ -170,10 +181,14 @@ private:
                                                         : choices.of_normals};
     if (channel.kind == AttributeKind::normal || channel.kind == AttributeKind::color)
       return options;
+    if (channel.kind == AttributeKind::name)
+      options.new_values = quadrille::NewValues::existing;
     const double range = largest_range(channel.values);
+    const double part = channel.kind == AttributeKind::name ? part_of_names : 1;
     if (channel.name == skin || is_length(channel))
       options.weights.assign(channel.values.components, 1);
-    else if (const double weight = 0.02 * length / range; weight > 0 && std::isfinite(weight))
+    else if (const double weight = 0.02 * part * length / range;
+             weight > 0 && std::isfinite(weight))
       options.weights.assign(channel.values.components, weight);
     return options;
   }

@@ -22,14 +22,13 @@
 
 namespace quadrille_examples {
 
-/// What a face is in and stays in: a primitive, and the values of its corners that have none in
-/// between.
+/// What a face is in and stays in: a primitive, and the values of its corners that are labels.
 struct GltfLabel {
   std::size_t primitive;
-  std::vector<double> fixed; ///< by attribute, then by corner
+  std::vector<Element> values; ///< by attribute, then by corner
 
   friend bool operator<(const GltfLabel& a, const GltfLabel& b) {
-    return std::tie(a.primitive, a.fixed) < std::tie(b.primitive, b.fixed);
+    return std::tie(a.primitive, a.values) < std::tie(b.primitive, b.values);
   }
 };
 
@@ -45,7 +44,7 @@ public:
 
   /// Throws for primitives that differ in what joints and weights they have.
   explicit GltfSurface(std::vector<GltfPrimitive> primitives)
-      : primitives_(std::move(primitives)), channel_of_(primitives_.size()) {
+      : primitives_(std::move(primitives)), parts_of_(primitives_.size()) {
     GltfSkin::require_one_kind(primitives_);
     std::vector<std::vector<std::size_t>> first_values;
     for (std::size_t i = 0; i < primitives_.size(); ++i)
@@ -120,20 +119,16 @@ public:
     const GltfLabel& label = labels_[label_of_[face]];
     const std::vector<GltfAttribute>& attributes = primitives_[label.primitive].attributes;
     std::vector<Element> elements(attributes.size());
-    std::size_t place = 0; // among the fixed values
+    std::size_t place = i; // among the values of the label
     for (std::size_t a = 0; a < attributes.size(); ++a) {
-      const std::size_t channel = channel_of_[label.primitive][a];
       if (attributes[a].kind == AttributeKind::position)
         std::copy_n(points[triangles[face][i]].begin(), 3, elements[a].begin());
       else if (attributes[a].kind == AttributeKind::skin)
         elements[a] = skin_.value(primitives_, attributes[a].name, triangles[face][i]);
-      else if (channel != GltfChannels::none)
-        elements[a] = channels_.value(channel, face, i);
-      const std::size_t first = attributes[a].first_fixed();
-      const std::size_t count = attributes[a].elements.type().components - first;
-      for (std::size_t k = 0; k < count; ++k)
-        elements[a][first + k] = label.fixed[place + i * count + k];
-      place += 3 * count;
+      else if (attributes[a].is_label)
+        elements[a] = label.values[std::exchange(place, place + 3)];
+      for (const ChannelPart& part : parts_of_[label.primitive][a])
+        channels_.copy_to(elements[a], part, face, i);
     }
     tangents_.square(label.primitive, attributes, elements);
     return elements;
@@ -144,13 +139,11 @@ private:
   std::vector<std::size_t> add_values(std::size_t number) {
     std::vector<std::size_t> first_values;
     for (const GltfAttribute& attribute : primitives_[number].attributes) {
-      std::size_t first = 0;
-      const std::size_t channel = channels_.add(attribute, first);
-      channel_of_[number].push_back(channel);
-      if (channel == GltfChannels::none)
-        continue;
-      first_values.resize(std::max(first_values.size(), channel + 1));
-      first_values[channel] = first;
+      parts_of_[number].push_back(channels_.parts_of(attribute));
+      for (const ChannelPart& part : parts_of_[number].back()) {
+        first_values.resize(std::max(first_values.size(), part.channel + 1));
+        first_values[part.channel] = channels_.add(attribute, part);
+      }
     }
     return first_values;
   }
@@ -199,13 +192,9 @@ private:
   GltfLabel label(std::size_t number, const Triangle& corners) const {
     GltfLabel label{number, {}};
     for (const GltfAttribute& attribute : primitives_[number].attributes)
-      for (const std::uint32_t corner : corners) {
-        const Element element = attribute.elements[corner];
-        label.fixed.insert(label.fixed.end(),
-                           element.begin() + static_cast<std::ptrdiff_t>(attribute.first_fixed()),
-                           element.begin() +
-                               static_cast<std::ptrdiff_t>(attribute.elements.type().components));
-      }
+      for (const std::uint32_t corner : corners)
+        if (attribute.is_label)
+          label.values.push_back(attribute.elements[corner]);
     return label;
   }
 
@@ -218,7 +207,7 @@ private:
   }
 
   std::vector<GltfPrimitive> primitives_;
-  std::vector<std::vector<std::size_t>> channel_of_; // each attribute of each primitive
+  std::vector<std::vector<std::vector<ChannelPart>>> parts_of_; // each attribute of each primitive
   GltfChannels channels_;
   GltfSkin skin_;
   GltfTangents tangents_;

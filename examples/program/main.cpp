@@ -91,6 +91,9 @@ bool run(Options options, ProgressLine& progress) {
   if (reads_gltf && options.orients)
     throw std::runtime_error(options.input + ": --orient is for any format but glTF, whose faces " +
                              "say which of their sides is seen");
+  if (!reads_gltf && !options.labels.empty())
+    throw std::runtime_error(options.input + ": --labels is for glTF; of other files names of " +
+                             "faces and integers of faces are labels anyway");
   if (!reads_gltf)
     return run_mesh(options, progress);
   if (!options.record.empty())

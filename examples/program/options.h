@@ -20,6 +20,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct Options {
   std::vector<double> tolerances;        // the same of the target's
   std::string region;                    // names of IN's faces; empty: all of it
   std::vector<bool> selected;            // which faces are in it, once IN has been read
+  std::set<std::string> labels;          // attributes of glTF of which regions stay
   Amount pairs;                          // closer than this; 0: edges only
   std::string topology;                  // empty: free if there are pairs that are no edges
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it

@@ -21,7 +21,7 @@ inline constexpr const char* options_of_whole_meshes[] = {
     "--crease",  "--pairs",         "--drop-parts",   "--no-self-intersection",
     "--normals", "--solid",         "--seams",        "--order",
     "--weld",    "--orient",        "--keep-partial", "--measure",
-    "--verify",  "--region"};
+    "--verify",  "--region",        "--labels"};
 
 /// Bytes: 4G, 500M, 1.5G.
 inline std::optional<std::uint64_t> parse_bytes(std::string word) {

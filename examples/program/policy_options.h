@@ -103,6 +103,15 @@ inline void add_region(CLI::App& app, Options& options) {
       ->group("Policies");
 }
 
+inline void add_labels(CLI::App& app, Options& options) {
+  app.add_option("--labels", options.labels,
+                 "regions of these attributes of integers of a glTF file stay, as its materials "
+                 "do: names as _PART,_LAYER; other such attributes hold nothing")
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->group("Policies");
+}
+
 inline void add_topology(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--pairs", [&](const std::string& word) { options.pairs = amount_of(word); },

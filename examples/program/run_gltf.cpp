@@ -99,7 +99,7 @@ public:
 
   bool run() {
     progress_.show_stage("reading");
-    GltfMeshes meshes = GltfMeshes::read(options_.input);
+    GltfMeshes meshes = GltfMeshes::read(options_.input, options_.labels);
     progress_.clear();
     require_fit(options_, meshes.surfaces());
     print_remarks(options_, meshes);

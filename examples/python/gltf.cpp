@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -27,13 +28,13 @@ using namespace quadrille;
 
 std::tuple<Report, std::vector<std::string>>
 simplify_gltf(const std::filesystem::path& in, const std::filesystem::path& out,
-              SoupOptions options, const std::optional<Seams>& seams, const py::object& stop,
-              py::object progress) {
+              SoupOptions options, const std::optional<Seams>& seams,
+              const std::set<std::string>& labels, const py::object& stop, py::object progress) {
   Interruptible proceed(std::move(progress));
   options.proceed = [&](const Status& status) { return proceed(status); };
   options.stop = stop_of(stop);
   const py::gil_scoped_release unlocked;
-  GltfMeshes meshes = GltfMeshes::read(in);
+  GltfMeshes meshes = GltfMeshes::read(in, labels);
   if (meshes.surfaces().empty())
     throw std::invalid_argument(in.string() + ": there are no triangles to simplify");
   std::vector<std::string> remarks = remarks_of(meshes, in, out);

@@ -36,9 +36,10 @@ GltfDocument read(const std::string& content) {
 
 /// The document, simplified to a part of its faces, written in a format and read again.
 GltfDocument simplified(const std::string& content, double ratio, const std::string& extension,
-                        const quadrille_examples::ChannelChoices& choices = {}) {
+                        const quadrille_examples::ChannelChoices& choices = {},
+                        const std::set<std::string>& labels = {}) {
   const Folder folder;
-  GltfMeshes meshes = GltfMeshes::read(folder.file("in", content));
+  GltfMeshes meshes = GltfMeshes::read(folder.file("in", content), labels);
   GltfSceneSurface(meshes.surfaces(), meshes.placements()).simplify({.ratio = ratio}, choices);
   write_gltf(folder.path("out"), meshes.take(), extension);
   return read(read_content(folder.path("out")));
@@ -229,8 +230,58 @@ TEST_CASE("attributes go along with the surface") {
   }
 }
 
-TEST_CASE("a face keeps what has no values in between") {
-  const GltfPrimitive half = primitives_of(simplified(ball(10), 0.3))[0];
+TEST_CASE("signs of tangents hold nothing, and are those of the surface nearby") {
+  const std::uint32_t n = 24;
+  const auto is_sure = [](const Element& p) { return std::abs(p[0] * p[1]) > 0.03; };
+  std::size_t vertices = 0;
+  const auto tangent = [&](const Element& p) { // four patches, with ragged borders
+    const double l = std::hypot(p[0], p[1]);
+    const bool is_turned = is_sure(p) ? p[0] * p[1] < 0 : ++vertices * 7919 % 13 < 6;
+    const double sign = is_turned ? -1 : 1;
+    return l > 0 ? Element{-p[1] / l, p[0] / l, 0, sign} : Element{1, 0, 0, sign};
+  };
+  Asset asset = ball(n);
+  asset.primitive(0)["attributes"]["TANGENT"] =
+      asset.add(elements_of(half_of_ball(0, n).positions, tangent), 4);
+  for (const double ratio : {0.2, 0.03}) {
+    const GltfDocument result = simplified(asset, ratio);
+    CHECK(static_cast<double>(face_count(result)) <= ratio * 12 * n * n);
+    const GltfPrimitive half = primitives_of(result)[0];
+    std::size_t sure = 0, wrong = 0;
+    for (std::size_t v = 0; v < half.attributes[0].elements.size(); ++v) {
+      const Element p = half.attributes[0].elements[v];
+      const double sign = attribute(half, "TANGENT").elements[v][3];
+      CHECK((sign == 1 || sign == -1));
+      sure += std::abs(p[0] * p[1]) > 0.1;
+      wrong += std::abs(p[0] * p[1]) > 0.1 && sign != (p[0] * p[1] < 0 ? -1 : 1);
+    }
+    CHECK(sure >= 12);
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("integers of vertices hold nothing, unless they are called labels") {
+  Asset asset = ball(10);
+  std::size_t count = 0;
+  const auto number = [&](const Element&) { return Element{static_cast<double>(++count % 3)}; };
+  asset.primitive(0)["attributes"]["_NUMBER"] =
+      asset.add(elements_of(half_of_ball(0, 10).positions, number), 1, unsigned_short);
+  const GltfDocument free = simplified(asset, 0.05);
+  CHECK(face_count(free) <= 60);
+  const GltfPrimitive half = primitives_of(free)[0];
+  const Elements& left = attribute(half, "_NUMBER").elements;
+  for (std::size_t v = 0; v < left.size(); ++v)
+    CHECK(left[v][0] <= 2);
+  CHECK(face_count(simplified(asset.glb(), 0.05, ".glb", {}, {"_NUMBER"})) > 500);
+  for (const char* const name : {"_HEAT", "TANGENT", "_OTHER"})
+    CHECK_THROWS_WITH(
+        simplified(asset.glb(), 0.05, ".glb", {}, {"_PART", name}),
+        Catch::Contains("no attribute of integers has the name '" + std::string(name) + "'"));
+}
+
+TEST_CASE("a face keeps its labels") {
+  const GltfPrimitive half =
+      primitives_of(simplified(ball(10).glb(), 0.3, ".glb", {}, {"_PART"}))[0];
   const Elements& parts = attribute(half, "_PART").elements;
   std::set<double> seen;
   for (const auto& [a, b, c] : half.triangles) {

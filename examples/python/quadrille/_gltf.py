@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import os
 import warnings
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Collection, Optional, Union
 
 from . import _core
 from ._mesh import _choice
@@ -20,6 +20,7 @@ def simplify_gltf(
     /,
     *,
     seams: Optional[str] = None,
+    labels: Collection[str] = (),
     stop: Optional[Callable[[_core.Status], bool]] = None,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
     **options: Any,
@@ -34,6 +35,8 @@ def simplify_gltf(
 
     seams    what becomes of the seams of textures: 'kept', 'held' (by default), 'priced' or 'free'; see
              Channel
+    labels   names of attributes of integers, such as '_PART': regions of their values stay, as those of
+             materials do. Other such attributes hold nothing: a corner has one of the values that there were
     stop, progress  functions, as simplify() has them; to return False from progress writes the result
              so far, and to raise writes nothing
     options  targets and how it is done, as simplify() has them by these names: faces, ratio, vertices,
@@ -62,8 +65,8 @@ def simplify_gltf(
     with open(source, "rb"):
         pass
     try:
-        report, remarks = _gltf(source, target, made, seams_choice, function_of("stop", stop),
-                                function_of("progress", progress))
+        report, remarks = _gltf(source, target, made, seams_choice, set(labels),
+                                function_of("stop", stop), function_of("progress", progress))
     except RuntimeError as error:
         raise ValueError(str(error)) from None
     for remark in remarks:
