@@ -854,7 +854,7 @@ run 2 ball.off out.off --error 2% --both-ways --calibrated --record out.qlv
 expect stderr '^--calibrated does not go with --record'
 run 0 --solid --verify --faces 100 ball.off out.off
 expect stdout ', 0 -> 0 pairs of faces intersect, [0-9.]+ % of the volume$'
-expect stdout 'verified: .*; Euler number: 2 promised, 2 measured; .*; bounds a volume: 1 promised, 1 measured$'
+expect stdout 'verified: .*; parts: 1 promised, 1 measured; .*; parts that lie in others than before: 0 promised, 0 measured$'
 run 2 plain.off out.off --solid
 expect stderr 'keep_solid: the surface is not closed: [0-9]+ edges have not as many faces'
 run 2 plain.off out.off --solid --topology free

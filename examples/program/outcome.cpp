@@ -134,12 +134,15 @@ Json json_of(const Measurement& measured) {
 
 Json json_of(const quadrille::Verdict& verdict) {
   Json json = Json::array();
-  for (const quadrille::Finding& finding : verdict.findings)
+  for (const quadrille::Finding& finding : verdict.findings) {
     json.push_back({{"claim", finding.claim},
                     {"promised", finding.promised},
                     {"measured", finding.measured},
                     {"error", finding.error},
                     {"held", finding.is_held}});
+    if (finding.place && !finding.is_held)
+      json.back()["place"] = finding.place->coordinates;
+  }
   return json;
 }
 

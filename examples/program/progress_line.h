@@ -33,6 +33,13 @@ public:
     show(stage, Clock::now());
   }
 
+  /// While something else is done, of which so much is behind, from 0 to 1.
+  void show_part(const std::string& stage, double part) {
+    const Clock::time_point now = Clock::now();
+    if (is_shown_ && now - last_ >= std::chrono::milliseconds(100))
+      show(stage + ", " + std::to_string(static_cast<int>(100 * part)) + " % done", now);
+  }
+
   /// While a surface is simplified; hardly more often than ten times a second.
   void show(const quadrille::Status& status) {
     const Clock::time_point now = Clock::now();

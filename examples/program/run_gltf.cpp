@@ -129,9 +129,9 @@ private:
     if (options.measures)
       outcomes_.back().measured = measure(input, surfaces, placements_);
     if (options.verifies) // the scene, as the soup that has been simplified
-      outcomes_.back().verdict =
-          verify(options, report, mesh_of(scene.points(), scene.triangles()),
-                 mesh_of(scene.result().points, scene.result().triangles), scene.result().image);
+      outcomes_.back().verdict = verify(options, report, mesh_of(scene.points(), scene.triangles()),
+                                        mesh_of(scene.result().points, scene.result().triangles),
+                                        scene.result().image, progress_);
   }
 
   std::vector<Surfaces> levels_of(GltfMeshes& meshes) {

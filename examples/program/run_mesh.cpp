@@ -183,7 +183,8 @@ private:
     if (options.measures)
       outcomes_.back().measured = measure(*input, mesh);
     if (options.verifies)
-      outcomes_.back().verdict = verify(options, report, *input, mesh, std::move(images));
+      outcomes_.back().verdict =
+          verify(options, report, *input, mesh, std::move(images), progress_);
     contents_.push_back(encoded(file, mesh, format_));
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {

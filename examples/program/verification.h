@@ -16,6 +16,7 @@ namespace quadrille_examples {
 
 struct IndexedMesh;
 struct Options;
+class ProgressLine;
 
 /// What is thrown once all is written and told: a result does not keep what was promised.
 struct BrokenPromise : std::runtime_error {
@@ -23,10 +24,10 @@ struct BrokenPromise : std::runtime_error {
 };
 
 /// Looks at what was asked for, as the report says it was reached. `images`: of each point of the
-/// input, the one of the result that it has become.
+/// input, the one of the result that it has become. Throws Interrupted.
 quadrille::Verdict verify(const Options& options, const quadrille::Report& report,
                           const IndexedMesh& input, const IndexedMesh& result,
-                          std::vector<std::size_t> images);
+                          std::vector<std::size_t> images, ProgressLine& progress);
 
 } // namespace quadrille_examples
 

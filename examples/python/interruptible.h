@@ -12,17 +12,22 @@ namespace quadrille_examples {
 
 namespace py = pybind11;
 
-/// What a simplification asks now and then, without the lock of the interpreter: up to 25 times a
-/// second it takes the lock, lets Python handle signals, such as that of Ctrl-C, and calls a
-/// function of the user's. What these raise ends the simplification.
+/// What a simplification or a verification asks now and then, without the lock of the interpreter:
+/// up to 25 times a second it takes the lock, lets Python handle signals, such as that of Ctrl-C,
+/// and calls a function of the user's. What these raise ends it.
 class Interruptible {
 public:
   /// `progress` is a function or None.
   explicit Interruptible(py::object progress) : progress_(std::move(progress)) {}
 
-  bool operator()(const quadrille::Status& status) {
+  bool operator()(const quadrille::Status& status) { return ask(status, status.progress); }
+  bool operator()(double part) { return ask(part, part); }
+
+private:
+  template <class Told>
+  bool ask(const Told& told, double part) {
     const auto now = Clock::now();
-    if (now - last_ < pause && status.progress < 1)
+    if (now - last_ < pause && part < 1)
       return true;
     last_ = now;
     const py::gil_scoped_acquire lock;
@@ -30,11 +35,10 @@ public:
       throw py::error_already_set();
     if (progress_.is_none())
       return true;
-    const py::object answer = progress_(status);
+    const py::object answer = progress_(told);
     return answer.is_none() || answer.cast<bool>();
   }
 
-private:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds pause{40};
 

@@ -2,12 +2,14 @@
 #include "measures.h"
 
 #include "arrays.h"
+#include "interruptible.h"
 
 #include <quadrille/distance.h>
 #include <quadrille/verify.h>
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -59,12 +61,17 @@ void add_measures(py::module_& m) {
                       d.hausdorff_b_to_a);
   });
   m.def("verify", [](const Points& input, const Faces& input_faces, const Points& result,
-                     const Faces& result_faces, const Claims& claims) {
-    using Row = std::tuple<std::string, double, double, double, bool>;
+                     const Faces& result_faces, Claims claims, py::object progress) {
+    using Place = std::optional<std::array<double, 3>>;
+    using Row = std::tuple<std::string, double, double, double, bool, Place>;
+    Interruptible proceed(std::move(progress));
+    claims.progress = [&proceed](double part) { return proceed(part); };
+    quadrille::Verdict told = verdict(input, input_faces, result, result_faces, claims);
     std::vector<Row> findings;
-    for (auto& f : verdict(input, input_faces, result, result_faces, claims).findings)
-      findings.emplace_back(std::move(f.claim), f.promised, f.measured, f.error, f.is_held);
-    return findings;
+    for (auto& f : told.findings)
+      findings.emplace_back(std::move(f.claim), f.promised, f.measured, f.error, f.is_held,
+                            f.place ? Place(f.place->coordinates) : Place());
+    return std::pair(std::move(findings), told.is_cancelled);
   });
 }
 

@@ -9,8 +9,9 @@
 #define QUADRILLE_CALIBRATED_H
 
 #include <quadrille/distance.h>
+#include <quadrille/internal/verify/check_progress.h>
+#include <quadrille/internal/verify/checked_distance.h>
 #include <quadrille/internal/verify/checked_surface.h>
-#include <quadrille/internal/verify/tolerance_check.h>
 #include <quadrille/report.h>
 #include <quadrille/simplified.h>
 #include <quadrille/stop.h>
@@ -67,9 +68,10 @@ inline double proved_distance(const CheckedSurface& a, const CheckedSurface& b, 
       surface_distance(a.points, a.faces, b.points, b.faces, {.samples = 20'000}).hausdorff >
           distance)
     return infinity;
-  const ToleranceCheck beyond_nothing(a, std::vector<double>(a.points.size(), 0), b);
+  CheckProgress progress({}, 1);
+  const CheckedDistance apart(a, {}, b, progress);
   const double bound =
-      (std::max)(beyond_nothing.of_input(error), beyond_nothing.of_result(error)) + error;
+      (std::max)(apart.of_input(error).distance, apart.of_result(error).distance) + error;
   return bound <= distance ? bound : infinity;
 }
 

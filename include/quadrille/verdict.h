@@ -1,8 +1,11 @@
 #ifndef QUADRILLE_VERDICT_H
 #define QUADRILLE_VERDICT_H
 
+#include <quadrille/vector.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -25,8 +28,10 @@ struct Claims {
   /// No more pairs of faces intersect than in the input: see NoSelfIntersection. Where none did,
   /// that is all of its promise.
   bool no_self_intersection = false;
-  /// The result is closed, bounds a volume, and has the parts of the input, as many handles as they
-  /// have, and as many that lie in others.
+  /// The input, which is closed, and the result are solids alike: the result is closed, and each
+  /// part of the input has become one of it, with as many handles, with its inside on the same side
+  /// and not flat, and in the same ones of the others. It bounds a volume if the input does. See
+  /// keep_solid().
   bool solid = false;
   /// No normal of the result is further than so many degrees from that of any face of the input
   /// that has become it, or one of its edges: see NormalDeviation. Needs `images`, which have to
@@ -36,6 +41,9 @@ struct Claims {
   /// Of each vertex of the input, the vertex of the result that it has become, by their indices or
   /// in the order of vertices(mesh); parameters::vanished for none. vertex_image_map tells them.
   std::vector<std::size_t> images = {};
+  /// No claim, but how to follow what takes long: told again and again which part of it is done,
+  /// from 0 to 1. If it returns false, verify() ends soon: Verdict::is_cancelled.
+  std::function<bool(double part)> progress = {};
 };
 
 /// A claim, and what has been measured.
@@ -43,19 +51,25 @@ struct Finding {
   std::string claim; ///< in words
   double promised =
       0; ///< a distance in the unit of the surfaces, degrees, or a number of what is named
-  double measured = 0;  ///< the same
-  double error = 0;     ///< by how much what is measured may be wrong, at most
-  bool is_held = false; ///< is what is measured as it was promised, or may it be, up to the error?
+  double measured = 0; ///< the same
+  double error = 0;    ///< by how much what is measured may be wrong, at most
+  /// Is what is measured as it was promised? Always if that is so of the truth, and never if the
+  /// truth is beyond it by more than the error.
+  bool is_held = false;
+  /// Where it is broken, in the unit of the surfaces: a point of the farthest, of a face that
+  /// intersects another one, of a part that has changed.
+  std::optional<Vector<3>> place = {};
 };
 
 /// What verify() has found, one after the other. It prints itself in one line.
 struct Verdict {
-  std::vector<Finding> findings; ///< one for each claim, in the order of Claims
+  std::vector<Finding> findings; ///< one or some for each claim, in the order of Claims
+  bool is_cancelled = false;     ///< by Claims::progress: then not all has been looked at
 
-  /// Are all claims held?
+  /// Are all claims held, as far as is known?
   bool is_held() const {
-    return std::all_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return finding.is_held; });
+    return !is_cancelled && std::all_of(findings.begin(), findings.end(),
+                                        [](const Finding& finding) { return finding.is_held; });
   }
   explicit operator bool() const { return is_held(); } ///< the same
 };
@@ -66,8 +80,12 @@ inline std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
   for (const Finding& finding : verdict.findings) {
     out << separator << finding.claim << ": " << finding.promised << " promised, "
         << finding.measured << " measured" << (finding.is_held ? "" : ", BROKEN");
+    if (const auto& p = finding.place; p && !finding.is_held)
+      out << " near (" << (*p)[0] << ", " << (*p)[1] << ", " << (*p)[2] << ")";
     separator = "; ";
   }
+  if (verdict.is_cancelled)
+    out << separator << "cancelled before all was measured";
   return out;
 }
 

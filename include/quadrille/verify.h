@@ -10,18 +10,18 @@
 #ifndef QUADRILLE_VERIFY_H
 #define QUADRILLE_VERIFY_H
 
+#include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_distance.h>
 #include <quadrille/internal/verify/checked_surface.h>
 #include <quadrille/internal/verify/claimed_maps.h>
 #include <quadrille/internal/verify/intersecting_pairs.h>
 #include <quadrille/internal/verify/normal_angles.h>
 #include <quadrille/internal/verify/solid_check.h>
-#include <quadrille/internal/verify/tolerance_check.h>
+#include <quadrille/vector.h>
 #include <quadrille/verdict.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <ranges>
 #include <stdexcept>
@@ -39,87 +39,128 @@ public:
       : input_(std::move(input)), result_(std::move(result)) {}
 
   Verdict operator()(const Claims& claims) {
-    if (claims.distance || claims.distance_both_ways)
-      look_at_distance(claims);
-    if (!claims.tolerances.empty())
-      look_at_tolerances(claims.tolerances);
-    if (claims.no_self_intersection)
-      look_at_intersections();
-    if (claims.solid)
-      look_at_solid();
-    if (claims.normal_deviation)
-      look_at_normals(*claims.normal_deviation, claims.images);
+    require_sense(claims);
+    if (!are_both_there(claims))
+      return std::move(verdict_);
+    CheckProgress progress(claims.progress, stages(claims));
+    try {
+      look_at_all(claims, progress);
+    } catch (const CheckCancelled&) {
+      verdict_.is_cancelled = true;
+    }
     return std::move(verdict_);
   }
 
 private:
-  void look_at_distance(const Claims& claims) {
-    const CheckedDistance distance(result_, input_);
+  static bool are_distances_claimed(const Claims& claims) {
+    return claims.distance || claims.distance_both_ways;
+  }
+  static std::size_t stages(const Claims& claims) {
+    return std::size_t{are_distances_claimed(claims)} + claims.distance_both_ways.has_value() +
+           2 * std::size_t{!claims.tolerances.empty()} +
+           2 * std::size_t{claims.no_self_intersection} + std::size_t{claims.solid};
+  }
+
+  static void require_sense(const Claims& claims) {
+    if (!(claims.distance.value_or(0) >= 0 && claims.distance_both_ways.value_or(0) >= 0))
+      throw std::invalid_argument("quadrille::verify: what is claimed is not a distance");
+    if (!(claims.normal_deviation.value_or(0) >= 0))
+      throw std::invalid_argument("quadrille::verify: what is claimed is not an angle");
+  }
+
+  // Nothing can be said of a surface without faces but that the other one has none either.
+  bool are_both_there(const Claims& claims) {
+    const bool is_any_claimed = stages(claims) > 0 || claims.normal_deviation;
+    if (!is_any_claimed || (!input_.faces.empty() && !result_.faces.empty()))
+      return true;
+    add_number("faces, where only one of both surfaces has any", input_.faces.size(),
+               result_.faces.size());
+    return false;
+  }
+
+  void look_at_all(const Claims& claims, CheckProgress& progress) {
+    if (are_distances_claimed(claims))
+      look_at_distance(claims, progress);
+    if (!claims.tolerances.empty())
+      look_at_tolerances(claims.tolerances, progress);
+    if (claims.no_self_intersection)
+      look_at_intersections(progress);
+    if (claims.solid) {
+      for (Finding& finding : SolidCheck(input_, result_, progress).look())
+        verdict_.findings.push_back(std::move(finding));
+      progress.next_stage();
+    }
+    if (claims.normal_deviation)
+      look_at_normals(*claims.normal_deviation, claims.images);
+  }
+
+  void look_at_distance(const Claims& claims, CheckProgress& progress) {
+    const CheckedDistance distance(input_, {}, result_, progress);
     const double greatest = (std::min)(claims.distance.value_or(infinity),
                                        claims.distance_both_ways.value_or(infinity));
-    add_distance("distance of the result from the input", greatest, distance,
-                 &CheckedDistance::from_a);
-    if (claims.distance_both_ways)
-      add_distance("distance of the input from the result", *claims.distance_both_ways, distance,
-                   &CheckedDistance::from_b);
+    add_distance("distance of the result from the input", greatest,
+                 error_of(greatest, distance.diagonal_of_both()),
+                 [&](double error) { return distance.of_result(error); });
+    progress.next_stage();
+    if (!claims.distance_both_ways)
+      return;
+    add_distance("distance of the input from the result", *claims.distance_both_ways,
+                 error_of(*claims.distance_both_ways, distance.diagonal_of_both()),
+                 [&](double error) { return distance.of_input(error); });
+    progress.next_stage();
   }
 
-  // CGAL takes the longer the less it may be wrong, so a small part of the promise is enough.
-  void add_distance(const char* claim, double promised, const CheckedDistance& distance,
-                    double (CheckedDistance::*measure)(double) const) {
-    if (!(promised >= 0))
-      throw std::invalid_argument("quadrille::verify: what is claimed is not a distance");
-    const double error = error_of(promised, distance.diagonal_of_both());
-    const double measured = (distance.*measure)(error);
-    verdict_.findings.push_back({claim, promised, measured, error, measured <= promised + error});
+  void look_at_tolerances(const std::vector<double>& tolerances, CheckProgress& progress) {
+    const CheckedDistance distance(input_, tolerances, result_, progress);
+    const double error = error_of(distance.least_tolerance(), distance.diagonal_of_both());
+    add_distance("distance of the input from the result, beyond its tolerances", 0, error,
+                 [&](double e) { return distance.of_input(e); });
+    progress.next_stage();
+    add_distance("distance of the result from the input, beyond its tolerances", 0, error,
+                 [&](double e) { return distance.of_result(e); });
+    progress.next_stage();
   }
 
+  // What is measured is no more than the truth but for roundings, and less by no more than half of
+  // the error. So what is beyond the promise by half of the error is broken, and what is broken by
+  // all of it is found.
+  template <class Measure>
+  void add_distance(const char* claim, double promised, double error, Measure measure) {
+    const auto [measured, place] = measure(error / 2);
+    verdict_.findings.push_back(
+        {claim, promised, measured, error, measured <= promised + error / 2, place});
+  }
+
+  // It takes the longer the less it may be wrong, so a small part of the promise is enough.
   static double error_of(double promised, double diagonal) {
     return (std::max)((std::min)(promised / 20, 1e-3 * diagonal), 1e-5 * diagonal);
   }
 
-  // What is measured is no more than the truth, and less by no more than half of the error: so what
-  // is beyond half of it is broken, and what is broken by all of it is found.
-  void look_at_tolerances(const std::vector<double>& tolerances) {
-    const ToleranceCheck check(input_, tolerances, result_);
-    const double error = error_of(check.least_tolerance(), check.diagonal_of_both());
-    const auto add = [&](const char* claim, double measured) {
-      verdict_.findings.push_back({claim, 0, measured, error, measured <= error / 2});
-    };
-    add("distance of the input from the result, beyond its tolerances", check.of_input(error / 2));
-    add("distance of the result from the input, beyond its tolerances", check.of_result(error / 2));
-  }
-
   void look_at_normals(double promised, const std::vector<std::size_t>& images) {
-    if (!(promised >= 0))
-      throw std::invalid_argument("quadrille::verify: what is claimed is not an angle");
     const auto [at_least, at_most, unknown] = NormalAngles(input_, images, result_).measure();
     constexpr double rounding = 1e-6; // degrees
     verdict_.findings.push_back({"degrees between normals", promised, at_least,
                                  at_most - at_least + rounding, at_least <= promised + rounding});
-    add_number("faces of the result that none of the input has become", std::size_t{0}, unknown);
+    add_number("faces of the result that none of the input has become", 0, unknown);
   }
 
-  void look_at_intersections() {
-    add_number("intersecting pairs of faces", IntersectingPairs(input_).count(),
-               IntersectingPairs(result_).count(),
-               [](double before, double after) { return after <= before; });
+  void look_at_intersections(CheckProgress& progress) {
+    const std::size_t before = IntersectingPairs(input_).find(progress).count;
+    progress.next_stage();
+    const IntersectingPairs::Found after = IntersectingPairs(result_).find(progress);
+    progress.next_stage();
+    Finding finding{"intersecting pairs of faces", static_cast<double>(before),
+                    static_cast<double>(after.count), 0, after.count <= before};
+    if (!finding.is_held) {
+      const auto& p = result_.points[result_.faces[after.first][0]];
+      finding.place = Vector<3>{{p.x(), p.y(), p.z()}};
+    }
+    verdict_.findings.push_back(std::move(finding));
   }
 
-  void look_at_solid() {
-    const SolidMeasures before = SolidCheck(input_).measure();
-    const SolidMeasures after = SolidCheck(result_).measure();
-    add_number("open edges", std::size_t{0}, after.open_edges);
-    add_number("components", before.components, after.components);
-    add_number("Euler number", before.euler_number, after.euler_number);
-    add_number("components inside of others", before.nesting, after.nesting);
-    add_number("bounds a volume", true, after.bounds_a_volume);
-  }
-
-  template <class Number, class IsHeld = std::equal_to<double>>
-  void add_number(const char* claim, Number promised, Number measured, IsHeld is_held = {}) {
-    const auto p = static_cast<double>(promised), m = static_cast<double>(measured);
-    verdict_.findings.push_back({claim, p, m, 0, is_held(p, m)});
+  void add_number(const char* claim, std::size_t promised, std::size_t measured) {
+    verdict_.findings.push_back({claim, static_cast<double>(promised),
+                                 static_cast<double>(measured), 0, promised == measured});
   }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -139,22 +180,28 @@ concept CheckableSoup =
 /// Looks whether a simplified mesh keeps what is claimed of it, by code that shares nothing with
 /// the engine.
 ///
-/// Distances are those of CGAL's bounded_error_Hausdorff_distance (Tang, Lee and Kim, "Interactive
-/// Hausdorff distance computation for general polygonal models", 2009). They are wrong by at most a
-/// twentieth of what is promised, but not by less than 10⁻⁵ of the diagonal of both surfaces, nor
-/// by more than 10⁻³; what is beyond the promise by no more than that counts as held. What is
-/// beyond tolerances is measured by pieces of faces, with an error in the same bounds by the least
-/// of them: what is told is never more than the truth. Angles are those of all pairs of faces.
-/// Faces intersect as for NoSelfIntersection; CGAL's exact predicates decide. A surface is solid if
-/// each edge has as many faces on one side as on the other, and CGAL's does_bound_a_volume says so
-/// of what is left when it has been cut where it only touches itself.
+/// Distances are measured by pieces of faces, cut along those of the other surface and halved until
+/// they are known to a fortieth of what is promised, but to no less than 5·10⁻⁶ of the diagonal of
+/// both surfaces, nor to more than 5·10⁻⁴: what is told is never more than the truth but for
+/// roundings. What is beyond the promise by no more than that counts as held, so what is broken by
+/// twice as much, Finding::error, never does, and what is kept always does. What is beyond
+/// tolerances is measured in the same way, by the least of them. Angles are those of all pairs of
+/// faces. Faces intersect as for NoSelfIntersection; CGAL's exact predicates decide.
+///
+/// Solids are compared part by part, cut where a surface only touches itself. Which part has become
+/// which is told by where they are, and where that says little, since parts lie closer together
+/// than they have changed, by what they have in common. An input need not bound a volume: then the
+/// result has to be turned like it.
+///
+/// Where only one of both has faces, no claim is held. `claims.progress` follows it and may end it.
 ///
 /// Both are models of CGAL's FaceListGraph with a vertex_point map; types may differ. What was
 /// rounded to the numbers of a mesh is measured as it is there. Complexity: about O(n log n) for n
-/// faces of both, but for distances, which take seconds for 10⁵ faces, the more the smaller they
-/// are. Throws std::invalid_argument for a face that is not a triangle, a coordinate that is not
-/// finite, a claimed distance or angle that is none, tolerances or images that are not as many as
-/// the vertices of the input, and a surface without faces whose distance is claimed.
+/// faces of both; distances take about a second for 10⁴ faces at a thousandth of the diagonal,
+/// whether surfaces are flat or curved, and solids of k parts O(k²) beside that. Throws
+/// std::invalid_argument for a face that is not a triangle, a coordinate that is not finite, a
+/// claimed distance or angle that is none, tolerances or images that are not as many as the
+/// vertices of the input, and an input with open edges of which it is claimed that it is a solid.
 template <class MeshA, class MeshB>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, const Claims& claims) {

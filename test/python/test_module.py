@@ -259,7 +259,14 @@ class Results(Folder):
                     np.concatenate([small.faces, small.faces + len(small.points)]))
         broken = quadrille.verify((points, faces), crossing, no_self_intersection=True)
         self.assertFalse(broken)
-        self.assertRegex(repr(broken), r"^Verdict\(intersecting pairs of faces: 0 promised, \d+ measured, BROKEN\)$")
+        self.assertRegex(repr(broken), r"^Verdict\(intersecting pairs of faces: 0 promised, \d+ measured, BROKEN near \(.*\)\)$")
+        self.assertEqual(len(broken.findings[0].place), 3)
+        told = []
+        self.assertTrue(quadrille.verify((points, faces), small, distance_both_ways=bound, progress=told.append))
+        self.assertTrue(told == sorted(told) and 0 <= told[0] and told[-1] <= 1)
+        cancelled = quadrille.verify((points, faces), small, distance_both_ways=bound, progress=lambda part: False)
+        self.assertTrue(cancelled.is_cancelled and not cancelled)
+        self.assertRegex(repr(cancelled), "cancelled before all was measured")
         self.assertTrue(quadrille.verify((points, faces), (small.points, small.faces), normal_deviation=degrees,
                                          image=small.image))
         refused = lambda message, **options: self.assertRaisesRegex(

@@ -1,4 +1,5 @@
 // verify() finds what is broken of a claim, and nothing where claims hold.
+#include "damage.h"
 #include "farthest.h"
 #include "meshes.h"
 #include "soups.h"
@@ -70,12 +71,6 @@ std::size_t pairs_by_cgal(const Soup& soup) {
       pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first != pair.second; }));
 }
 
-/// Of faces turned over, a surface.
-Soup turned(Soup soup) {
-  for (Triangle& t : soup.triangles)
-    std::swap(t[0], t[1]);
-  return soup;
-}
 Soup scaled(Soup soup, double scale) {
   for (Position& p : soup.points)
     p = scale * p;
@@ -105,7 +100,7 @@ TEST_CASE("verify: what a simplification promises is held") {
                                   .solid = true});
   INFO(verdict);
   CHECK(verdict);
-  CHECK(verdict.findings.size() == 8);
+  CHECK(verdict.findings.size() == 9);
   const Finding& distance = finding(verdict, "distance of the result from the input");
   CHECK(distance.promised == report.distance_bound);
   CHECK(distance.measured > 0.1 * report.distance_bound);
@@ -295,7 +290,8 @@ TEST_CASE("verify: crossings are found, and counted as CGAL counts them") {
 
 TEST_CASE("verify: what is no solid is found") {
   const Claims solid{.solid = true};
-  const Soup sphere = test::sphere(2), shell = test::joined(sphere, turned(scaled(sphere, 0.5)));
+  const Soup sphere = test::sphere(2),
+             shell = test::joined(sphere, test::turned_over(scaled(sphere, 0.5)));
   CHECK(verify_soups(sphere, sphere, solid));
   CHECK(verify_soups(shell, shell, solid));
 
@@ -305,25 +301,132 @@ TEST_CASE("verify: what is no solid is found") {
   CHECK(finding(verify_soups(sphere, open, solid), "open edges").measured == 3);
 
   const Verdict not_turned = verify_soups(shell, test::joined(sphere, scaled(sphere, 0.5)), solid);
-  CHECK_FALSE(finding(not_turned, "bounds a volume").is_held);
+  CHECK_FALSE(finding(not_turned, "parts turned inside out, or without a volume").is_held);
   const Verdict beside =
-      verify_soups(shell, test::joined(sphere, scaled(sphere, 0.5), {{3, 0, 0}}), solid);
-  CHECK(finding(beside, "bounds a volume").is_held);
-  CHECK_FALSE(finding(beside, "components inside of others").is_held);
-  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "components").is_held);
-  CHECK_FALSE(finding(verify_soups(sphere, test::torus(12, 8), solid), "Euler number").is_held);
+      verify_soups(shell, test::joined(sphere, scaled(shell, 0.5), {{3, 0, 0}}), solid);
+  CHECK_FALSE(finding(beside, "parts").is_held);
+  CHECK_FALSE(finding(verify_soups(shell, sphere, solid), "parts").is_held);
+  const Verdict ring = verify_soups(sphere, test::torus(12, 8), solid);
+  CHECK_FALSE(finding(ring, "parts with another number of handles").is_held);
+  CHECK_THROWS_AS(verify_soups(open, sphere, solid), std::invalid_argument);
+}
+
+TEST_CASE("verify: damage is found by the claim that it breaks, and by no other") {
+  // Balls of 32 faces stand for balls of 128 that are larger by 0.3 of their radius at most.
+  constexpr double distance = 0.5;
+  for (std::uint64_t seed = 0; seed < 1; ++seed) {
+    const test::RandomSolid solid(seed);
+    const Soup input = solid.soup(1), right = solid.soup(0);
+    CHECK(verify_soups(
+        input, right,
+        {.distance_both_ways = distance, .no_self_intersection = true, .solid = true}));
+    std::vector<test::Damage> damages = test::damages_of_faces(distance);
+    for (test::Damage& damage : test::damages_of_parts())
+      damages.push_back(std::move(damage));
+    for (const test::Damage& damage : damages) {
+      test::RandomSolid changed = solid;
+      Soup damaged = right;
+      damage.apply(changed, damaged);
+      const Verdict verdict = verify_soups(input, damaged, damage.claims);
+      INFO(damage.name << ", seed " << seed << ": " << verdict);
+      CHECK(test::broken_findings(verdict) == std::vector{damage.finding});
+    }
+  }
+}
+
+TEST_CASE("verify: what encloses nothing is no solid, and a surface that is gone keeps nothing") {
+  const Claims solid{.solid = true};
+  const Soup sphere = test::sphere(2);
+  const auto pressed = [&](double x, double y, double z) {
+    return test::mapped(sphere, [=](const Position& p) {
+      return Position{{x * p[0], y * p[1], z * p[2]}};
+    });
+  };
+  for (const Soup& flat :
+       {pressed(1, 1, 0), test::tilted(pressed(1, 1, 0)), pressed(1, 0, 0), pressed(0, 0, 0)}) {
+    const Verdict verdict = verify_soups(sphere, flat, solid);
+    CHECK_FALSE(finding(verdict, "parts turned inside out, or without a volume").is_held);
+  }
+  const Soup pillow{{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{0, 1, 2}, {1, 0, 2}}};
+  CHECK_FALSE(verify_soups(sphere, pillow, solid));
+  CHECK_FALSE(verify_soups(sphere, {}, solid));
+  CHECK_FALSE(verify_soups(sphere, {}, {.no_self_intersection = true}));
+  CHECK_FALSE(verify_soups(sphere, {}, {.distance = 1}));
+  CHECK_FALSE(verify_soups({}, sphere, {.distance = 1}));
+  CHECK(verify_soups({}, {}, {.distance_both_ways = 1, .solid = true}));
+}
+
+TEST_CASE("verify: an input that bounds no volume is kept as it is") {
+  // A ball in a ball, both outward; and onions, of which each skin has changed by more than they
+  // are apart.
+  const Claims solid{.solid = true};
+  const auto balls = [](int fineness, double inner, bool alternates) {
+    const Soup ball = test::sphere(fineness);
+    const Soup small = scaled(ball, inner);
+    return test::joined(ball, alternates ? test::turned_over(small) : small);
+  };
+  CHECK(verify_soups(balls(3, 0.5, false), balls(1, 0.5, false), solid));
+  CHECK_FALSE(verify_soups(balls(3, 0.5, false), balls(1, 0.5, true), solid));
+  CHECK(verify_soups(balls(3, 0.99, true), balls(0, 0.99, true), solid));
+  CHECK_FALSE(verify_soups(balls(3, 0.99, true), test::turned_over(balls(0, 0.99, true)), solid));
+  CHECK(
+      verify_soups(scaled(balls(3, 0.5, true), 1e200), scaled(balls(1, 0.5, true), 1e200), solid));
+}
+
+TEST_CASE("verify: a verdict is right by its own error") {
+  // Of a lifted vertex of a square the distance is known.
+  const Soup input = test::grid(8, 8);
+  Soup bump = input;
+  bump.points[40][2] += 0.01;
+  for (double part = 0.8; part < 1.2; part += 0.0123) {
+    const Verdict verdict = verify_soups(input, bump, {.distance = 0.01 / part});
+    const Finding& there = verdict.findings[0];
+    CHECK(there.measured <= 0.01 * (1 + 1e-9));
+    CHECK(there.measured + there.error >= 0.01);
+    if (part <= 1)
+      CHECK(verdict);
+    if (0.01 > there.promised + there.error)
+      CHECK_FALSE(verdict);
+  }
+  const Verdict broken = verify_soups(input, bump, {.distance = 0.005});
+  REQUIRE(broken.findings[0].place);
+  CHECK(squared_distance(*broken.findings[0].place, bump.points[40]) < 1e-18);
+}
+
+TEST_CASE("verify: ends where surfaces lie on each other, and when it is told to") {
+  // What took ten times as long for a third of the limit.
+  const Soup fine = test::tilted(test::grid(24, 24)), coarse = test::tilted(test::grid(7, 9));
+  const Claims claims{.distance_both_ways = 1e-4, .no_self_intersection = true, .solid = false};
+  std::size_t told = 0;
+  double last = 0;
+  bool rises = true;
+  Claims followed = claims;
+  followed.progress = [&](double part) {
+    rises &= part >= last && part <= 1;
+    last = part;
+    ++told;
+    return true;
+  };
+  CHECK(verify_soups(fine, coarse, followed));
+  CHECK(told > 50);
+  CHECK(rises);
+  followed.progress = [&](double) { return false; };
+  const Verdict cancelled = verify_soups(fine, coarse, followed);
+  CHECK(cancelled.is_cancelled);
+  CHECK_FALSE(cancelled);
 }
 
 TEST_CASE("verify: solids that touch along an edge or at a point are solids") {
   const Claims solid{.solid = true};
   const Soup edge = cubes_on_an_edge();
   CHECK(verify_soups(edge, edge, solid));
-  CHECK(finding(verify_soups(edge, edge, solid), "components").measured == 2);
+  CHECK(finding(verify_soups(edge, edge, solid), "parts").measured == 2);
   const Soup point =
       test::surface_of_cubes(2, 2, 2, [](int x, int y, int z) { return x == y && y == z; });
-  CHECK(finding(verify_soups(point, point, solid), "components").measured == 2);
+  CHECK(finding(verify_soups(point, point, solid), "parts").measured == 2);
   CHECK(verify_soups(point, point, solid));
-  const Soup tunnel = turned(edge); // all but the two cubes, of which the tunnel is one component
+  const Soup tunnel =
+      test::turned_over(edge); // all but the two cubes, of which the tunnel is one component
   CHECK(finding(verify_soups(tunnel, tunnel, solid), "open edges").is_held);
 }
 
@@ -334,10 +437,10 @@ TEST_CASE("verify: meshes of other kinds, and what is refused") {
   CHECK(verify(mesh, polyhedron,
                {.distance_both_ways = 0, .no_self_intersection = true, .solid = true}));
   CHECK_THROWS_AS(verify(mesh, polyhedron, {.distance = -1}), std::invalid_argument);
-  CHECK_THROWS_AS(verify(mesh, test::Mesh(), {.distance = 1}), std::invalid_argument);
+  CHECK_FALSE(verify(mesh, test::Mesh(), {.distance = 1}));
   CHECK_THROWS_AS(verify(mesh, mesh, {.tolerances = {1, 2}}), std::invalid_argument);
   std::vector<double> tolerances(num_vertices(mesh), 1);
-  CHECK_THROWS_AS(verify(mesh, test::Mesh(), {.tolerances = tolerances}), std::invalid_argument);
+  CHECK_FALSE(verify(mesh, test::Mesh(), {.tolerances = tolerances}));
   tolerances[3] = -1;
   CHECK_THROWS_AS(verify(mesh, mesh, {.tolerances = tolerances}), std::invalid_argument);
   CHECK_THROWS_AS(verify(mesh, mesh, {.normal_deviation = 10}), std::invalid_argument);

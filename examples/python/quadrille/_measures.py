@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import List, NamedTuple, Optional, Tuple, Union
+from typing import Callable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
 from ._mesh import Mesh, as_mesh
+from ._options import function_of
 
 Surface = Union[Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]]
 
@@ -37,30 +38,37 @@ class Finding(NamedTuple):
     promised  a distance in the unit of the points, degrees, or a number of what is named
     measured  the same
     error     by how much what is measured may be wrong, at most
-    is_held   is what is measured as it was promised, or may it be, up to the error?
+    is_held   is what is measured as it was promised? Always if that is so of the truth, and never if the
+              truth is beyond it by more than the error
+    place     where it is broken: a point of the farthest, of a face that intersects another one, of a part
+              that has changed; None where it is held, or where there is no such place
     """
     claim: str
     promised: float
     measured: float
     error: float
     is_held: bool
+    place: Optional[Tuple[float, float, float]] = None
 
 
 class Verdict:
     """What verify() has found. It is true if all claims are held.
 
-    findings  one Finding for each claim, one or two for some
+    findings      one Finding for each claim, or some
+    is_cancelled  by the function progress: then not all has been looked at
     """
 
-    def __init__(self, findings: List[Finding]):
+    def __init__(self, findings: List[Finding], is_cancelled: bool = False):
         self.findings = findings
+        self.is_cancelled = is_cancelled
 
     def __bool__(self) -> bool:
-        return all(finding.is_held for finding in self.findings)
+        return not self.is_cancelled and all(finding.is_held for finding in self.findings)
 
     def __repr__(self) -> str:
         lines = [f"{f.claim}: {f.promised:g} promised, {f.measured:g} measured{'' if f.is_held else ', BROKEN'}"
-                 for f in self.findings]
+                 + (" near ({:g}, {:g}, {:g})".format(*f.place) if f.place else "")
+                 for f in self.findings] + ["cancelled before all was measured"] * self.is_cancelled
         return f"Verdict({'; '.join(lines)})"
 
 
@@ -85,9 +93,10 @@ def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: in
 def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
            distance_both_ways: Optional[float] = None, tolerance: Optional[ArrayLike] = None,
            no_self_intersection: bool = False, solid: bool = False,
-           normal_deviation: Optional[float] = None, image: Optional[ArrayLike] = None) -> Verdict:
+           normal_deviation: Optional[float] = None, image: Optional[ArrayLike] = None,
+           progress: Optional[Callable[[float], Optional[bool]]] = None) -> Verdict:
     """Does a result keep what was promised of it? Measured by code that shares nothing with simplify():
-    distances by branch and bound over faces, intersections by exact tests.
+    distances by branch and bound over faces, intersections by exact tests, solids part by part.
 
         small = quadrille.simplify(mesh, error=0.01, both_ways=True)
         assert quadrille.verify(mesh, small, distance_both_ways=0.01)
@@ -99,11 +108,15 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
     tolerance             of each point of the mesh, how far points may be there; a face has the least of its
                           corners
     no_self_intersection  no more pairs of faces intersect than in the mesh
-    solid                 the result is closed, bounds a volume, and has the parts and handles of the mesh
+    solid                 the mesh, which is closed, and the result are solids alike: the result is closed, and
+                          each part of the mesh has become one of it, with as many handles, its inside on the
+                          same side, not flat, and in the same ones of the others
     normal_deviation      no normal is further than so many degrees from that of any face that has become it:
                           report.normal_bound_degrees. Needs the image
     image                 of each point of the mesh, the point of the result that it has become, or -1; that of
                           a result of simplify() is known
+    progress              called up to 25 times a second with the part that is done, from 0 to 1; to return
+                          False ends it: Verdict.is_cancelled. Ctrl-C ends it, too
 
     What is left out is not looked at. Raises ValueError for what is wrong with an argument, or for a
     surface that cannot be measured.
@@ -118,8 +131,9 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
         claims.normal_deviation = float(normal_deviation)
         claims.images = _images(getattr(result, "image", None) if image is None else image,
                                 len(points), len(new_points))
-    rows = _core.verify(points, faces, new_points, new_faces, claims)
-    return Verdict([Finding(*row) for row in rows])
+    rows, is_cancelled = _core.verify(points, faces, new_points, new_faces, claims, function_of("progress", progress))
+    return Verdict([Finding(*row[:5], None if row[4] or row[5] is None else tuple(row[5])) for row in rows],
+                   is_cancelled)
 
 
 def _surface(name, given):

@@ -147,6 +147,10 @@ public:
     return DistancePoint(to(q.x()), to(q.y()), to(q.z()));
   }
 
+  DistancePoint from(const DistancePoint& p) const {
+    return DistancePoint(from(p.x()), from(p.y()), from(p.z())) + origin_;
+  }
+
   void apply(DistanceSurface& surface) const {
     for (DistancePoint& p : surface.vertices)
       p = to(p);

@@ -2,64 +2,98 @@
 #define QUADRILLE_INTERNAL_VERIFY_CHECKED_DISTANCE_H
 
 #include <quadrille/internal/distance/distance_surface.h>
+#include <quadrille/internal/verify/allowed_faces.h>
+#include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
-
-#include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/Surface_mesh.h>
+#include <quadrille/internal/verify/greatest_excess.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace quadrille::internal {
 
-/// The distances between two surfaces, one way and the other, as CGAL bounds them.
+/// How far an input and its result are apart, one way and the other, beyond tolerances of the
+/// input's vertices, of which a face has the least of its corners.
 class CheckedDistance {
 public:
-  /// Throws std::invalid_argument where one has no face.
-  CheckedDistance(const CheckedSurface& a, const CheckedSurface& b)
-      : frame_(box_of(a, b)), a_(faces_of(a)), b_(faces_of(b)), farthest_(diagonal(box_of(a, b))) {}
+  /// No tolerances: they are 0. Both surfaces have faces. Throws std::invalid_argument where
+  /// tolerances are not as many as the input has vertices, or no distances.
+  CheckedDistance(const CheckedSurface& input, const std::vector<double>& tolerances,
+                  const CheckedSurface& result, CheckProgress& progress)
+      : frame_(input.box() + result.box()), diagonal_(diagonal(input.box() + result.box())),
+        progress_(progress) {
+    if (!tolerances.empty())
+      require_tolerances(input, tolerances);
+    for (const Corners& corners : input.faces) {
+      const double tolerance = tolerance_of(corners, tolerances);
+      input_.push_back({triangle(input, corners), frame_.to(tolerance)});
+      least_ = (std::min)(least_, tolerance);
+    }
+    for (const Corners& corners : result.faces)
+      result_.push_back({triangle(result, corners), 0});
+  }
 
-  double diagonal_of_both() const { return farthest_; }
-  /// How far the points of `a` are from `b`, wrong by at most `error`.
-  double from_a(double error) const { return one_way(a_, b_, error); }
-  double from_b(double error) const { return one_way(b_, a_, error); }
+  double diagonal_of_both() const { return diagonal_; }
+  double least_tolerance() const { return least_; }
+
+  struct Measured {
+    double distance;
+    Vector<3> place; ///< where it was found
+  };
+
+  /// How far a point of an input face is from the result beyond the face's tolerance, at most. It
+  /// tells less than the truth by no more than `error`, and never more; 0 if none is beyond.
+  Measured of_input(double error) const { return excess(input_, result_, error); }
+
+  /// By how much a point of the result is beyond the tolerance of each face of the input. The same.
+  Measured of_result(double error) const { return excess(result_, input_, error); }
 
 private:
-  using Mesh = CGAL::Surface_mesh<DistancePoint>;
+  using Faces = std::vector<AllowedFaces::Face>;
 
-  static CGAL::Bbox_3 box_of(const CheckedSurface& a, const CheckedSurface& b) {
-    if (a.faces.empty() || b.faces.empty())
-      throw std::invalid_argument("quadrille::verify: a surface without faces is at no distance");
-    return a.box() + b.box();
+  static void require_tolerances(const CheckedSurface& input,
+                                 const std::vector<double>& tolerances) {
+    if (tolerances.size() != input.points.size())
+      throw std::invalid_argument(
+          "quadrille::verify: there are not as many tolerances as vertices of the input");
+    if (std::any_of(tolerances.begin(), tolerances.end(), [](double t) { return !(t >= 0); }))
+      throw std::invalid_argument("quadrille::verify: a tolerance is not a distance");
+  }
+  static double tolerance_of(const Corners& corners, const std::vector<double>& of_vertex) {
+    if (of_vertex.empty())
+      return 0;
+    return (std::min)({of_vertex[corners[0]], of_vertex[corners[1]], of_vertex[corners[2]]});
   }
 
-  // As faces that have no vertex in common: a surface may be non-manifold.
-  Mesh faces_of(const CheckedSurface& surface) const {
-    Mesh mesh;
-    const auto vertex = [&](std::size_t v) {
+  DistanceTriangle triangle(const CheckedSurface& surface, const Corners& corners) const {
+    const auto point = [&](std::size_t v) {
       const auto& p = surface.points[v];
-      return mesh.add_vertex(frame_.to(DistancePoint(p.x(), p.y(), p.z())));
+      return frame_.to(DistancePoint(p.x(), p.y(), p.z()));
     };
-    for (const auto& [a, b, c] : surface.faces) {
-      const auto first = vertex(a), second = vertex(b), third = vertex(c);
-      mesh.add_face(first, second, third);
-    }
-    return mesh;
+    return {point(corners[0]), point(corners[1]), point(corners[2])};
   }
 
-  double one_way(const Mesh& from, const Mesh& to, double error) const {
-    if (farthest_ == 0)
-      return 0; // all is one point, which CGAL does not measure
-    const double distance =
-        CGAL::Polygon_mesh_processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(
-            from, to, (std::max)(frame_.to(error), 0x1p-40));
-    return (std::min)(frame_.from(distance), farthest_);
+  /// Only one of both allows more than 0: that of the input.
+  Measured excess(const Faces& from, const Faces& to, double error) const {
+    const AllowedFaces near(to);
+    GreatestExcess greatest(near, (std::max)(frame_.to(error), 0x1p-40), progress_);
+    for (const AllowedFaces::Face& face : from)
+      greatest.look_at_corners(face.triangle, face.allowance);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      progress_.at(static_cast<double>(i) / static_cast<double>(from.size()));
+      greatest.look_at(from[i].triangle, from[i].allowance);
+    }
+    const DistancePoint place = frame_.from(greatest.place());
+    return {frame_.from(greatest.greatest()), {{place.x(), place.y(), place.z()}}};
   }
 
   DistanceFrame frame_;
-  Mesh a_, b_;
-  double farthest_;
+  double diagonal_, least_ = std::numeric_limits<double>::infinity();
+  CheckProgress& progress_;
+  Faces input_, result_;
 };
 
 } // namespace quadrille::internal

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_VERIFY_GREATEST_EXCESS_H
 
 #include <quadrille/internal/verify/allowed_faces.h>
+#include <quadrille/internal/verify/check_progress.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -22,16 +23,25 @@ namespace quadrille::internal {
 class GreatestExcess {
 public:
   /// `error`: by how much less than the truth it may tell; positive.
-  GreatestExcess(const AllowedFaces& faces, double error) : faces_(faces), error_(error) {}
+  GreatestExcess(const AllowedFaces& faces, double error, CheckProgress& progress)
+      : faces_(faces), error_(error), progress_(progress) {}
 
   double greatest() const { return greatest_; }
+  /// The point that has it, if any does.
+  const DistancePoint& place() const { return place_; }
 
-  /// Takes in a triangle of which the points may be further by `allowance`.
-  void look_at(const DistanceTriangle& t, double allowance) {
+  /// Takes in the corners of a triangle of which the points may be further by `allowance`. To take
+  /// those of all triangles first makes what follows faster.
+  void look_at_corners(const DistanceTriangle& t, double allowance) {
     for (int i = 0; i < 3; ++i)
       measure(t[i], allowance);
+  }
+
+  /// Takes in all points of it.
+  void look_at(const DistanceTriangle& t, double allowance) {
     pieces_.push_back({{t[0], t[1], t[2]}, 0});
     while (!pieces_.empty()) {
+      progress_.step();
       const Piece piece = std::move(pieces_.back());
       pieces_.pop_back();
       look_at(piece, allowance);
@@ -50,7 +60,10 @@ private:
   double measure(const DistancePoint& p, double allowance) {
     const auto [face, excess] = faces_.nearest(p, guess_);
     guess_ = face;
-    greatest_ = (std::max)(greatest_, excess - allowance);
+    if (excess - allowance > greatest_) {
+      greatest_ = excess - allowance;
+      place_ = p;
+    }
     return excess - allowance;
   }
 
@@ -150,6 +163,8 @@ private:
 
   const AllowedFaces& faces_;
   double error_, greatest_ = 0;
+  CheckProgress& progress_;
+  DistancePoint place_{0, 0, 0};
   std::size_t guess_ = 0;
   std::vector<Piece> pieces_;
 };

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_VERIFY_INTERSECTING_PAIRS_H
 #define QUADRILLE_INTERNAL_VERIFY_INTERSECTING_PAIRS_H
 
+#include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
 
 #include <CGAL/box_intersection_d.h>
@@ -20,18 +21,27 @@ class IntersectingPairs {
 public:
   explicit IntersectingPairs(const CheckedSurface& surface) : surface_(surface) {}
 
+  struct Found {
+    std::size_t count = 0;
+    std::size_t first = 0; ///< the lowest number of a face that intersects, if there is any
+  };
+
   /// By a sweep over the boxes of the faces: O(n log³ n + k) for k pairs of boxes that meet.
-  std::size_t count() const {
+  Found find(CheckProgress& progress) const {
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
     std::vector<Box> boxes;
     for (std::size_t face = 0; face < surface_.faces.size(); ++face)
       if (const auto triangle = surface_.triangle(face); !triangle.is_degenerate())
         boxes.emplace_back(triangle.bbox(), face);
-    std::size_t count = 0;
+    Found found{0, surface_.faces.size()};
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      count += intersect(a.info(), b.info());
+      progress.step();
+      if (!intersect(a.info(), b.info()))
+        return;
+      ++found.count;
+      found.first = (std::min)({found.first, a.info(), b.info()});
     });
-    return count;
+    return found;
   }
 
 private:

@@ -1,0 +1,161 @@
+#ifndef QUADRILLE_INTERNAL_VERIFY_MATCHED_PARTS_H
+#define QUADRILLE_INTERNAL_VERIFY_MATCHED_PARTS_H
+
+#include <quadrille/internal/verify/solid_parts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Parts of two solids, some of which lie in others: which has become which?
+///
+/// They are matched by where they are: of all that are left, each time those two that are nearest
+/// to each other. Where parts lie close together, like the shells of an onion, and have been
+/// changed by more than that, this says little. So if they can be matched in such a way that all of
+/// them keep handles, sides and what they lie in, and the parts are hardly further apart that way,
+/// that is the answer.
+class MatchedParts {
+public:
+  MatchedParts(const std::vector<SolidPart>& before, const std::vector<SolidPart>& after)
+      : before_(before), after_(after) {}
+
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// Of each part before, the part after that it has become, or none.
+  std::vector<std::size_t> match() {
+    std::vector<std::size_t> by_place(before_.size(), none);
+    match_nearest(all(before_), all(after_), by_place);
+    const std::optional<std::vector<std::size_t>> alike = matched_alike();
+    return alike && distance(*alike) <= hardly_further * distance(by_place) ? *alike : by_place;
+  }
+
+private:
+  using Numbers = std::vector<std::size_t>;
+  static constexpr double hardly_further = 1.5;
+
+  /// Parts by what they have to keep: handles, side, and the kinds of those that lie in them.
+  using Kind = std::tuple<std::ptrdiff_t, int, Numbers>;
+  using Kinds = std::map<Kind, std::size_t>;
+  struct Forest {
+    Numbers kinds;
+    std::vector<Numbers> children; ///< of each part, and of none behind them
+  };
+
+  static Numbers all(const std::vector<SolidPart>& parts) {
+    Numbers numbers(parts.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    return numbers;
+  }
+
+  double distance(std::size_t i, std::size_t j) const {
+    return before_[i].shape.apart(after_[j].shape);
+  }
+  double distance(const Numbers& images) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < images.size(); ++i)
+      if (images[i] != none)
+        sum += distance(i, images[i]);
+    return sum;
+  }
+
+  /// In rounds: who are nearest to each other are so among all, too.
+  void match_nearest(Numbers left, Numbers right, Numbers& images) const {
+    while (!left.empty() && !right.empty()) {
+      Numbers of_left(left.size()), of_right(right.size());
+      for (std::size_t i = 0; i < left.size(); ++i)
+        of_left[i] = nearest(right, [&](std::size_t j) { return distance(left[i], j); });
+      for (std::size_t j = 0; j < right.size(); ++j)
+        of_right[j] = nearest(left, [&](std::size_t i) { return distance(i, right[j]); });
+      Numbers rest, rest_of_right;
+      for (std::size_t i = 0; i < left.size(); ++i)
+        if (of_right[of_left[i]] == i)
+          images[left[i]] = right[of_left[i]];
+        else
+          rest.push_back(left[i]);
+      for (std::size_t j = 0; j < right.size(); ++j)
+        if (of_left[of_right[j]] != j)
+          rest_of_right.push_back(right[j]);
+      left = std::move(rest);
+      right = std::move(rest_of_right);
+    }
+  }
+
+  template <class Distance>
+  static std::size_t nearest(const Numbers& to, Distance distance) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < to.size(); ++i)
+      if (const double d = distance(to[i]); d < least) {
+        least = d;
+        best = i;
+      }
+    return best;
+  }
+
+  /// Each part lies in the innermost of those around it.
+  static Forest forest(const std::vector<SolidPart>& parts, Kinds& kinds) {
+    const auto depth = [&](std::size_t i) { return parts[i].around.size(); };
+    Forest result{Numbers(parts.size()), std::vector<Numbers>(parts.size() + 1)};
+    Numbers deepest_first = all(parts);
+    std::stable_sort(deepest_first.begin(), deepest_first.end(),
+                     [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+    for (const std::size_t i : deepest_first) {
+      const Numbers& around = parts[i].around;
+      const auto parent = std::max_element(around.begin(), around.end(),
+                                           [&](auto a, auto b) { return depth(a) < depth(b); });
+      result.children[parent == around.end() ? parts.size() : *parent].push_back(i);
+      Numbers inside;
+      for (const std::size_t child : result.children[i])
+        inside.push_back(result.kinds[child]);
+      std::sort(inside.begin(), inside.end());
+      const Kind kind(parts[i].euler_number, parts[i].shape.orientation(), std::move(inside));
+      result.kinds[i] = kinds.try_emplace(kind, kinds.size()).first->second;
+    }
+    return result;
+  }
+
+  /// From the outermost inward, those of one kind by where they are; nothing if that cannot be.
+  std::optional<Numbers> matched_alike() const {
+    Kinds kinds;
+    const Forest left = forest(before_, kinds), right = forest(after_, kinds);
+    Numbers images(before_.size(), none);
+    std::vector<std::pair<std::size_t, std::size_t>> parents{{before_.size(), after_.size()}};
+    while (!parents.empty()) {
+      const auto [a, b] = parents.back();
+      parents.pop_back();
+      const auto of_left = by_kind(left, a), of_right = by_kind(right, b);
+      for (const auto& [kind, numbers] : of_left) {
+        const auto other = of_right.find(kind);
+        if (other == of_right.end() || other->second.size() != numbers.size())
+          return std::nullopt;
+        match_nearest(numbers, other->second, images);
+        for (const std::size_t i : numbers)
+          parents.emplace_back(i, images[i]);
+      }
+      if (of_left.size() != of_right.size())
+        return std::nullopt;
+    }
+    return images;
+  }
+  static std::map<std::size_t, Numbers> by_kind(const Forest& forest, std::size_t parent) {
+    std::map<std::size_t, Numbers> result;
+    for (const std::size_t child : forest.children[parent])
+      result[forest.kinds[child]].push_back(child);
+    return result;
+  }
+
+  const std::vector<SolidPart>& before_;
+  const std::vector<SolidPart>& after_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_VERIFY_MATCHED_PARTS_H
