@@ -10,6 +10,7 @@ if [ $# -ne 1 ] || [ ! -x "$program" ]; then
   exit 2
 fi
 case $program in /*) ;; *) program=$PWD/$program ;; esac
+parts_mk=$(cd "$(dirname "$0")/../examples/by_parts" && pwd)/parts.mk
 # shellcheck source=sheet_gltf.sh
 . "$(dirname "$0")/sheet_gltf.sh"
 
@@ -1240,6 +1241,16 @@ for step in cut 0 0 close; do
   if [ $step = close ]; then expect stdout '^0$'; else expect stdout '^1$'; fi
 done
 expect_same out.ply expected.ply
+# The same by make, which goes on where it was interrupted.
+if command -v make >/dev/null; then
+  rm out.ply
+  # shellcheck disable=SC2086
+  run 0 $by_steps cut
+  make -s -j 2 -f "$parts_mk" RUN="$program ${by_steps% --step}" >stdout 2>stderr || fail "make: status $?"
+  expect_nothing stderr
+  expect_same out.ply expected.ply
+  [ ! -e scratch ] || fail "the folder is still there after make"
+fi
 # shellcheck disable=SC2086
 run 0 $by_steps cut
 # shellcheck disable=SC2086
