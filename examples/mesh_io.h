@@ -16,11 +16,11 @@
 
 namespace quadrille_examples {
 
-/// When vertices at exactly the same place become one.
+/// Which vertices at exactly the same place become one. Where they differ by what they have, there
+/// is a seam: see IndexedMesh::value_triangles.
 enum class Weld {
-  loose_faces, ///< only where no two faces share a vertex, so that there is no surface yet, and
-               ///< only if they have the same colour, texture coordinate and named numbers
-  always
+  surfaces, ///< those of one surface, edge by edge: see SurfaceJoining
+  places    ///< all of them
 };
 
 /// Reads a mesh, from standard input if the path is "-"; polygons are triangulated. Throws
@@ -28,19 +28,15 @@ enum class Weld {
 /// cut off or broken: nothing is read in part. What can be left out without harm is left out, and
 /// told in `IndexedMesh::remarks`: faces of fewer than three corners, vertices that are not finite
 /// and that no face uses. What an IndexedMesh has no place for is told in `IndexedMesh::losses`.
-/// Vertices that are to be welded always are so if they are no further from each other than the
+/// With Weld::places vertices are also one if they are no further from each other than the
 /// tolerance.
 IndexedMesh read_mesh(const std::filesystem::path& path, const MeshFormat& format,
-                      Weld weld = Weld::loose_faces, const Amount& tolerance = {});
-IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld = Weld::loose_faces);
+                      Weld weld = Weld::surfaces, const Amount& tolerance = {});
+IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld = Weld::surfaces);
 
 /// The same of a file that is in memory.
-IndexedMesh read_mesh(const Source& source, const MeshFormat& format, Weld weld = Weld::loose_faces,
+IndexedMesh read_mesh(const Source& source, const MeshFormat& format, Weld weld = Weld::surfaces,
                       const Amount& tolerance = {});
-
-/// How many boundary edges lie at the place of another boundary edge of other vertices: along such
-/// seams a surface is cut.
-std::size_t count_open_seams(const IndexedMesh& mesh);
 
 /// Takes out of a mesh what a format does not hold, and tells it in `IndexedMesh::losses`; but
 /// colours and texture coordinates, which are told, stay.

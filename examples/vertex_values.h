@@ -24,10 +24,18 @@ struct VertexValues {
     if (of_points.empty())
       return;
     corners.values = std::move(of_points);
-    corners.triples = mesh.triangles;
+    corners.triples = value_triangles(mesh);
   }
 
   bool empty() const { return corners.empty(); }
+
+  /// Appends those of a corner.
+  void append_corner(std::size_t face, std::size_t i, std::vector<double>& row) const {
+    if (!empty()) {
+      const std::array<double, N>& value = corners.values[corners.triples[face][i]];
+      row.insert(row.end(), value.begin(), value.end());
+    }
+  }
 
   /// One for each point of the mesh that is left.
   std::vector<std::array<double, N>> of_points(const IndexedMesh& mesh) const {
@@ -47,11 +55,14 @@ struct VertexValues {
 class VertexNumbers {
 public:
   explicit VertexNumbers(const IndexedMesh& mesh)
-      : points_(mesh.points), channel_of_(mesh.vertex_numbers.size()) {
-    for (std::size_t i = 0; i < channel_of_.size() && channels_.size() < most_channels; ++i)
-      if (is_smooth(mesh.vertex_numbers[i])) {
+      : points_(mesh.points), old_(mesh.vertex_numbers), channel_of_(old_.size()) {
+    for (std::size_t i = 0; i < old_.size() && channels_.size() < most_channels; ++i)
+      if (is_smooth(old_[i])) {
         channel_of_[i] = channels_.size();
-        channels_.emplace_back(components(mesh.vertex_numbers[i].values), mesh);
+        channels_.emplace_back(components(old_[i].values), mesh);
+        const auto range = std::minmax_element(old_[i].values.begin(), old_[i].values.end());
+        ranges_.push_back(old_[i].values.empty() ? std::pair(0., 0.)
+                                                 : std::pair(*range.first, *range.second));
       }
   }
 
@@ -61,13 +72,28 @@ public:
   /// become.
   void restore(IndexedMesh& mesh, const std::vector<std::size_t>& images) const {
     const std::vector<std::uint32_t> nearest = nearest_vertices(points_, images, mesh.points);
-    for (std::size_t i = 0; i < channel_of_.size(); ++i) {
-      NamedNumbers& numbers = mesh.vertex_numbers[i];
-      if (channel_of_[i])
-        restore_channel(mesh, channels_[*channel_of_[i]], numbers);
+    for (std::size_t k = 0; k < old_.size(); ++k) {
+      std::vector<double>& values = mesh.vertex_numbers[k].values;
+      values.clear();
+      if (channel_of_[k])
+        for (const auto& [value] : channels_[*channel_of_[k]].of_points(mesh))
+          values.push_back(restored(k, value));
       else
-        numbers.values = taken(numbers.values, nearest);
+        for (const std::uint32_t v : nearest)
+          values.push_back(old_[k].values[v]);
     }
+  }
+
+  /// Appends what a corner has of each: of those that are no channels what `nearest` had.
+  void append_corner(std::size_t face, std::size_t i, std::uint32_t nearest,
+                     std::vector<double>& row) const {
+    for (std::size_t k = 0; k < old_.size(); ++k)
+      if (channel_of_[k]) {
+        const CornerValues<1>& corners = channels_[*channel_of_[k]].corners;
+        row.push_back(restored(k, corners.values[corners.triples[face][i]][0]));
+      } else {
+        row.push_back(old_[k].values[nearest]);
+      }
   }
 
 private:
@@ -86,28 +112,16 @@ private:
     return result;
   }
 
-  /// In the range that there was, and of their type.
-  static void restore_channel(const IndexedMesh& mesh, const VertexValues<1>& channel,
-                              NamedNumbers& numbers) {
-    if (numbers.values.empty())
-      return;
-    const auto range = std::minmax_element(numbers.values.begin(), numbers.values.end());
-    const double low = *range.first, high = *range.second;
-    numbers.values.clear();
-    for (const auto& [value] : channel.of_points(mesh))
-      numbers.values.push_back(nearest_of(numbers.type, std::clamp(value, low, high)));
-  }
-
-  static std::vector<double> taken(const std::vector<double>& values,
-                                   const std::vector<std::uint32_t>& from) {
-    std::vector<double> result;
-    for (const std::uint32_t v : from)
-      result.push_back(values[v]);
-    return result;
+  /// A value of a channel in the range that there was, and of its type.
+  double restored(std::size_t k, double value) const {
+    const auto [low, high] = ranges_[*channel_of_[k]];
+    return nearest_of(old_[k].type, std::clamp(value, low, high));
   }
 
   std::vector<Point> points_; // as they were
+  std::vector<NamedNumbers> old_;
   std::vector<VertexValues<1>> channels_;
+  std::vector<std::pair<double, double>> ranges_;      // of these
   std::vector<std::optional<std::size_t>> channel_of_; // those that are channels
 };
 

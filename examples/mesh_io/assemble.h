@@ -9,6 +9,7 @@
 #include "indexed_mesh.h"
 #include "polygon_soup.h"
 #include "snap.h"
+#include "surface_joining.h"
 #include "text.h"
 #include "triangulate.h"
 #include "weld.h"
@@ -47,23 +48,16 @@ public:
     convert_normals();
     convert_numbers();
     triangulate();
-    drop_points_that_are_not_finite();
-    if (weld == Weld::always && tolerance.value > 0)
-      snap(length_of(tolerance, diagonal(mesh_.points, mesh_.triangles)));
-    if (weld == Weld::always || is_loose()) {
-      const Welded welded = weld_points(mesh_, weld);
-      remark(welded.vertices, "vertices welded to another at the same place");
-      if (welded.unlike > 0)
-        mesh_.losses.add("colours, texture coordinates or properties of welded vertices that "
-                         "differ from the first's: " +
-                         std::to_string(welded.unlike));
-    } else if (soup_.has_normals) {
-      remark(weld_split_normals(mesh_),
-             keeps_corners_
-                 ? "vertices that differed by their normals or texture coordinates only, made one"
-                 : "vertices that differed by their normals only, which are not kept, made one");
-    }
     drop_degenerate_triangles();
+    drop_points_that_are_not_finite();
+    if (weld == Weld::places && tolerance.value > 0)
+      snap(length_of(tolerance, diagonal(mesh_.points, mesh_.triangles)));
+    const std::vector<std::uint32_t> firsts =
+        weld == Weld::places ? first_at_places(mesh_.points)
+                             : SurfaceJoining::first_vertices(mesh_.points, mesh_.triangles);
+    remark(VertexJoining::join(mesh_, firsts), "vertices welded to another at the same place");
+    drop_degenerate_triangles();
+    remark(degenerate_triangles_, "triangles left out for having two equal corners");
     return std::move(mesh_);
   }
 
@@ -224,28 +218,17 @@ private:
     remark(dropped, "vertices without a face left out for not being finite");
   }
 
-  /// No two polygons share a vertex, as in a file of a format, or from a program, that knows no
-  /// indices.
-  bool is_loose() const {
-    std::vector<bool> is_used(mesh_.points.size());
-    for (const std::uint32_t corner : soup_.corners) {
-      if (is_used[corner])
-        return false;
-      is_used[corner] = true;
-    }
-    return soup_.polygon_ends.size() > 1;
-  }
-
   void drop_degenerate_triangles() {
     std::vector<bool> kept;
     for (const auto& [a, b, c] : mesh_.triangles)
       kept.push_back(a != b && b != c && c != a);
-    remark(keep_triangles(mesh_, kept), "triangles left out for having two equal corners");
+    degenerate_triangles_ += keep_triangles(mesh_, kept);
   }
 
   PolygonSoup soup_;
   const std::filesystem::path& path_;
-  bool keeps_corners_; // does the soup say what the corners of its polygons have?
+  std::size_t degenerate_triangles_ = 0; // that went
+  bool keeps_corners_;                   // does the soup say what the corners of its polygons have?
   IndexedMesh mesh_;
   std::vector<std::size_t> corners_; // of a polygon: where they are among those of the soup
   std::vector<Triangle> triangles_;  // of a polygon: which of these

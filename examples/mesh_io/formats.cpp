@@ -111,6 +111,8 @@ void fit_to_format(IndexedMesh& mesh, const MeshFormat& format) {
 
 std::string encoded(const std::filesystem::path& path, const IndexedMesh& mesh,
                     const MeshFormat& format) {
+  if (!mesh.value_triangles.empty())
+    return encoded(path, with_vertices_of_values(mesh), format);
   try {
     if (format.holds_attributes && !format.holds_corners && !mesh.corner_textures.empty())
       return format.encode(with_vertex_textures(mesh));

@@ -8,6 +8,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,11 @@ struct IndexedMesh {
   std::vector<Color> colors;                              ///< empty, or one per point
   ColorType color_type;                                   ///< in which the colours are
   std::vector<std::array<double, 2>> texture_coordinates; ///< empty, or one per point
-  CornerValues<2> corner_textures;                        ///< instead of these
+  /// Of each corner, the number of its colour, texture coordinate and vertex numbers, where they
+  /// have seams: the first of these are those of the points, further ones follow. Empty: there are
+  /// no others.
+  std::vector<std::array<std::uint32_t, 3>> value_triangles;
+  CornerValues<2> corner_textures; ///< instead of these
   CornerValues<3> corner_normals;
   FaceParts parts;                           ///< of the triangles
   std::vector<NamedNumbers> vertex_numbers;  ///< each of them one per point
@@ -46,6 +51,23 @@ struct IndexedMesh {
   Losses losses;                             ///< what the file has besides
   bool is_blank = true;                      ///< did the file hold neither a vertex nor a face?
 };
+
+/// Of each corner, the number of what a vertex has beside its place.
+inline const std::vector<std::array<std::uint32_t, 3>>& value_triangles(const IndexedMesh& mesh) {
+  return mesh.value_triangles.empty() ? mesh.triangles : mesh.value_triangles;
+}
+
+/// The point at which each of these numbers is.
+inline std::vector<Point> points_of_values(const IndexedMesh& mesh) {
+  std::vector<Point> points = mesh.points;
+  for (std::size_t face = 0; face < mesh.value_triangles.size(); ++face)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t value = mesh.value_triangles[face][i];
+      points.resize(std::max(points.size(), value + 1), Point(0, 0, 0));
+      points[value] = mesh.points[mesh.triangles[face][i]];
+    }
+  return points;
+}
 
 /// The name of the face number that holds the colours of facets of a binary STL file, as they are
 /// there: 0 where there is none.

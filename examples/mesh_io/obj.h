@@ -67,7 +67,6 @@ public:
     if (!soup_.colors.empty())
       soup_.colors.resize(soup_.points.size(), unset);
     soup_.parts = parts_.take();
-    soup_.has_normals = soup_.parts.has(&FacePart::has_normals);
     return std::move(soup_);
   }
 

@@ -83,7 +83,7 @@ private:
     if (lines_.peek_word() == "BINARY")
       lines_.fail("binary OFF is not supported");
     if (has_normals_)
-      soup_.tell_normals();
+      soup_.losses.add("normals");
   }
 
   std::uint64_t read_count(const char* what) {

@@ -267,7 +267,6 @@ private:
   void finish() {
     soup_.parts = parts_.take();
     if (!soup_.normal_table.empty()) {
-      soup_.has_normals = true;
       soup_.corner_normals = soup_.corners;
       for (FacePart& part : soup_.parts.parts)
         part.has_normals = true;

@@ -46,16 +46,8 @@ struct PolygonSoup {
   std::vector<std::string> texture_comments;
   std::string stl_header; ///< see IndexedMesh
 
-  bool has_normals = false;
-
   std::vector<std::string> remarks;
   Losses losses;
-
-  /// There are normals, which are not kept.
-  void tell_normals() {
-    has_normals = true;
-    losses.add("normals");
-  }
 
   /// Ends the polygon of the corners that have been appended since the last one.
   void end_polygon() { polygon_ends.push_back(corners.size()); }

@@ -3,7 +3,6 @@
 #include "assemble.h"
 #include "polygon_soup.h"
 #include "text.h"
-#include "weld.h"
 
 namespace quadrille_examples {
 
@@ -19,10 +18,6 @@ IndexedMesh read_mesh(const std::filesystem::path& path, const MeshFormat& forma
 
 IndexedMesh read_mesh(const std::filesystem::path& path, Weld weld) {
   return read_mesh(path, mesh_format(path), weld);
-}
-
-std::size_t count_open_seams(const IndexedMesh& mesh) {
-  return OpenSeams::count(mesh);
 }
 
 } // namespace quadrille_examples

@@ -12,6 +12,16 @@
 
 namespace quadrille_examples {
 
+/// The mesh with a vertex for each side of a seam of IndexedMesh::value_triangles.
+inline IndexedMesh with_vertices_of_values(IndexedMesh mesh) {
+  if (mesh.value_triangles.empty())
+    return mesh;
+  mesh.points = points_of_values(mesh);
+  mesh.triangles = std::move(mesh.value_triangles);
+  mesh.value_triangles.clear();
+  return mesh;
+}
+
 /// Gives a mesh with values at its corners one for each vertex, as many formats have them: a vertex
 /// at which they differ becomes several.
 template <std::size_t N>

@@ -46,8 +46,8 @@ public:
   void turn(IndexedMesh& mesh) const {
     for (std::size_t i = 0; i < is_against_.size(); ++i)
       if (is_against_[i])
-        for (auto* triples :
-             {&mesh.triangles, &mesh.corner_textures.triples, &mesh.corner_normals.triples})
+        for (auto* triples : {&mesh.triangles, &mesh.value_triangles, &mesh.corner_textures.triples,
+                              &mesh.corner_normals.triples})
           if (!triples->empty())
             std::swap((*triples)[i][1], (*triples)[i][2]);
   }

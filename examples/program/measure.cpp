@@ -34,7 +34,8 @@ quadrille::TexturedSoup textured_soup(const IndexedMesh& mesh) {
     if (has_corners && part && !part->has_textures)
       continue;
     const auto& [a, b, c] = mesh.triangles[t];
-    const auto& [p, q, r] = has_corners ? mesh.corner_textures.triples[t] : mesh.triangles[t];
+    const auto& [p, q, r] =
+        has_corners ? mesh.corner_textures.triples[t] : value_triangles(mesh)[t];
     soup.triangles.push_back({a, b, c});
     soup.coordinate_triangles.push_back({p, q, r});
     soup.labels.push_back(part ? part->material : 0);

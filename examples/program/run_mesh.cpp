@@ -33,13 +33,14 @@ void require_fit(const Options& options, const IndexedMesh& mesh) {
 }
 
 void take_scalars(Options& options, const IndexedMesh& mesh) {
-  const auto take = [&](const std::string& name, std::vector<double>& numbers) {
+  const auto take = [&](const std::string& name, std::vector<double>& numbers,
+                        bool (*is_ahead)(double, double)) {
     if (!name.empty())
-      numbers = vertex_numbers(mesh, name);
+      numbers = point_numbers(mesh, name, is_ahead);
   };
   try {
-    take(options.importance, options.importances);
-    take(options.target.tolerance, options.tolerances);
+    take(options.importance, options.importances, [](double a, double b) { return a > b; });
+    take(options.target.tolerance, options.tolerances, [](double a, double b) { return a < b; });
     if (!options.region.empty())
       options.selected = Region(mesh, options.region).faces();
   } catch (const std::invalid_argument& error) {
@@ -52,12 +53,6 @@ void print_remarks(const Options& options, const IndexedMesh& mesh) {
     print_remark(options, remark);
   if (!mesh.losses.empty())
     print_remark(options, "not kept: " + mesh.losses.text());
-  const std::size_t open = options.joins_pairs() || options.is_quiet ? 0 : count_open_seams(mesh);
-  if (open > 0)
-    print_remark(options,
-                 "boundary edges at the place of another one, along which cracks may open, "
-                 "since the two do not share their vertices (--weld makes them one): " +
-                     std::to_string(open));
 }
 
 void orient(const Options& options, IndexedMesh& mesh) {
@@ -141,9 +136,9 @@ public:
   bool run() {
     print_remark_of_memory(options_);
     progress_.show_stage("reading");
-    IndexedMesh mesh = read_mesh(options_.input, format_of(options_.input, options_),
-                                 options_.weld ? Weld::always : Weld::loose_faces,
-                                 options_.weld.value_or(Amount{}));
+    IndexedMesh mesh =
+        read_mesh(options_.input, format_of(options_.input, options_),
+                  options_.weld ? Weld::places : Weld::surfaces, options_.weld.value_or(Amount{}));
     require_fit(options_, mesh);
     take_scalars(options_, mesh); // OUT may not hold them
     fit_to_format(mesh, format_);

@@ -5,6 +5,7 @@
 #include "../bounding_box.h"
 #include "../mesh_io.h"
 #include "../mesh_io/replace_file.h"
+#include "../mesh_io/split_seams.h"
 #include "../page/file.h"
 #include "../page/gltf_scene.h"
 #include "../page/materials.h"
@@ -33,9 +34,9 @@ ShownMesh read_shown(const Options& options) {
   if (is_gltf(extension_of(options.input, options)))
     return GltfScene::read(options.input);
   ShownMesh shown;
-  shown.mesh =
-      read_mesh(options.input, format_of(options.input, options),
-                options.weld ? Weld::always : Weld::loose_faces, options.weld.value_or(Amount{}));
+  shown.mesh = with_vertices_of_values(read_mesh(options.input, format_of(options.input, options),
+                                                 options.weld ? Weld::places : Weld::surfaces,
+                                                 options.weld.value_or(Amount{})));
   ObjMaterials(options.input, shown.looks).read(shown.mesh.parts);
   read_ply_image(options.input, shown.mesh, shown.looks);
   return shown;

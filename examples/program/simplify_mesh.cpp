@@ -37,13 +37,29 @@ quadrille::Report simplify_positions(IndexedMesh& mesh, const quadrille::SoupOpt
   return report;
 }
 
+/// Of the values of each point, the one that is ahead.
+std::vector<double> values_ahead(const IndexedMesh& mesh, const std::vector<double>& values,
+                                 bool (*is_ahead)(double, double)) {
+  std::vector<double> result(values.begin(),
+                             values.begin() + static_cast<std::ptrdiff_t>(mesh.points.size()));
+  for (std::size_t face = 0; face < mesh.value_triangles.size(); ++face)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double value = values[mesh.value_triangles[face][i]];
+      double& ahead = result[mesh.triangles[face][i]];
+      if (is_ahead(value, ahead))
+        ahead = value;
+    }
+  return result;
+}
+
 } // namespace
 
-const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name) {
+std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& name,
+                                  bool (*is_ahead)(double, double)) {
   std::string names;
   for (const NamedNumbers& numbers : mesh.vertex_numbers) {
     if (numbers.name == name)
-      return numbers.values;
+      return values_ahead(mesh, numbers.values, is_ahead);
     names += (names.empty() ? "" : ", ") + in_quotes(numbers.name);
   }
   throw std::invalid_argument(

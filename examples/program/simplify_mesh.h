@@ -32,8 +32,10 @@ quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedM
                                       const Options& options, const quadrille::SoupOptions& soup,
                                       std::vector<std::size_t>* image);
 
-/// The numbers of vertices that have this name. Throws std::invalid_argument where there are none.
-const std::vector<double>& vertex_numbers(const IndexedMesh& mesh, const std::string& name);
+/// The numbers of points that have this name; at seams the one that is ahead of the others. Throws
+/// std::invalid_argument where there are none.
+std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& name,
+                                  bool (*is_ahead)(double, double));
 
 /// The options but for what depends on the soup.
 quadrille::SoupOptions soup_options(const Options& options);

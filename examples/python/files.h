@@ -6,6 +6,7 @@
 
 #include "../face_labels.h"
 #include "../mesh_io.h"
+#include "../mesh_io/split_seams.h"
 #include "arrays.h"
 
 #include <pybind11/stl.h>

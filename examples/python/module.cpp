@@ -293,7 +293,7 @@ void add_files(py::module_& m) {
   m.def(
       "read_mesh",
       [](const std::filesystem::path& path, bool welds) {
-        return read_mesh(path, welds ? Weld::always : Weld::loose_faces);
+        return with_vertices_of_values(read_mesh(path, welds ? Weld::places : Weld::surfaces));
       },
       py::call_guard<py::gil_scoped_release>());
   m.def("write_mesh", write_arrays);

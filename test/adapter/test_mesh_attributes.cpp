@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -332,4 +333,44 @@ TEST_CASE("Each face keeps its own, and the borders of regions hold", "[mesh_att
     for (const std::uint32_t v : mesh.triangles[face]) // the border is at x = 8
       CHECK((is_first ? mesh.points[v].x() < 8.5 : mesh.points[v].x() > 7.5));
   }
+}
+TEST_CASE("Sides of a seam keep their values, on one surface", "[mesh_attributes]") {
+  // The sheet in two halves, each with vertices of its own along the cut, another colour and label.
+  IndexedMesh mesh = sheet_with_numbers(16);
+  const auto side_of = [&](std::size_t face) {
+    const auto& t = mesh.triangles[face];
+    return mesh.points[t[0]].x() + mesh.points[t[1]].x() + mesh.points[t[2]].x() > 24;
+  };
+  mesh.value_triangles = mesh.triangles;
+  std::map<std::uint32_t, std::uint32_t> further;
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face)
+    for (std::uint32_t& corner : mesh.value_triangles[face])
+      if (side_of(face) && mesh.points[corner].x() == 8)
+        corner = further
+                     .try_emplace(corner,
+                                  static_cast<std::uint32_t>(mesh.points.size() + further.size()))
+                     .first->second;
+  const auto extend = [&](auto& values) { values.resize(mesh.points.size() + further.size()); };
+  extend(mesh.colors);
+  extend(mesh.texture_coordinates);
+  for (NamedNumbers& numbers : mesh.vertex_numbers)
+    extend(numbers.values);
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face)
+    for (const std::uint32_t value : mesh.value_triangles[face]) {
+      mesh.colors[value] = side_of(face) ? Color{1, 0, 0, 1} : Color{0, 0, 1, 1};
+      mesh.vertex_numbers[2].values[value] = side_of(face) ? 5 : 6;
+    }
+
+  simplify_channels(mesh, 0.25);
+  CHECK(mesh.triangles.size() <= 128);
+  REQUIRE(mesh.value_triangles.size() == mesh.triangles.size());
+  CHECK(mesh.colors.size() > mesh.points.size());
+  CHECK(mesh.vertex_numbers[2].values.size() == mesh.colors.size());
+  std::size_t mixed = 0;
+  for (const auto& [a, b, c] : mesh.value_triangles)
+    for (const std::uint32_t other : {b, c})
+      mixed += mesh.colors[a] != mesh.colors[other] ||
+               mesh.vertex_numbers[2].values[a] != mesh.vertex_numbers[2].values[other] ||
+               (mesh.colors[a][0] == 1) != (mesh.vertex_numbers[2].values[a] == 5);
+  CHECK(mixed == 0);
 }

@@ -4,6 +4,7 @@
 #include "../../mesh_attributes.h"
 #include "../../mesh_channels.h"
 #include "../../mesh_io.h"
+#include "../../mesh_io/split_seams.h"
 #include "../../page/attribute_recorder.h"
 #include "../../page/file.h"
 
@@ -32,7 +33,8 @@ public:
   /// Reads a file; its extension tells the format. Throws std::runtime_error with one line.
   void open(const std::string& name, std::string content) {
     ShownMesh shown;
-    shown.mesh = read_mesh(Source{name, std::move(content)}, mesh_format(name));
+    shown.mesh =
+        with_vertices_of_values(read_mesh(Source{name, std::move(content)}, mesh_format(name)));
     if (shown.mesh.triangles.empty())
       throw std::runtime_error(name + ": there are no faces");
     shown.looks.notes = shown.mesh.remarks;
