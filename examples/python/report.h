@@ -10,10 +10,14 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -52,25 +56,7 @@ inline UsedTolerance used_tolerance_of(const ToleranceNumbers& used) {
   return used ? UsedTolerance({std::get<0>(*used), std::get<1>(*used)}) : std::nullopt;
 }
 
-/// The same of a report.
-inline auto numbers_of(const quadrille::Report& report) {
-  const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
-               contractions, non_edge_contractions, components_before, components_after,
-               vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
-               doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               used_tolerance, volume_before, volume_after, self_intersections,
-               normal_bound_degrees, rejections, seconds] = report;
-  return std::tuple(faces_before, counted_faces, faces_after, vertices_before, vertices_after,
-                    contractions, non_edge_contractions, components_before, components_after,
-                    vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
-                    doubled_faces, doubled_labels, static_cast<int>(stop), error, distance_bound,
-                    hausdorff_bound, numbers_of(used_tolerance), volume_before, volume_after,
-                    pair_of(self_intersections), normal_bound_degrees, rejections,
-                    std::array{seconds.read, seconds.prepare, seconds.contract, seconds.write});
-}
-
 using StatusNumbers = decltype(numbers_of(quadrille::Status{}));
-using ReportNumbers = decltype(numbers_of(quadrille::Report{}));
 
 /// The value of an enumeration with so many. Throws if it is none.
 template <class Enum>
@@ -91,39 +77,111 @@ inline quadrille::Status status_of(const StatusNumbers& numbers) {
           diagonal,      progress,           value_of<quadrille::Stage>(stage, 3)};
 }
 
-inline quadrille::Report report_of(const ReportNumbers& numbers) {
+/// A bound, or None where it is infinite: JSON has no infinity.
+inline std::optional<double> finite(double bound) {
+  return std::isfinite(bound) ? std::optional(bound) : std::nullopt;
+}
+inline double bound_of(const std::optional<double>& number) {
+  return number.value_or(std::numeric_limits<double>::infinity());
+}
+
+inline py::dict counts_of(const std::array<std::size_t, quadrille::rejection_causes>& rejections) {
+  py::dict counts;
+  for (std::size_t cause = 0; cause < rejections.size(); ++cause)
+    if (rejections[cause] > 0)
+      counts[py::str(to_string(static_cast<quadrille::Rejection>(cause)))] = rejections[cause];
+  return counts;
+}
+
+/// All of a report by name, as JSON can have it. A member that is new does not compile here.
+inline py::dict dict_of(const quadrille::Report& report) {
+  using namespace py::literals;
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
                vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
                doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
                used_tolerance, volume_before, volume_after, self_intersections,
-               normal_bound_degrees, rejections, seconds] = numbers;
-  return {faces_before,
-          counted_faces,
-          faces_after,
-          vertices_before,
-          vertices_after,
-          contractions,
-          non_edge_contractions,
-          components_before,
-          components_after,
-          vanished_parts,
-          non_manifold_edges,
-          non_manifold_vertices,
-          duplicated_vertices,
-          doubled_faces,
-          doubled_labels,
-          value_of<quadrille::StopReason>(stop, 6),
-          error,
-          distance_bound,
-          hausdorff_bound,
-          used_tolerance_of(used_tolerance),
-          volume_before,
-          volume_after,
-          self_intersections_of(self_intersections),
-          normal_bound_degrees,
-          rejections,
-          {seconds[0], seconds[1], seconds[2], seconds[3]}};
+               normal_bound_degrees, rejections, seconds] = report;
+  return py::dict(
+      "faces_before"_a = faces_before, "counted_faces"_a = counted_faces,
+      "faces_after"_a = faces_after, "vertices_before"_a = vertices_before,
+      "vertices_after"_a = vertices_after, "contractions"_a = contractions,
+      "non_edge_contractions"_a = non_edge_contractions, "components_before"_a = components_before,
+      "components_after"_a = components_after, "vanished_parts"_a = vanished_parts,
+      "non_manifold_edges"_a = non_manifold_edges,
+      "non_manifold_vertices"_a = non_manifold_vertices,
+      "duplicated_vertices"_a = duplicated_vertices, "doubled_faces"_a = doubled_faces,
+      "doubled_labels"_a = doubled_labels, "stop"_a = to_string(stop),
+      "is_target_reached"_a = is_target_reached(stop), "error"_a = error,
+      "distance_bound"_a = finite(distance_bound), "hausdorff_bound"_a = finite(hausdorff_bound),
+      "used_tolerance"_a = numbers_of(used_tolerance), "volume_before"_a = volume_before,
+      "volume_after"_a = volume_after, "self_intersections"_a = pair_of(self_intersections),
+      "normal_bound_degrees"_a = normal_bound_degrees, "rejections"_a = counts_of(rejections),
+      "seconds"_a = py::dict("read"_a = seconds.read, "prepare"_a = seconds.prepare,
+                             "contract"_a = seconds.contract, "write"_a = seconds.write));
+}
+
+/// The value of an enumeration with so many that has this name. Throws if none has.
+template <class Enum>
+Enum named(std::string_view name, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (to_string(static_cast<Enum>(i)) == name)
+      return static_cast<Enum>(i);
+  throw py::value_error("this is no report: it has the unknown word '" + std::string(name) + "'");
+}
+
+/// What a dict has by a name. Throws if that is missing, or something else.
+template <class T>
+T member(const py::dict& dict, const char* name) {
+  if (!dict.contains(name))
+    throw py::value_error(std::string("this is no report: it has no ") + name);
+  try {
+    return dict[name].cast<T>();
+  } catch (const py::cast_error&) {
+    throw py::value_error(std::string("this is no report: its ") + name + " is " +
+                          py::repr(dict[name]).cast<std::string>());
+  }
+}
+
+inline quadrille::Report::Seconds seconds_of(const py::dict& dict) {
+  const auto second = [&](const char* name) { return member<double>(dict, name); };
+  return {second("read"), second("prepare"), second("contract"), second("write")};
+}
+
+/// The inverse of dict_of. Throws for what is none of these.
+inline quadrille::Report report_of(const py::dict& dict) {
+  const auto count = [&](const char* name) { return member<std::size_t>(dict, name); };
+  const auto real = [&](const char* name) { return member<std::optional<double>>(dict, name); };
+  quadrille::Report report{count("faces_before"),
+                           count("counted_faces"),
+                           count("faces_after"),
+                           count("vertices_before"),
+                           count("vertices_after"),
+                           count("contractions"),
+                           count("non_edge_contractions"),
+                           count("components_before"),
+                           count("components_after"),
+                           count("vanished_parts"),
+                           count("non_manifold_edges"),
+                           count("non_manifold_vertices"),
+                           count("duplicated_vertices"),
+                           count("doubled_faces"),
+                           count("doubled_labels"),
+                           named<quadrille::StopReason>(member<std::string>(dict, "stop"), 6),
+                           member<double>(dict, "error"),
+                           bound_of(real("distance_bound")),
+                           bound_of(real("hausdorff_bound")),
+                           used_tolerance_of(member<ToleranceNumbers>(dict, "used_tolerance")),
+                           real("volume_before"),
+                           real("volume_after"),
+                           self_intersections_of(member<OptionalPair>(dict, "self_intersections")),
+                           real("normal_bound_degrees"),
+                           {},
+                           seconds_of(member<py::dict>(dict, "seconds"))};
+  for (const auto& [cause, times] : member<std::map<std::string, std::size_t>>(dict, "rejections"))
+    report.rejections[static_cast<std::size_t>(
+        named<quadrille::Rejection>(cause, quadrille::rejection_causes))] = times;
+  return report;
 }
 
 inline std::string text_of(const quadrille::Report& report) {
@@ -145,6 +203,29 @@ inline void add_status(py::module_& m) {
       .def_readonly("progress", &Status::progress,
                     "which part is done, from 0 to 1; 1 at the end only")
       .def(py::pickle([](const Status& status) { return numbers_of(status); }, &status_of));
+}
+
+inline void add_dicts(py::class_<quadrille::Report>& report) {
+  using quadrille::Report;
+  const auto json = [](const char* name) { return py::module_::import("json").attr(name); };
+  report.def(py::pickle([](const Report& r) { return dict_of(r); }, &report_of))
+      .def(
+          "to_dict", [](const Report& r) { return dict_of(r); },
+          "All of it by name, with nothing but what JSON has: an infinite bound is None, and "
+          "seconds are told by phase.")
+      .def_static("from_dict", report_of, "The report that to_dict() has made this of.")
+      .def(
+          "to_json", [=](const Report& r) { return json("dumps")(dict_of(r)); },
+          "The same as a str.")
+      .def_static(
+          "from_json", [=](const py::str& text) { return report_of(json("loads")(text)); },
+          "The report that to_json() has made this of.")
+      .def("keys", [](const Report& r) { return dict_of(r).attr("keys")(); })
+      .def("__getitem__",
+           [](const Report& r, const char* name) { return dict_of(r).attr("__getitem__")(name); })
+      .def("__eq__", [](const Report& a, const py::object& b) {
+        return py::isinstance<Report>(b) && dict_of(a).equal(dict_of(b.cast<const Report&>()));
+      });
 }
 
 inline void add_report(py::module_& m) {
@@ -191,7 +272,7 @@ inline void add_report(py::module_& m) {
           "with normal_deviation")
       .def("__repr__", [](const Report& r) { return "<quadrille.Report: " + text_of(r) + '>'; })
       .def("__str__", text_of);
-  report.def(py::pickle([](const Report& r) { return numbers_of(r); }, &report_of));
+  add_dicts(report);
   report.def_property_readonly(
       "stop", [](const Report& r) { return to_string(r.stop); },
       "why it stopped: 'target met', 'target passed', 'no pair left', 'all pairs rejected', "
@@ -202,15 +283,7 @@ inline void add_report(py::module_& m) {
   report.def_property_readonly(
       "seconds", [](const Report& r) { return r.seconds.total(); }, "that it took");
   report.def_property_readonly(
-      "rejections",
-      [](const Report& r) {
-        py::dict counts;
-        for (std::size_t cause = 0; cause < quadrille::rejection_causes; ++cause)
-          if (r.rejections[cause] > 0)
-            counts[py::str(to_string(static_cast<quadrille::Rejection>(cause)))] =
-                r.rejections[cause];
-        return counts;
-      },
+      "rejections", [](const Report& r) { return counts_of(r.rejections); },
       "how many contractions were refused, by cause");
 }
 

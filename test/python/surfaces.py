@@ -1,6 +1,22 @@
-"""Surfaces to test the Python module with."""
+"""Surfaces to test the Python module with, and a folder for their files."""
+
+import os
+import tempfile
+import unittest
 
 import numpy as np
+
+
+class Folder(unittest.TestCase):
+    """Tests that write files."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
 
 
 def sheet(n, m=None):

@@ -7,7 +7,6 @@ import pickle
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -17,21 +16,7 @@ import numpy as np
 
 import quadrille
 from quadrille import _arrays
-from lookalikes import (IntVector, MeshioMesh, PolyData, Primitive, TextureVisuals, TriangleMesh, Trimesh,
-                        Vector2dVector, Vector3dVector, padded)
-from surfaces import sheet, torus, write_obj
-
-
-class Folder(unittest.TestCase):
-    """Tests that write files."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
+from surfaces import Folder, sheet, torus, write_obj
 
 
 class Results(Folder):
@@ -126,7 +111,8 @@ class Results(Folder):
                 quadrille.simplify(points, faces, tolerance=wrong)
         with self.assertRaisesRegex(ValueError, "the lower of both"):
             quadrille.simplify(points, faces, tolerance=tolerance, error=1.0)
-        few = quadrille.simplify(points, faces, faces=0)
+        with self.assertWarns(UserWarning):
+            few = quadrille.simplify(points, faces, faces=0)
         self.assertFalse(few.report.is_target_reached)
 
     def test_calibrated_limits_are_kept_and_go_further(self):
@@ -497,11 +483,11 @@ class Errors(unittest.TestCase):
             self.refused(message, p, bad)
 
     def test_options(self):
-        self.refused("beside a Mesh, .* is faces=1000$", quadrille.Mesh(self.points, self.faces), 1000)
+        self.refused("^triangles are given beside a Mesh", quadrille.Mesh(self.points, self.faces), self.faces)
         self.refused("^faces is 2.5, not an integer", faces=2.5)
         self.refused("^faces is -1, not in", faces=-1)
         self.refused("^ratio is 'half', not a number", ratio="half")
-        self.refused("ratio 2 is not in", ratio=2)
+        self.refused(r"^ratio is 2, not in \[0, 1\]", ratio=2)
         self.refused("limit -1 is not a distance", error=-1)
         self.refused("^cost is 'qem', not one of quadric, memoryless_quadric, thin_feature", cost="qem")
         self.refused("^placement is 3, not one of optimal", placement=3)
@@ -510,15 +496,15 @@ class Errors(unittest.TestCase):
         self.refused("^topology is", topology="kept?")
         self.refused("boundary_weight -1", boundary_weight=-1)
         self.refused("not in \\(0, 180\\]", normal_flip=0)
-        self.refused("needs GreedyOrder", no_self_intersection=True, order="relaxed")
+        self.refused("^no_self_intersection=True is for order='greedy'", no_self_intersection=True, order="relaxed")
         self.refused("0 degrees are not in", normal_deviation=0)
         self.refused("keep_solid keeps the topology", keep_solid=True, topology="free")
-        self.refused("more than one thread is for the relaxed order", threads=2)
+        self.refused("^more than one thread is for order='relaxed'", threads=2)
         self.refused("0 threads are not from 1 to 1024", threads=0, order="relaxed")
-        self.refused("crease_degrees are for the cost quadric", cost="edge_length", crease_degrees=20)
+        self.refused("^crease_degrees are for cost='quadric'", cost="edge_length", crease_degrees=20)
         self.refused("^weighting is 'by_hand', not one of by_area", weighting="by_hand")
         self.refused("line_weight -1 is negative", line_weight=-1)
-        self.refused("are for the cost quadric", line_weight=1, cost="memoryless_quadric")
+        self.refused("are for cost='quadric'", line_weight=1, cost="memoryless_quadric")
         self.refused("share 0 is not in", share=0, order="relaxed")
         self.refused("^progress is 3, which cannot be called", progress=3)
         for wrong in (dict(), dict(error=1), dict(both_ways=True, tolerance=np.ones(36)),
@@ -765,7 +751,7 @@ class Copies(Folder):
                       {k: v for k, v in vars(b).items() if k != "_source"})
         elif isinstance(a, (quadrille.Report, quadrille.Status)):
             for name in dir(a):
-                if not name.startswith("_"):
+                if not name.startswith("_") and not callable(getattr(a, name)):
                     self.assertEqual(getattr(a, name), getattr(b, name), name)
         else:
             self.assertEqual(a, b)
@@ -780,7 +766,7 @@ class Copies(Folder):
         points, faces, uv = torus(20)
         seen = []
         result = quadrille.simplify(points, faces, error=0.1, faces=100, uv=quadrille.Channel(*uv),
-                                    attributes={"x": points[:, 0]}, labels=faces[:, 0] % 3,
+                                    attributes={"x": points[:, 0]}, labels=faces[:, 0] // 200,
                                     progress=seen.append)
         self.assertLess(result.report.distance_bound, 0.2)
         for other in self.all_copies(result):
@@ -792,9 +778,8 @@ class Copies(Folder):
         for other in self.all_copies(seen[-1]):
             self.same(seen[-1], other)
         with self.assertRaises((ValueError, RuntimeError, TypeError)):
-            broken = list(result.report.__getstate__())
-            broken[15] = 77  # no reason to stop
-            quadrille.Report.__new__(quadrille.Report).__setstate__(tuple(broken))
+            broken = {**result.report, "stop": "whim"}
+            quadrille.Report.__new__(quadrille.Report).__setstate__(broken)
 
     def test_meshes_keep_what_a_file_says_of_faces(self):
         write_obj(self.path("a.obj"), *torus(12))
@@ -866,194 +851,6 @@ class Recordings(unittest.TestCase):
             quadrille.simplify(points, faces, levels=levels, progress=lambda status: 1 / 0)
         quadrille.simplify(points, faces, faces=90, levels=levels)  # it is free again
         self.assertEqual(levels.coarsest["faces"], 90)
-
-
-class OtherLibraries(Folder):
-    """Meshes of trimesh, Open3D, PyVista and meshio, by classes that look alike."""
-
-    def setUp(self):
-        super().setUp()
-        self.points, self.faces, self.uv = sheet(12)
-        self.heat, self.rgb = self.points[:, 2], np.tile(np.uint8([9, 99, 199]), (144, 1))
-        self.data = {"heat": self.heat, "rgb": self.rgb, "left": self.heat}
-        self.places = np.arange(len(self.faces))
-        self.small = quadrille.simplify(self.points, self.faces, ratio=0.25)
-        self.warm = quadrille.simplify(self.points, self.faces, ratio=0.25, attributes={
-            "heat": self.heat, "rgb": quadrille.Channel(self.rgb, kind="colors")})
-
-    def same(self, points, faces, expected):
-        self.assertTrue(np.array_equal(points, expected.points))
-        self.assertTrue(np.array_equal(faces, expected.faces))
-
-    def same_data(self, data, expected):
-        self.assertEqual(sorted(data), ["heat", "rgb"])
-        self.assertTrue(np.array_equal(data["heat"], expected.attributes["heat"]))
-        self.assertEqual(data["rgb"].dtype, np.uint8)
-        self.assertTrue((data["rgb"] == self.rgb[0]).all())
-
-    def test_trimesh(self):
-        mesh = Trimesh(self.points, self.faces.astype(np.int64), vertex_attributes=self.data,
-                       face_attributes={"place": self.places}, visual=TextureVisuals(self.uv, "skin"))
-        result = quadrille.simplify(mesh, ratio=0.25, attributes=["heat", "rgb"])
-        self.assertEqual(result.attributes["rgb"].kind, "colors")
-        like = result.to_like(mesh)
-        self.same(like.vertices, like.faces, self.warm)
-        self.assertEqual((like.faces.dtype, like.process, like.visual), (np.int64, False, None))
-        self.same_data(like.vertex_attributes, self.warm)
-        self.assertTrue(np.array_equal(like.face_attributes["place"], result.input_faces))
-        textured = quadrille.simplify(mesh, uv=self.uv, normals=self.points).to_like(mesh)
-        self.assertEqual((textured.visual.uv.shape[1], textured.visual.material), (2, "skin"))
-        self.assertEqual(textured.vertex_normals.shape, textured.vertices.shape)
-        colored = quadrille.simplify(mesh, colors=self.rgb)
-        self.assertTrue((colored.to_like(mesh).vertex_colors == self.rgb[0]).all())
-        colored.uv = colored.points[:, :2]
-        with self.assertWarnsRegex(UserWarning, "^Trimesh: not kept: colors$"):
-            colored.to_like(mesh)
-
-    def test_open3d(self):
-        mesh = TriangleMesh(self.points, self.faces.astype(np.int32))
-        like = quadrille.simplify(mesh, ratio=0.25).to_like(mesh)
-        self.assertIsInstance(like.vertices, Vector3dVector)
-        self.same(np.asarray(like.vertices), np.asarray(like.triangles), self.small)
-        mesh.textures = ["wood"]
-        corners = Vector2dVector(self.uv[self.faces].reshape(-1, 2))
-        result = quadrille.simplify(mesh, colors=Vector3dVector(self.rgb / 255), normals=self.points,
-                                    uv=(corners, np.arange(len(corners)).reshape(-1, 3)))
-        like = result.to_like(mesh)
-        self.assertTrue(np.array_equal(like.triangle_uvs, result.uv[0][result.uv[1]].reshape(-1, 2)))
-        self.assertTrue(np.allclose(like.vertex_colors, self.rgb[0] / 255))
-        self.assertEqual((len(like.vertex_normals), like.textures), (len(result.points), ["wood"]))
-        result.colors, result.uv = np.tile(self.rgb[0], (len(result.points), 1)), result.points[:, :2]
-        mesh.triangle_material_ids = IntVector(self.places.astype(np.int32))
-        like = result.to_like(mesh)
-        self.assertTrue(np.allclose(like.vertex_colors, self.rgb[0] / 255))
-        self.assertTrue(np.array_equal(like.triangle_uvs, result.uv[result.faces].reshape(-1, 2)))
-        self.assertTrue(np.array_equal(like.triangle_material_ids, result.input_faces))
-        like = self.small.to_like(mesh)
-        self.same(np.asarray(like.vertices), np.asarray(like.triangles), self.small)
-        result.attributes["heat"], result.labels = result.points[:, 2], result.input_faces
-        with self.assertWarnsRegex(UserWarning, "^TriangleMesh: not kept: heat, labels$"):
-            result.to_like(mesh)
-
-    def test_pyvista(self):
-        mesh = PolyData(self.points.astype(np.float32), padded(self.faces))
-        mesh.point_data, mesh.cell_data = self.data, {"place": self.places}
-        result = quadrille.simplify(mesh, ratio=0.25, attributes=["heat", "rgb"], uv=self.uv,
-                                    labels=self.places > 99)
-        like = result.to_like(mesh)
-        self.assertEqual((like.points.dtype, like.faces.dtype), (np.float32, np.int64))
-        self.assertTrue(np.array_equal(like.faces, padded(result.faces)))
-        self.same_data(like.point_data, result)
-        self.assertIs(like.active_texture_coordinates, result.uv)
-        self.assertTrue(np.array_equal(like.cell_data["place"], result.input_faces))
-        self.assertTrue(np.array_equal(like.cell_data["labels"], result.input_faces > 99))
-        levels = quadrille.Levels()
-        quadrille.simplify(mesh, faces=60, levels=levels)
-        level = levels.at(faces=100)
-        self.assertTrue(np.array_equal(level.to_like(mesh).cell_data["place"], level.input_faces))
-        plain = PolyData(self.points, self.faces)
-        like = self.small.to_like(plain)
-        self.same(like.points, like.faces, self.small)
-        regular = PolyData(self.points, None)
-        del regular.faces
-        regular.regular_faces = self.faces
-        self.same(*quadrille.simplify(regular, ratio=0.25), self.small)
-        for bad in (np.insert(self.faces[:, [0, 0, 1, 2]], 0, 4, axis=1).ravel(), padded(self.faces)[:-1],
-                    np.append(padded(self.faces), [4, 0, 1, 2, 3, 3, 0, 1]), self.faces[:, [0, 0, 1, 2]]):
-            with self.assertRaisesRegex(ValueError, r"^the PolyData has faces of other .* triangulate\(\)"):
-                quadrille.simplify(PolyData(self.points, bad))
-
-    def test_meshio(self):
-        cells = [("line", self.faces[:2, :2]), ("triangle", self.faces[:90]),
-                 ("triangle", self.faces[90:])]
-        mesh = MeshioMesh(self.points, cells, self.data,
-                          {"place": [np.zeros(2), self.places[:90], self.places[90:]]}, {"skin": [1, 2]})
-        result = quadrille.simplify(mesh, ratio=0.25, attributes=("heat", "rgb"))
-        like = result.to_like(mesh)
-        self.same(like.points, like.cells[0].data, self.warm)
-        self.assertEqual((len(like.cells), like.cells[0].type), (1, "triangle"))
-        self.same_data(like.point_data, self.warm)
-        self.assertTrue(np.array_equal(like.cell_data["place"][0], result.input_faces))
-        self.assertEqual(like.field_data, {"skin": [1, 2]})
-        mesh.cells.append(("quad", self.faces[:, [0, 0, 1, 2]]))
-        with self.assertRaisesRegex(ValueError, "^the Mesh.* has cells of the type quad: only triangles"):
-            quadrille.simplify(mesh)
-        del mesh.cells
-        mesh.cells_dict = {"triangle": self.faces}
-        self.same(*quadrille.simplify(mesh, ratio=0.25), self.small)
-
-    def test_whatever_takes_a_mesh_takes_theirs(self):
-        mesh = Trimesh(self.points, self.faces)
-        self.assertTrue(np.array_equal(quadrille.curvature_importance(mesh),
-                                       quadrille.curvature_importance(self.points, self.faces)))
-        for number, given in enumerate((mesh, (self.points, self.faces), [self.points, self.faces])):
-            quadrille.write_mesh(self.path(f"{number}.obj"), given)
-            self.same(*quadrille.read_mesh(self.path(f"{number}.obj")), quadrille.Mesh(*given)
-                      if number else quadrille.Mesh(self.points, self.faces))
-
-    def test_target_reduction(self):
-        points, faces, _ = torus(20)
-        fifth = quadrille.simplify(points, faces, target_reduction=0.8)
-        self.assertEqual(len(fifth.faces), 160)
-        self.same(*fifth, quadrille.simplify(points, faces, ratio=0.2))
-        for wrong in (0, 1, -0.5, 90, float("nan")):
-            with self.assertRaisesRegex(ValueError, r"^target_reduction is .*, not in \(0, 1\)"):
-                quadrille.simplify(points, faces, target_reduction=wrong)
-        for other in (dict(faces=9), dict(ratio=0.1), dict(vertices=9), dict(error=1),
-                      dict(relative_error=1), dict(tolerance=np.ones(len(points)))):
-            with self.assertRaisesRegex(ValueError, f"^target_reduction is given beside {list(other)[0]}"):
-                quadrille.simplify(points, faces, target_reduction=0.9, **other)
-
-    def test_errors(self):
-        mesh = PolyData(self.points, padded(self.faces))
-        mesh.point_data, mesh.cell_data = self.data, {"place": self.places}
-        with self.assertRaisesRegex(ValueError, "names 'cold', but the .* PolyData are: 'heat', 'rgb', 'l"):
-            quadrille.simplify(mesh, attributes=["cold"])
-        with self.assertRaisesRegex(TypeError, "is a str, not a dict .*, nor a list of names .* PolyData$"):
-            quadrille.simplify(mesh, attributes="heat")
-        with self.assertRaisesRegex(ValueError, "^triangles are given beside a PolyData, .* is faces=1000$"):
-            quadrille.simplify(mesh, 1000)
-        with self.assertRaisesRegex(TypeError, "^a Vector3dVector is no mesh of triangles of trimesh"):
-            self.small.to_like(Vector3dVector(self.points))
-        with self.assertRaisesRegex(TypeError, r"^a Primitive cannot be made of .*: give its to_mesh\(\)$"):
-            self.small.to_like(Primitive())
-        with self.assertRaisesRegex(TypeError, "^a Simplified is no mesh of another library"):
-            self.small.to_like(self.small)
-        with self.assertRaisesRegex(TypeError, "^levels is a list, not a Levels"):
-            quadrille.simplify(self.points, self.faces, levels=[])
-        with self.assertRaisesRegex(TypeError, "^attributes has the name 3, which is a int, not a str"):
-            quadrille.simplify(self.points, self.faces, attributes={3: self.heat})
-        with self.assertRaisesRegex(TypeError, "os.PathLike"):
-            quadrille.read_mesh(10**9)
-        with self.assertRaisesRegex(TypeError, "^a Folder is no Mesh, nor a mesh of triangles of trimesh"):
-            quadrille.simplify(Folder(), ratio=0.1)
-        mesh.celltypes = [10]
-        with self.assertRaisesRegex(TypeError, "extract_surface"):
-            quadrille.simplify(mesh, ratio=0.1)
-        del mesh.celltypes
-        mesh.n_strips = 1
-        with self.assertRaisesRegex(ValueError, r"^the PolyData has strips of triangles: triangulate\(\)"):
-            quadrille.simplify(mesh, ratio=0.1)
-        del mesh.n_strips
-        for places in (np.arange(243), self.places[:200]):
-            mesh.cell_data["place"] = places
-            with self.assertRaisesRegex(ValueError, rf"^place .* PolyData has {len(places)} values for 242"):
-                self.small.to_like(mesh)
-        other = PolyData(self.points, padded(self.faces[:200]))
-        other.cell_data = {"place": self.places[:200]}
-        with self.assertRaisesRegex(ValueError, "or it is not the mesh that was simplified$"):
-            self.small.to_like(other)
-        for given in (None, 3.5, self.points, (self.points,)):
-            with self.assertRaisesRegex(TypeError, "^mesh is a .*, not a Mesh, a pair"):
-                quadrille.write_mesh(self.path("x.obj"), given)
-        for given in ([1], self.heat, "heat"):
-            mesh = quadrille.Mesh(self.points, self.faces, attributes=given)
-            for call in (lambda: quadrille.simplify(self.points, self.faces, attributes=given),
-                         lambda: quadrille.simplify(mesh),
-                         lambda: quadrille.write_mesh(self.path("x.obj"), mesh)):
-                with self.assertRaisesRegex(TypeError, f"^attributes is an? {type(given).__name__}, not a"):
-                    call()
-        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Orientation(unittest.TestCase):

@@ -75,7 +75,7 @@ a, b, c = np.moveaxis(small.points[small.faces], 1, 0)
 volume = (a * np.cross(b, c)).sum() / 6
 assert abs(volume - 4 / 3 * np.pi) < 0.05, volume
 print("of a sphere of", len(faces), "faces", len(small.faces), "are left, of volume", volume)' "$folder/venv"
-for test in test_module.py test_policies.py; do
+for test in test_module.py test_policies.py test_libraries.py test_words.py; do
   PYTHONDONTWRITEBYTECODE=1 "$in_venv" -W error::DeprecationWarning "$folder/source/test/python/$test" 2> "$folder/log" ||
     { cat "$folder/log"; fail "$test fails"; }
   tail -n 3 "$folder/log"

@@ -1,33 +1,39 @@
 """Arrays as the compiled part wants them, and what is wrong with those that are not."""
 
+from __future__ import annotations
+
+from typing import Any, List, Optional, Tuple
+
 import numpy as np
 
+from ._forms import Array
 
-def _of_numbers(name, array, kinds, what):
-    array = np.asarray(array)
+
+def _of_numbers(name: str, given: Any, kinds: str, what: str) -> Array:
+    array: Array = np.asarray(given)
     if array.dtype.kind not in kinds and array.size > 0:
         raise ValueError(f"{name} has the type {array.dtype}, which is not of {what}")
     return array
 
 
-def real_rows(name, array, columns=None):
+def real_rows(name: str, given: Any, columns: Optional[int] = None) -> Array:
     """Of doubles in the order of C: the array itself if it is one already. One column may be flat."""
-    array = _of_numbers(name, array, "fiub", "real numbers")
+    array = _of_numbers(name, given, "fiub", "real numbers")
     if array.ndim == 1 and columns is None:
         array = array[:, np.newaxis]
     if array.size == 0 and array.ndim < 2:
         array = array.reshape(0, 3 if columns is None else columns)
     if array.ndim != 2 or (columns is not None and array.shape[1] != columns) or array.shape[1] == 0:
         raise ValueError(f"{name} has the shape {array.shape}, not (n, {columns or 'components'})")
-    doubles = np.ascontiguousarray(array, dtype=np.float64)
+    doubles: Array = np.ascontiguousarray(array, dtype=np.float64)
     if not np.isfinite(doubles).all():
         row = int(np.flatnonzero(~np.isfinite(doubles).all(axis=1))[0])
         raise ValueError(f"{name}[{row}] is not finite: {array[row]}")
     return doubles
 
 
-def _integers(name, array):
-    array = _of_numbers(name, array, "iu", "integers")
+def _integers(name: str, given: Any) -> Array:
+    array = _of_numbers(name, given, "iu", "integers")
     if array.dtype == np.uint32 and array.flags.c_contiguous:
         return array
     if array.size > 0 and int(array.min()) < 0:
@@ -39,17 +45,17 @@ def _integers(name, array):
     return np.ascontiguousarray(array, dtype=np.uint32)
 
 
-def _place(where):
+def _place(where: Array) -> Tuple[int, ...]:
     return tuple(int(i) for i in np.argwhere(where)[0])
 
 
-def index_triples(name, array, count, of_what):
+def index_triples(name: str, given: Any, count: int, of_what: str) -> Array:
     """Of 32 bits in the order of C, each below a count: the array itself where that is so already."""
-    array = np.asarray(array)
+    array: Array = np.asarray(given)
     if array.size == 0:
         array = np.empty((0, 3), np.uint32)
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name} has the shape {array.shape}, not (n, 3): it is of triangles")
+        raise ValueError(f"{name} has the shape {array.shape}, not (n, 3): {_of_other_shape(name, array)}")
     triples = _integers(name, array)
     if triples.size > 0 and int(triples.max()) >= count:
         row = _place(triples >= count)[0]
@@ -57,35 +63,40 @@ def index_triples(name, array, count, of_what):
     return triples
 
 
-def one_for_each(name, array, count, of_what):
-    """Integers of 32 bits."""
-    array = _integers(name, np.asarray(array))
-    if array.shape != (count,):
-        raise ValueError(f"{name} has the shape {array.shape}, not ({count},): one for each of the "
-                         f"{of_what}")
-    return array
+def _of_other_shape(name: str, array: Array) -> str:
+    """What it may be, and what helps."""
+    flat = array.reshape(-1)
+    if array.ndim <= 2 and array.size % 4 == 0 and (flat[::4] == 3).all():
+        rows = name if array.ndim == 2 else f"{name}.reshape(-1, 4)"
+        return f"it is padded as VTK has it, with a 3 before each triangle; {rows}[:, 1:] is what is wanted"
+    if array.ndim == 2 and array.shape[1] == 4:
+        return "it is of triangles, so cut quads in two, np.concatenate([q[:, :3], q[:, [0, 2, 3]]])"
+    if array.ndim == 3:
+        return ("these are coordinates of corners, and it is of indices: simplify(corners.reshape(-1, 3), "
+                "np.arange(3 * len(corners)).reshape(-1, 3), split_vertices=True)")
+    return "it is of triangles"
 
 
-def numbers(name, array, count, of="point"):
+def numbers(name: str, given: Any, count: int, of: str = "point") -> List[float]:
     """A list of real numbers, one for each of what `of` says."""
-    array = _of_numbers(name, array, "fiub", "real numbers")
+    array = _of_numbers(name, given, "fiub", "real numbers")
     if array.shape != (count,):
         raise ValueError(f"{name} has the shape {array.shape}, not ({count},): one for each {of}")
     return array.tolist()
 
 
-def factors(name, array, count):
+def factors(name: str, given: Any, count: int) -> List[float]:
     """The same of at least 0, one for each point."""
-    result = numbers(name, array, count)
+    result = numbers(name, given, count)
     for i, number in enumerate(result):
         if not 0 <= number < np.inf:
             raise ValueError(f"{name}[{i}] is {number}: negative or not finite")
     return result
 
 
-def mask(name, array, count, of="point"):
+def mask(name: str, given: Any, count: int, of: str = "point") -> List[bool]:
     """A list of booleans of a mask, or of indices of what `of` says."""
-    array = np.asarray(array)
+    array: Array = np.asarray(given)
     if array.dtype == bool:
         if array.shape != (count,):
             raise ValueError(f"{name} has the shape {array.shape}, not ({count},): it is a mask of "
@@ -102,7 +113,7 @@ def mask(name, array, count, of="point"):
     return result.tolist()
 
 
-def as_type(array, like):
+def as_type(array: Array, like: Any) -> Array:
     """Numbers in the type of an array: the nearest integers of integers."""
     if array.dtype == like:
         return array

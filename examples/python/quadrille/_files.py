@@ -11,11 +11,13 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
 from ._mesh import Channel, Mesh, as_mesh, read_channels
+from ._words import in_our_words
 
 _HARDLY = 1 / 64  # numbers of vertices may be noise
 
 
-def read_mesh(path: Union[str, os.PathLike], *, weld: bool = False) -> Mesh:
+@in_our_words
+def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh:
     """Reads a Mesh from a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension.
 
     Polygons are cut into triangles. Of OBJ and PLY, uv and normals are pairs (values, indices) of
@@ -52,10 +54,11 @@ def read_mesh(path: Union[str, os.PathLike], *, weld: bool = False) -> Mesh:
     return mesh
 
 
-def write_mesh(path: Union[str, os.PathLike],
+@in_our_words
+def write_mesh(path: Union[str, os.PathLike[str]],
                mesh: Union[Mesh, Tuple[ArrayLike, ArrayLike], _objects.MeshLike]) -> None:
     """Writes a Mesh to a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension. A pair (points,
-    faces) is written as well, or these of a mesh of trimesh, Open3D, PyVista or meshio.
+    faces) is written as well, or these of a mesh of trimesh, Open3D, PyVista, VTK or meshio.
 
     All of it or nothing: a file that is there stays if something goes wrong. A mesh of read_mesh(),
     and what simplify() has made of it, has its materials, groups and other properties of faces again;
@@ -81,7 +84,7 @@ def write_mesh(path: Union[str, os.PathLike],
         raise OSError(str(error)) from None
     lost += [losses] if losses else []
     if lost:
-        warnings.warn(f"{os.fspath(path)}: not kept: {', '.join(lost)}", stacklevel=2)
+        warnings.warn(f"{os.fspath(path)}: not kept: {', '.join(lost)}", stacklevel=3)
 
 
 def _add(arrays, channel, faces, lost):

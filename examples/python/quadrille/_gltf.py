@@ -5,25 +5,61 @@ from __future__ import annotations
 import inspect
 import os
 import warnings
-from typing import Any, Callable, Collection, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Collection, Optional, TypedDict, Union
 
 from . import _core
-from ._mesh import _choice
+from ._choices import (CostName, OrderName, PlacementName, SeamsName, TopologyName, WeightingName,
+                       choice)
+from ._missed import warn_if_missed
 from ._options import function_of, make_options
+from ._words import in_our_words
 
-_OPTIONS = frozenset(inspect.signature(make_options).parameters)
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+
+class GltfOptions(TypedDict, total=False):
+    """The options that simplify() has by these names, but for those with a value for each point or face."""
+
+    faces: Optional[int]
+    ratio: Optional[float]
+    target_reduction: Optional[float]
+    vertices: Optional[int]
+    error: Optional[float]
+    relative_error: Optional[float]
+    both_ways: bool
+    cost: Optional[CostName]
+    placement: Optional[PlacementName]
+    order: OrderName
+    threads: int
+    boundary_weight: float
+    crease_degrees: float
+    crease_weight: float
+    weighting: WeightingName
+    line_weight: float
+    normal_noise: float
+    position_noise: float
+    topology: Optional[TopologyName]
+    pairs_closer_than: float
+    normal_flip: float
+    normal_deviation: float
+    no_self_intersection: bool
+    keep_solid: bool
+    eager: bool
+    share: float
+    refresh: bool
 
 
 def simplify_gltf(
-    source: Union[str, os.PathLike],
-    target: Union[str, os.PathLike],
+    source: Union[str, os.PathLike[str]],
+    target: Union[str, os.PathLike[str]],
     /,
     *,
-    seams: Optional[str] = None,
+    seams: Optional[SeamsName] = None,
     labels: Collection[str] = (),
     stop: Optional[Callable[[_core.Status], bool]] = None,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
-    **options: Any,
+    **options: Unpack[GltfOptions],
 ) -> _core.Report:
     """Simplifies a glTF document, .gltf or .glb, and writes it to another file, or over the same.
 
@@ -45,7 +81,7 @@ def simplify_gltf(
              so on; lengths are in the unit of the scene. Not those with a value for each point or face
 
     Returns the Report of the whole scene. A remark, such as one on images that are files in another
-    folder, is a UserWarning.
+    folder, is a UserWarning, and so is a target that was missed.
 
     Raises OSError if a file can't be opened, and ValueError for what is wrong with the document or an
     option; TypeError for an option that it does not know. The target is written whole, or stays as it
@@ -53,15 +89,12 @@ def simplify_gltf(
     """
     if _gltf is None:
         raise NotImplementedError("this module was built without nlohmann_json, and knows no glTF")
-    unknown = sorted(set(options) - _OPTIONS)
-    if unknown:
-        raise TypeError(f"simplify_gltf() has no argument {unknown[0]!r}")
     source, target = os.fspath(source), os.fspath(target)
     for path in (source, target):
         if os.path.splitext(path)[1].lower() not in (".gltf", ".glb"):
             raise ValueError(f"{path} is neither .gltf nor .glb")
     made = make_options(**options)
-    seams_choice = None if seams is None else _choice("seams", seams, _core.Seams)
+    seams_choice = None if seams is None else choice("seams", seams, _core.Seams.__members__)
     with open(source, "rb"):
         pass
     try:
@@ -70,8 +103,11 @@ def simplify_gltf(
     except RuntimeError as error:
         raise ValueError(str(error)) from None
     for remark in remarks:
-        warnings.warn(remark, stacklevel=2)
+        warnings.warn(remark, stacklevel=3)
+    warn_if_missed(report, made, None, stop, stacklevel=3)
     return report
 
 
-_gltf = getattr(_core, "simplify_gltf", None)
+simplify_gltf.option_names = tuple(inspect.signature(make_options).parameters)  # type: ignore[attr-defined]
+simplify_gltf = in_our_words(simplify_gltf)
+_gltf: Any = getattr(_core, "simplify_gltf", None)

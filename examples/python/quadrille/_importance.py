@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Optional, Union
+from typing import Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
+from ._forms import Array
 from ._mesh import Mesh, as_mesh
+from ._words import in_our_words
+
+Surface = Union[ArrayLike, Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]]
 
 
-def curvature_importance(points: Union[ArrayLike, Mesh, _objects.MeshLike],
-                         triangles: Optional[ArrayLike] = None, /, *, strength: float = 3.0) -> np.ndarray:
+@in_our_words
+def curvature_importance(points: Surface, triangles: Optional[ArrayLike] = None, /, *,
+                         strength: float = 3.0) -> Array:
     """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
     curved: (1 + k / mean(k)) ** strength, where k**2 is the sum of the squares of both principal
     curvatures.
@@ -28,9 +33,9 @@ def curvature_importance(points: Union[ArrayLike, Mesh, _objects.MeshLike],
     return _core.curvature_importance(vertices, faces, float(strength))
 
 
-def view_importance(points: Union[ArrayLike, Mesh, _objects.MeshLike],
-                    triangles: Optional[ArrayLike] = None, /, *, eye: ArrayLike,
-                    turned_away: float = 1 / 64, outline: float = 8.0) -> np.ndarray:
+@in_our_words
+def view_importance(points: Surface, triangles: Optional[ArrayLike] = None, /, *, eye: ArrayLike,
+                    turned_away: float = 1 / 64, outline: float = 8.0) -> Array:
     """A number for each point, by which simplify(importance=...) leaves more faces where a surface is
     seen from a place: in proportion to distance ** -3, so that errors look alike large at any distance.
 

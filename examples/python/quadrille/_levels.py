@@ -6,12 +6,14 @@ import dataclasses
 import json
 import os
 import tempfile
-from typing import Any, Dict, Optional, Union
+from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _core
+from ._forms import Array
 from ._mesh import Mesh, set_channels
+from ._words import in_our_words
 
 
 @dataclasses.dataclass(eq=False, repr=False)
@@ -30,8 +32,8 @@ class Level(Mesh):
     distance_bound: float = float("inf")
     hausdorff_bound: float = float("inf")
     contractions: int = 0
-    input_points: Optional[np.ndarray] = None
-    input_faces: Optional[np.ndarray] = None
+    input_points: Array = None  # type: ignore[assignment] # Levels.at() gives it
+    input_faces: Array = None  # type: ignore[assignment] # the same
 
 
 class Levels:
@@ -52,10 +54,17 @@ class Levels:
 
     def __init__(self) -> None:
         self._levels = _core.Levels()
-        self._names: list = []
+        self._names: List[str] = []
 
     def __bool__(self) -> bool:
         return not self._levels.empty()
+
+    def __repr__(self) -> str:
+        if not self:
+            return "<quadrille.Levels: nothing recorded>"
+        finest, coarsest = self.finest, self.coarsest
+        text = f"{finest['faces']} to {coarsest['faces']} faces by {coarsest['contractions']} contractions"
+        return f"<quadrille.Levels: {', '.join([text, *self._names])}>"
 
     def __copy__(self) -> "Levels":
         levels = Levels()
@@ -75,6 +84,7 @@ class Levels:
             with open(path, "rb") as file:
                 return _levels_of, (file.read(),)
 
+    @in_our_words
     def at(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
            error: Optional[float] = None, distance: Optional[float] = None,
            contractions: Optional[int] = None) -> Level:
@@ -99,6 +109,7 @@ class Levels:
                              for name, (values, indices) in zip(self._names, arrays["channels"])})
         return level
 
+    @in_our_words
     def info(self, *, faces: Optional[int] = None, vertices: Optional[int] = None,
              error: Optional[float] = None, distance: Optional[float] = None,
              contractions: Optional[int] = None) -> Dict[str, Any]:
@@ -118,7 +129,7 @@ class Levels:
         """What info() tells of the last level."""
         return self._levels.coarsest()
 
-    def save(self, path: Union[str, os.PathLike]) -> None:
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes all of it to a file; one that is there is replaced once all is written. Programs in
         C++ read it with <quadrille/levels_file.h>. Raises OSError."""
         self._require_any()
@@ -128,7 +139,7 @@ class Levels:
             raise OSError(str(error)) from None
 
     @staticmethod
-    def load(path: Union[str, os.PathLike]) -> "Levels":
+    def load(path: Union[str, os.PathLike[str]]) -> "Levels":
         """Reads a file. Raises OSError if it can't be read, and ValueError if it is no file of levels,
         or a broken one."""
         with open(path, "rb"):

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
 from ._mesh import Mesh, as_mesh
-from ._options import function_of
+from ._options import function_of, read_number
+from ._words import in_our_words
 
 Surface = Union[Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]]
 
@@ -72,6 +73,7 @@ class Verdict:
         return f"Verdict({'; '.join(lines)})"
 
 
+@in_our_words
 def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: int = 0) -> Distance:
     """The distance between two surfaces, from points spread evenly over each of them (as Metro of Cignoni,
     Rocchini and Scopigno 1998) to the nearest point of the other; points of the mesh count for Hausdorff
@@ -79,7 +81,7 @@ def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: in
 
         quadrille.surface_distance(mesh, small).rms
 
-    a, b     each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista or meshio
+    a, b     each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista, VTK or meshio
     samples  on each surface: with 100,000 an RMS figure is good to about one per cent, and a Hausdorff
              figure is a lower bound
     seed     equal seeds give equal points, on every platform
@@ -90,6 +92,7 @@ def surface_distance(a: Surface, b: Surface, *, samples: int = 100_000, seed: in
     return Distance(*_core.surface_distance(*_surface("a", a), *_surface("b", b), samples, seed))
 
 
+@in_our_words
 def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
            distance_both_ways: Optional[float] = None, tolerance: Optional[ArrayLike] = None,
            no_self_intersection: bool = False, solid: bool = False,
@@ -101,7 +104,7 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
         small = quadrille.simplify(mesh, error=0.01, both_ways=True)
         assert quadrille.verify(mesh, small, distance_both_ways=0.01)
 
-    mesh, result          each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista or meshio
+    mesh, result          each a Mesh, a pair (points, faces), or a mesh of trimesh, Open3D, PyVista, VTK or meshio
     distance              no point of the result is further from the mesh than that, in the unit of the points:
                           report.distance_bound
     distance_both_ways    the same, and no point of the mesh is further from the result: report.hausdorff_bound
@@ -123,12 +126,14 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
     """
     (points, faces), (new_points, new_faces) = _surface("mesh", mesh), _surface("result", result)
     claims = _core.Claims()
-    claims.distance, claims.distance_both_ways = distance, distance_both_ways
+    claims.distance = None if distance is None else read_number("distance", distance)
+    if distance_both_ways is not None:
+        claims.distance_both_ways = read_number("distance_both_ways", distance_both_ways)
     if tolerance is not None:
         claims.tolerances = _arrays.numbers("tolerance", tolerance, len(points))
     claims.no_self_intersection, claims.solid = bool(no_self_intersection), bool(solid)
     if normal_deviation is not None:
-        claims.normal_deviation = float(normal_deviation)
+        claims.normal_deviation = read_number("normal_deviation", normal_deviation)
         claims.images = _images(getattr(result, "image", None) if image is None else image,
                                 len(points), len(new_points))
     rows, is_cancelled = _core.verify(points, faces, new_points, new_faces, claims, function_of("progress", progress))

@@ -9,9 +9,11 @@ from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, TypeVar
 import numpy as np
 
 from . import _arrays, _core, _objects
+from ._choices import KindName, NewValuesName, SeamsName, choice
+from ._forms import Array
 
-Like = TypeVar("Like", bound=_objects.MeshLike)
-Values = Union[np.ndarray, Tuple[np.ndarray, np.ndarray], "Channel"]
+Like = TypeVar("Like", bound=Union[_objects.MeshLike, Tuple[Any, Any], List[Any]])
+Values = Union[Array, Tuple[Array, Array], "Channel"]
 
 
 @dataclasses.dataclass(eq=False)
@@ -44,15 +46,15 @@ class Channel:
                   it is passed by
     """
 
-    values: np.ndarray
-    indices: Optional[np.ndarray] = None
+    values: Array
+    indices: Optional[Array] = None
     importance: float = 1.0
     weights: Optional[Sequence[float]] = None
-    seams: Optional[str] = None
+    seams: Optional[SeamsName] = None
     border_weight: Optional[float] = None
-    new_values: str = "optimal"
+    new_values: NewValuesName = "optimal"
     linear_light: bool = False
-    kind: Optional[str] = None
+    kind: Optional[KindName] = None
 
 
 @dataclasses.dataclass(eq=False)
@@ -72,32 +74,33 @@ class Mesh:
     A Mesh is unpacked to its points and faces: points, faces = mesh.
     """
 
-    points: np.ndarray
-    faces: np.ndarray
+    points: Array
+    faces: Array
     uv: Optional[Values] = None
     normals: Optional[Values] = None
     colors: Optional[Values] = None
     attributes: Dict[str, Values] = dataclasses.field(default_factory=dict)
-    labels: Optional[np.ndarray] = None
+    labels: Optional[Array] = None
     remarks: List[str] = dataclasses.field(default_factory=list)
     # The file that it was read from, and which of its faces each face is.
     _source: Any = dataclasses.field(default=None, repr=False)
-    _source_faces: Optional[np.ndarray] = dataclasses.field(default=None, repr=False)
+    _source_faces: Optional[Array] = dataclasses.field(default=None, repr=False)
 
-    def __iter__(self) -> Iterator[np.ndarray]:
+    def __iter__(self) -> Iterator[Array]:
         return iter((self.points, self.faces))
 
     def to_like(self, mesh: Like) -> Like:
-        """A new mesh of the class of the one given: of trimesh, Open3D, PyVista or meshio.
+        """A new mesh of the class of the one given: of trimesh, Open3D, PyVista, VTK or meshio; or a pair
+        (points, faces) for a pair.
 
             small = quadrille.simplify(mesh, target_reduction=0.9, attributes=["heat"]).to_like(mesh)
 
         Attributes are its vertex attributes (trimesh) or point data (PyVista, meshio) by their names.
         uv, normals and colors are what trimesh and Open3D have for them (uv with the material or the
-        textures of the mesh given), uv the active texture coordinates of PyVista; otherwise they are point
-        data of these names. Of a result of simplify() and a Level, all data of the cells or faces of the
-        mesh given, which has to be the one that was simplified, go to the faces that are left. Labels
-        become data of the faces as well.
+        textures of the mesh given), uv the active texture coordinates of PyVista and VTK; otherwise they are
+        point data of these names. Of a result of simplify() and a Level, all data of the cells or faces of the
+        mesh given, which has to be the one that was simplified, go to the faces that are left, and so do
+        colours of faces of trimesh. Labels become data of the faces as well.
 
         What there is no place for is told by a UserWarning, such as values at corners, of which only
         Open3D has uv. TypeError for what is no mesh of these libraries, and ValueError for one that is not
@@ -106,7 +109,10 @@ class Mesh:
         if isinstance(mesh, Mesh):
             raise TypeError(f"a {type(mesh).__name__} is no mesh of another library: this is one already")
         channels = {c.name: (np.asarray(c.channel.values), c.indices) for c in read_channels(self)}
-        result, lost = _objects.like(self, channels, mesh)
+        if is_pair(mesh):
+            result, lost = type(mesh)((self.points, self.faces)), list(channels)
+        else:
+            result, lost = _objects.like(self, channels, mesh)
         if lost:
             warnings.warn(f"{type(mesh).__name__}: not kept: {', '.join(lost)}", stacklevel=2)
         return result
@@ -128,8 +134,8 @@ class Simplified(Mesh):
     """
 
     report: _core.Report = None  # type: ignore[assignment] # simplify() gives it
-    image: Optional[np.ndarray] = None
-    input_faces: Optional[np.ndarray] = None
+    image: Optional[Array] = None
+    input_faces: Array = None  # type: ignore[assignment] # the same
 
 
 class ReadChannel:
@@ -139,7 +145,7 @@ class ReadChannel:
         point_count, faces = mesh_counts
         self.name, self.given = name, given
         self.channel = given if isinstance(given, Channel) else _channel_of(name, given)
-        self.kind = _choice(f"the kind of {name}", self.channel.kind or kind, _core.Kind)
+        self.kind = choice(f"the kind of {name}", self.channel.kind or kind, _core.Kind.__members__)
         columns = {_core.Kind.texture: 2, _core.Kind.normals: 3}.get(self.kind)
         self.type = np.asarray(self.channel.values).dtype
         self.is_flat = np.asarray(self.channel.values).ndim == 1
@@ -164,10 +170,10 @@ class ReadChannel:
         options.importance = float(channel.importance)
         options.weights = [float(weight) for weight in (() if channel.weights is None else channel.weights)]
         if channel.seams is not None:
-            options.seams = _choice(f"the seams of {self.name}", channel.seams, _core.Seams)
+            options.seams = choice(f"the seams of {self.name}", channel.seams, _core.Seams.__members__)
         if channel.border_weight is not None:
             options.border_weight = float(channel.border_weight)
-        options.new_values = _choice(f"new_values of {self.name}", channel.new_values, _core.NewValues)
+        options.new_values = choice(f"new_values of {self.name}", channel.new_values, _core.NewValues.__members__)
         options.linear_light = bool(channel.linear_light)
         return (self.kind, self.values, self.indices, options)
 
@@ -191,7 +197,7 @@ class ReadChannel:
         return values if self.indices is None else (values, indices)
 
 
-def turned(triples: np.ndarray, against: np.ndarray) -> np.ndarray:
+def turned(triples: Array, against: Array) -> Array:
     """A copy in which some are the other way round."""
     triples = triples.copy()
     triples[against] = triples[against][:, [0, 2, 1]]
@@ -226,13 +232,33 @@ def as_mesh(given: Any) -> Mesh:
     """A Mesh, a pair of points and faces, or points and faces of a mesh of another library."""
     if isinstance(given, Mesh):
         return given
-    if isinstance(given, (tuple, list)) and len(given) == 2:
+    if is_pair(given):
         return Mesh(np.asarray(given[0]), np.asarray(given[1]))
     mesh = _objects.read_object(given)
     if mesh is None:
-        raise TypeError(f"mesh is a {type(given).__name__}, not a Mesh, a pair (points, faces) or a mesh "
-                        "of trimesh, Open3D, PyVista or meshio")
+        raise no_mesh("mesh", given)
     return Mesh(mesh.points, mesh.faces)
+
+
+def is_pair(given: Any) -> bool:
+    """Points and faces in a tuple or list, and no list of two points."""
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        return False
+    return np.ndim(given[0]) == 2 or (np.ndim(given[0]) == 1 and len(given[0]) == 0)
+
+
+def no_mesh(name: str, given: Any) -> TypeError:
+    kind, hint = type(given).__name__, ""
+    if isinstance(given, (tuple, list)):
+        kind += f" of {len(given)}"
+    elif hasattr(given, "to_legacy"):
+        hint = ": its to_legacy() is one"
+    elif hasattr(given, "extract_surface") or hasattr(given, "celltypes"):
+        hint = ": extract_surface().triangulate() makes one"
+    elif hasattr(given, "geometry") and hasattr(given, "to_geometry"):
+        hint = ": its to_geometry(), or each of its geometry, is one"
+    return TypeError(f"{name} is a {kind}, not a Mesh, a pair (points, faces) or a mesh of triangles of trimesh, "
+                     f"Open3D, PyVista, VTK or meshio{hint}")
 
 
 def set_channels(mesh: Mesh, results: Dict[str, Values]) -> None:
@@ -257,10 +283,3 @@ def _are_bytes_of_colors(values):
 
 def _whole_of_colors(dtype):
     return np.iinfo(dtype).max if dtype in (np.uint8, np.uint16) else 1
-
-
-def _choice(name, value, enum):
-    members = enum.__members__
-    if value not in members:
-        raise ValueError(f"{name} is {value!r}, not one of {', '.join(members)}")
-    return members[value]

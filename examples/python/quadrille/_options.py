@@ -6,7 +6,7 @@ import operator
 from typing import Any, Callable, NamedTuple, Optional
 
 from . import _core
-from ._mesh import _choice
+from ._choices import CostName, OrderName, PlacementName, TopologyName, WeightingName, choice
 
 
 class Functions(NamedTuple):
@@ -27,18 +27,18 @@ def make_options(
     error: Optional[float] = None,
     relative_error: Optional[float] = None,
     both_ways: bool = False,
-    cost: Optional[str] = None,
-    placement: Optional[str] = None,
-    order: str = "greedy",
+    cost: Optional[CostName] = None,
+    placement: Optional[PlacementName] = None,
+    order: OrderName = "greedy",
     threads: int = 1,
     boundary_weight: float = 100.0,
     crease_degrees: float = 180.0,
     crease_weight: float = 100.0,
-    weighting: str = "by_area",
+    weighting: WeightingName = "by_area",
     line_weight: float = 0.0,
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
-    topology: Optional[str] = None,
+    topology: Optional[TopologyName] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
     normal_deviation: float = 180.0,
@@ -59,14 +59,16 @@ def make_options(
     if target_reduction is not None:
         options.ratio = _ratio_left(target_reduction, faces=faces, ratio=ratio, vertices=vertices,
                                     error=error, relative_error=relative_error)
+    if options.ratio is not None and not 0 <= options.ratio <= 1:
+        raise ValueError(f"ratio is {ratio!r}, not in [0, 1]: it is the part of the faces that stays")
     options.both_ways = bool(both_ways)
-    options.cost = _core.Cost.quadric if cost is None else _choice("cost", cost, _core.Cost)
-    options.weighting = _choice("weighting", weighting, _core.Weighting)
-    options.order = _choice("order", order, _core.Order)
+    options.cost = _core.Cost.quadric if cost is None else choice("cost", cost, _core.Cost.__members__)
+    options.weighting = choice("weighting", weighting, _core.Weighting.__members__)
+    options.order = choice("order", order, _core.Order.__members__)
     if placement is not None:
-        options.placement = _choice("placement", placement, _core.Placement)
+        options.placement = choice("placement", placement, _core.Placement.__members__)
     if topology is not None:
-        options.topology = _choice("topology", topology, _core.Topology)
+        options.topology = choice("topology", topology, _core.Topology.__members__)
     numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,
                    crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
                    line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
@@ -90,10 +92,15 @@ def read_count(name: str, value: Any) -> int:
     try:
         number = operator.index(value)
     except TypeError:
-        raise ValueError(f"{name} is {value!r}, not an integer") from None
+        raise ValueError(f"{name} is {value!r}, not an integer{_of_parts(name, value)}") from None
     if number < 0 or number >= 2**32:
         raise ValueError(f"{name} is {number}, not in [0, 2**32)")
     return number
+
+
+def _of_parts(name, value):
+    is_part = name == "faces" and isinstance(value, float) and 0 < value < 1
+    return f": a part of the faces is ratio={value!r}" if is_part else ""
 
 
 def read_number(name: str, value: Any) -> float:

@@ -8,13 +8,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
+from ._choices import CostName, HullName, OrderName, PlacementName, TopologyName, WeightingName
 from ._levels import Levels
-from ._mesh import Mesh, Simplified, Values, read_attributes, read_channels, set_channels, turned
+from ._mesh import (Mesh, Simplified, Values, is_pair, no_mesh, read_attributes, read_channels, set_channels,
+                    turned)
+from ._missed import warn_if_missed
 from ._options import Functions, function_of, make_options, read_number
+from ._words import about_number, in_our_words, with_names_of_channels
 
 
+@in_our_words
 def simplify(
-    points: Union[ArrayLike, Mesh, _objects.MeshLike],
+    points: Union[ArrayLike, Mesh, _objects.MeshLike, Tuple[ArrayLike, ArrayLike]],
     triangles: Optional[ArrayLike] = None,
     /,
     *,
@@ -28,25 +33,25 @@ def simplify(
     calibrated: bool = False,
     tolerance: Optional[ArrayLike] = None,
     stop: Optional[Callable[[_core.Status], bool]] = None,
-    cost: Optional[Union[str, Callable[[_core.Pair], float]]] = None,
-    placement: Optional[str] = None,
-    order: str = "greedy",
+    cost: Optional[Union[CostName, Callable[[_core.Pair], float]]] = None,
+    placement: Optional[PlacementName] = None,
+    order: OrderName = "greedy",
     threads: int = 1,
     boundary_weight: float = 100.0,
     crease_degrees: float = 180.0,
     crease_weight: float = 100.0,
-    weighting: str = "by_area",
+    weighting: WeightingName = "by_area",
     line_weight: float = 0.0,
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
-    topology: Optional[str] = None,
+    topology: Optional[TopologyName] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
     normal_deviation: float = 180.0,
     no_self_intersection: bool = False,
     keep_solid: bool = False,
     keep_volume: bool = False,
-    hull: Optional[str] = None,
+    hull: Optional[HullName] = None,
     filter: Optional[Callable[[_core.Contraction], bool]] = None,
     fixed: Optional[ArrayLike] = None,
     selected: Optional[ArrayLike] = None,
@@ -74,8 +79,9 @@ def simplify(
     The surface:
 
     points     numbers of the shape (n, 3), finite, in any unit; or a Mesh, with all that it has; or a
-               mesh of trimesh, Open3D, PyVista (of triangles) or meshio (of which vertices and lines are
-               left out), of which the points and faces are taken, and what attributes= names
+               pair (points, triangles); or a mesh of trimesh, Open3D, PyVista, VTK (of triangles) or meshio
+               (of which vertices and lines are left out), of which the points and faces are taken, and what
+               attributes= names
     triangles  integers of the shape (m, 3) in [0, n): the points of each triangle. Any triangles will
                do: open, non-manifold, of several parts. Degenerate ones are dropped, those doubled
                the same way round but one, and points of no triangle. Two on the same points that run
@@ -161,7 +167,7 @@ def simplify(
 
     Returns a Simplified: points, faces and whatever else the input has, in the same forms and types;
     report, image and input_faces tell what happened. Whether the target was met is told by
-    result.report.is_target_reached.
+    result.report.is_target_reached, and one that was missed by a UserWarning, with the reason and what helps.
 
     Arrays of float64 and uint32 (or int32) in the order of C are read where they are; others are
     copied. Do not write to them meanwhile. Other threads of Python run on, and Ctrl-C ends it with a
@@ -210,7 +216,9 @@ def simplify(
         raise TypeError(f"levels is a {type(levels).__name__}, not a Levels to record into")
     if calibrated:
         _check_calibrated(options, levels)
-    return _simplified(mesh, options, levels, bool(orient), way, functions)
+    result = _simplified(mesh, options, levels, bool(orient), way, functions)
+    warn_if_missed(result.report, options, np.asarray(mesh.points), functions.stop, stacklevel=3)
+    return result
 
 
 def _way_of(options, cost, hull, keep_volume, calibrated) -> _core.Way:
@@ -249,17 +257,20 @@ def _mesh_of(points, triangles) -> Tuple[Mesh, Any]:
     """The surface, and the mesh of another library that it comes from, or None."""
     of_library = None if isinstance(points, Mesh) else _objects.read_object(points)
     if triangles is not None:
+        if np.ndim(triangles) == 0:
+            raise TypeError(about_number("the second argument", triangles, ["ratio"]))
         if isinstance(points, Mesh) or of_library is not None:
-            raise ValueError(f"triangles are given beside a {type(points).__name__}, which has its own; "
-                             "how many faces shall be left is faces=1000")
+            raise ValueError(f"triangles are given beside a {type(points).__name__}, which has its own")
         return Mesh(np.asarray(points), np.asarray(triangles)), None
     if isinstance(points, Mesh):
         return points, None
     if of_library is not None:
         return Mesh(of_library.points, of_library.faces), of_library
-    if not hasattr(points, "__array__") and not isinstance(points, (list, tuple)):
-        raise TypeError(f"a {type(points).__name__} is no Mesh, nor a mesh of triangles of trimesh, "
-                        "Open3D, PyVista (extract_surface().triangulate() makes one) or meshio")
+    if is_pair(points):
+        return Mesh(np.asarray(points[0]), np.asarray(points[1])), None
+    is_array = hasattr(points, "__array__") or isinstance(points, (list, tuple)) and np.ndim(points[0]) == 1
+    if not is_array:
+        raise no_mesh("the first argument", points)
     raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
 
 
@@ -274,9 +285,15 @@ def _simplified(mesh, options, levels, orient, way, functions):
     remarks = []
     if orient:
         faces, remarks = _oriented(points, faces, channels, options.split_vertices)
-    arrays = _core.simplify(points, faces, label_numbers, [c.arguments() for c in channels], options,
-                            None if levels is None else levels._levels, functions.progress, way,
-                            functions.cost, functions.filter, functions.stop)
+    arguments = [c.arguments() for c in channels]
+    try:
+        arrays = _core.simplify(points, faces, label_numbers, arguments, options,
+                                None if levels is None else levels._levels, functions.progress, way,
+                                functions.cost, functions.filter, functions.stop)
+    except ValueError as error:
+        if str(error).startswith("quadrille::"):
+            error.args = (with_names_of_channels(str(error), [c.name for c in channels]),)
+        raise
     if levels is not None:
         levels._names = [channel.name for channel in channels]
     result = Simplified(

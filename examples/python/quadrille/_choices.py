@@ -1,0 +1,24 @@
+"""The words that options are chosen by."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, Mapping, TypeVar
+
+T = TypeVar("T")
+
+CostName = Literal["quadric", "memoryless_quadric", "thin_feature_quadric", "edge_length"]
+PlacementName = Literal["optimal", "midpoint", "endpoint"]
+OrderName = Literal["greedy", "relaxed"]
+WeightingName = Literal["by_area", "uniform", "by_squared_area"]
+TopologyName = Literal["kept", "free", "parts_may_vanish"]
+HullName = Literal["outer", "inner"]
+SeamsName = Literal["kept", "held", "priced", "free"]
+NewValuesName = Literal["optimal", "weights", "existing", "recomputed"]
+KindName = Literal["texture", "normals", "colors", "attributes"]
+
+
+def choice(name: str, value: Any, members: Mapping[str, T]) -> T:
+    """What a word stands for. Raises ValueError, which lists the words, for another one."""
+    if not isinstance(value, str) or value not in members:
+        raise ValueError(f"{name} is {value!r}, not one of {', '.join(members)}")
+    return members[value]

@@ -1,0 +1,194 @@
+"""Answers to what other libraries call things, and messages of the compiled part in words of Python."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+import re
+from typing import Any, Callable, List, Mapping, NamedTuple, Sequence, Tuple, TypeVar, cast
+
+import numpy as np
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class _Rule(NamedTuple):
+    """What is meant by names with one of these pieces, and what to say; {0} is the value given."""
+
+    pieces: Tuple[str, ...]
+    arguments: Tuple[str, ...]
+    answer: str
+
+
+# The first rule with a piece that the name has, and an argument that the function has, answers.
+_RULES = (
+    _Rule(("return", "mapping", "collapses", "vertexmap"), ("fixed",),
+          "what became of each point and face is in the result: result.image and result.input_faces"),
+    _Rule(("iteration", "aggress", "agg", "updaterate", "alpha", "lossless", "threshold", "sharpness"), ("error",),
+          "there is nothing of the kind: the cheapest pair always goes first, until a target is met; error= is a "
+          "limit for the distance"),
+    _Rule(("degree", "valence"), ("filter",), "a filter= may ask contraction.highest_degree"),
+    _Rule(("reduction", "decimat", "percent", "fraction", "ratio", "perc", "proportion", "factor"), ("ratio",),
+          "ratio= is the part of the faces that stays, target_reduction= the part that goes"),
+    _Rule(("parallel", "jobs", "worker", "core", "thread", "cpu"), ("threads",),
+          "threads= says how many, with order='relaxed'"),
+    _Rule(("error", "tolerance", "distance", "deviation", "epsilon", "eps"), ("error", "relative_error"),
+          "error= is a limit in the unit of the points, relative_error= one in parts of the diagonal"),
+    _Rule(("error", "tolerance", "distance", "deviation", "epsilon", "eps"), ("distance",),
+          "distance= and distance_both_ways= are what is claimed"),
+    _Rule(("border", "boundary", "bounds"), ("boundary_weight",),
+          "borders hold by boundary_weight=, 100 by default; fixed= takes points that may not move at all"),
+    _Rule(("locked", "lock", "constrain", "frozen", "freeze", "pinned", "anchor"), ("fixed",),
+          "fixed= takes points that stay where they are"),
+    _Rule(("selec", "region", "onlyfaces", "facemask"), ("selected",), "selected= takes the triangles to simplify"),
+    _Rule(("volume",), ("keep_volume",), "keep_volume=True keeps what the surface encloses"),
+    _Rule(("topology", "manifold", "genus"), ("topology",),
+          "topology= is 'kept' by default; 'free' and 'parts_may_vanish' let it change"),
+    _Rule(("verbose", "progress", "callback", "quiet", "log", "tqdm"), ("progress",),
+          "progress= takes a function that is told how far it is; progress=print shows all of it"),
+    _Rule(("inplace", "copy", "overwrite"), ("fixed",),
+          "nothing is changed in place: the result is a new mesh, and to_like() makes it one of the class given"),
+    _Rule(("weld", "merge", "duplicate", "clean", "dedup"), ("split_vertices",),
+          "split_vertices=True takes points at exactly the same place as one"),
+    _Rule(("weld", "merge", "duplicate", "clean", "dedup"), ("weld",), "weld=True makes points at the same place one"),
+    _Rule(("color", "colour", "rgb"), ("colors",),
+          "colors= takes them, one for each point, or (values, indices) at corners"),
+    _Rule(("tcoord", "texcoord", "texture", "uvs", "uv"), ("uv",),
+          "uv= takes texture coordinates, one for each point, or (values, indices) at corners"),
+    _Rule(("angle", "crease", "feature", "sharp"), ("crease_degrees",),
+          "crease_degrees= holds sharp edges, normal_deviation= bounds how far normals turn"),
+    _Rule(("normal",), ("normals",),
+          "normals= takes them, one for each point; normal_flip= and normal_deviation= bound how far faces turn"),
+    _Rule(("importance", "quality", "weights", "density"), ("importance",),
+          "importance= takes a number for each point; more faces stay where it is large"),
+    _Rule(("regular", "shape", "planar", "line"), ("line_weight",), "line_weight= gives better triangles"),
+    _Rule(("length",), ("error",), "there is no target of lengths; cost='edge_length' contracts the shortest edges first"),
+    _Rule(("keep", "part"), ("ratio",),
+          "ratio= is the part of the faces that stays, target_reduction= the part that goes"),
+    _Rule(("optimal", "position", "midpoint", "endpoint", "contraction"), ("placement",),
+          "placement= is 'optimal', 'midpoint' or 'endpoint'"),
+    _Rule(("method", "algorithm", "metric", "mode", "strategy"), ("cost",),
+          "cost= is 'quadric', 'memoryless_quadric', 'thin_feature_quadric' or 'edge_length'"),
+    _Rule(("material", "segment", "group", "patch", "region"), ("labels",),
+          "labels= takes an integer for each triangle"),
+    _Rule(("attribute", "scalar", "vector", "tensor", "array", "pointdata", "vertexdata"), ("attributes",),
+          "attributes= takes a dict of values, or a list of names of the mesh's own"),
+    _Rule(("lod", "levels", "history"), ("levels",), "levels= takes a quadrille.Levels to record into"),
+    _Rule(("voxel", "cell", "cluster", "grid"), ("pairs_closer_than",),
+          "pairs_closer_than= joins points that are closer than a distance"),
+    _Rule(("vert", "point", "node"), ("vertices",), "how many vertices shall be left is vertices={0}"),
+    _Rule(("face", "triang", "tri", "poly", "target", "count", "number", "size", "max", "goal", "amount"), ("faces",),
+          "how many faces shall be left is faces={0}"),
+    _Rule(("sample", "number", "count"), ("samples",), "samples= says how many there are on each surface"),
+    _Rule(("camera", "view", "position", "origin"), ("eye",), "eye= is the place that it is seen from"),
+)
+
+def in_our_words(function: F) -> F:
+    """The function, which answers arguments of other names, and numbers without a name, by what they are
+    called here, and whose errors have no names of C++."""
+    parameters = inspect.signature(function).parameters.values()
+    most = sum(p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters)
+    known = [p.name for p in parameters if p.kind in (p.KEYWORD_ONLY, p.POSITIONAL_OR_KEYWORD)]
+    known += getattr(function, "option_names", ())
+    takes_arrays = any(p.name == "triangles" for p in parameters)
+
+    @functools.wraps(function)
+    def call(*given: Any, **named: Any) -> Any:
+        if takes_arrays:
+            _require_arrays_first(function.__name__, named, known)
+        if len(given) > most:
+            raise TypeError(about_number(f"argument {most + 1} of {function.__name__}()", given[most], known))
+        for name in named:
+            if name not in known:
+                raise TypeError(f"{function.__name__}() has no argument {name!r}{_meant(name, named[name], known)}")
+        try:
+            return function(*given, **named)
+        except (ValueError, IndexError, RuntimeError) as error:
+            if len(error.args) == 1 and isinstance(error.args[0], str) and "quadrille:" in error.args[0]:
+                error.args = (in_words_of_python(error.args[0]),)
+            raise
+
+    return cast(F, call)
+
+
+def _require_arrays_first(function: str, named: Mapping[str, Any], known: Sequence[str]) -> None:
+    """A surface has no name."""
+    for name in ("points", "vertices", "verts", "V", "v", "triangles", "faces", "F", "f", "mesh"):
+        value = named.get(name)
+        if name == "mesh" and value is not None:
+            raise TypeError(f"the mesh is given by name: it comes first, {function}(mesh, ...)")
+        if value is None or (name in known and np.ndim(value) != 2):
+            continue
+        if name == "faces" and name in known:
+            raise TypeError("faces= is how many faces shall be left, and triangles are the second argument: "
+                            f"{function}(points, triangles, faces=1000)")
+        raise TypeError(f"points and triangles come first, without a name such as {name}=: "
+                        f"{function}(points, triangles, ...)")
+
+
+def about_number(what: str, value: Any, known: Sequence[str]) -> str:
+    """What a number without a name could be."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.number)) or "ratio" not in known:
+        return f"{what} is a {type(value).__name__}: all but the surface is given by name"
+    if float(value) > 1:
+        return f"{what} is {value!r}: how many faces shall be left is faces={value!r}"
+    return (f"{what} is {value!r}: a part of the faces that stays is ratio={value!r}, one that goes is "
+            f"target_reduction={value!r}")
+
+
+def _meant(name: str, value: Any, known: Sequence[str]) -> str:
+    plain = re.sub("[^a-z]", "", name.lower())
+    plain = "number" if plain in ("n", "m", "num") else plain.replace("triangle", "face")
+    for near in known:
+        if plain == near.replace("_", ""):
+            return f": it is {near}="
+    shown = repr(value) if isinstance(value, (int, float, np.number)) and not isinstance(value, bool) else "1000"
+    for rule in _RULES:
+        if any(argument in known for argument in rule.arguments) and any(piece in plain for piece in rule.pieces):
+            return ": " + rule.answer.format(shown)
+    near = difflib.get_close_matches(name, known, 1, 0.75)
+    return f": did you mean {near[0]}=?" if near else ""
+
+
+# Names of C++ that messages of the compiled part have, and what they are called here.
+_NAMES: List[Tuple[str, str]] = [
+    (r"quadrille::ChannelOptions: ", "a Channel: "),
+    (r"; CGAL::Polygon_mesh_processing::orient_to_bound_a_volume changes that",
+     ": turn its faces round, faces[:, [0, 2, 1]]"),
+    (r"; CGAL::Polygon_mesh_processing .*", "; orient=True winds faces alike, split_vertices=True joins points at one place"),
+    (r"\(the second argument of ThresholdPairs\)", "that this module has"),
+    (r"quadrille::ThresholdPairs: the threshold", "pairs_closer_than: the distance"),
+    (r"quadrille::ThresholdPairs", "pairs_closer_than"),
+    (r"quadrille::NoSelfIntersection needs GreedyOrder", "no_self_intersection=True is for order='greedy'"),
+    (r"quadrille::keep_solid", "keep_solid"),
+    (r"quadrille::FaceRatio: the ratio", "ratio"),
+    (r"quadrille::(?:ErrorLimit|HausdorffLimit): the limit", "error or relative_error: the limit"),
+    (r"quadrille::NormalDeviation", "normal_deviation"),
+    (r"quadrille::NormalFlip", "normal_flip"),
+    (r"quadrille::Labels: border_weight", "label_border_weight"),
+    (r"quadrille::Levels: distances have not been recorded: .*",
+     "no distances are recorded: they are where simplify() had error= or relative_error="),
+    (r"pass no Topology::free or (?:Topology::)?parts_may_vanish(?: beside it)?",
+     "it does not go with topology='free' or 'parts_may_vanish'"),
+    (r"the order of RelaxedOrder|RelaxedOrder", "order='relaxed'"),
+    (r"GreedyOrder", "order='greedy'"),
+    (r"NewValues::(\w+)", r"new_values='\1'"),
+    (r"Topology::(\w+)", r"topology='\1'"),
+    (r"Weighting::(\w+)", r"weighting='\1'"),
+    (r"the relaxed order", "order='relaxed'"),
+    (r"the cost quadric", "cost='quadric'"),
+    (r"^quadrille(?:::\w+)*: ", ""),
+]
+
+
+def in_words_of_python(message: str) -> str:
+    """A message of the compiled part without names of C++."""
+    for pattern, words in _NAMES:
+        message = re.sub(pattern, words, message)
+    return re.sub(r"\b(?:quadrille|CGAL|std)::", "", message)
+
+
+def with_names_of_channels(message: str, names: Sequence[str]) -> str:
+    """A message with the names of channels where it has their numbers."""
+    return re.sub(r"\bchannel (\d+)\b", lambda m: names[int(m[1])] if int(m[1]) < len(names) else m[0], message)
