@@ -1,5 +1,6 @@
 """Runs the Python that the documents show: each block by itself, in a folder with a file statue.obj.
-What imports a library that is not here is told and left out.
+Where trimesh or PyVista is not here, classes that look alike stand in for it; what imports another
+library that is not here is told and left out.
 
     python3 documented.py REPOSITORY
 """
@@ -12,7 +13,11 @@ import os
 import pathlib
 import sys
 import tempfile
+import types
 
+import numpy as np
+
+import lookalikes
 from surfaces import torus, write_obj
 
 
@@ -31,14 +36,44 @@ def blocks(document):
 
 def missing(code):
     """The libraries that a block imports and that are not here."""
-    names = [alias.name.split(".")[0] for node in ast.walk(ast.parse(code))
-             if isinstance(node, ast.Import) for alias in node.names]
-    return [name for name in names if importlib.util.find_spec(name) is None]
+    names = []
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.Import):
+            names += [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            names.append(node.module)
+    return [name for name in (name.split(".")[0] for name in names)
+            if name not in sys.modules and importlib.util.find_spec(name) is None]
+
+
+def loaded(path, **options):
+    """As trimesh loads it: vertices are split at the seams of the texture."""
+    import quadrille
+    mesh = quadrille.read_mesh(path)
+    pairs, places = np.unique(np.stack([mesh.faces.ravel(), mesh.uv[1].ravel()], axis=1), axis=0, return_inverse=True)
+    return lookalikes.Trimesh(mesh.points[pairs[:, 0]], places.reshape(-1, 3),
+                              visual=lookalikes.TextureVisuals(mesh.uv[0][pairs[:, 1]], "wood"))
+
+
+def sphere(theta_resolution, phi_resolution):
+    points, faces, _ = torus(phi_resolution, theta_resolution)
+    return lookalikes.PolyData(points, lookalikes.padded(faces))
+
+
+def stand_in():
+    """For trimesh and PyVista where they are missing."""
+    for name, content in (("trimesh", {"Trimesh": lookalikes.Trimesh, "load": loaded}),
+                          ("pyvista", {"PolyData": lookalikes.PolyData, "Sphere": sphere})):
+        if importlib.util.find_spec(name) is None:
+            print(f"{name} is not here, and classes that look alike stand in for it")
+            sys.modules[name] = types.ModuleType(name)
+            vars(sys.modules[name]).update(content)
 
 
 def main(repository):
     import quadrille
     documents = [repository / "README.md", *sorted((repository / "doc").rglob("*.md"))]
+    stand_in()
     run = 0
     for document in documents:
         for line, code in blocks(document):
