@@ -22,16 +22,17 @@ from surfaces import torus, write_obj
 
 
 def blocks(document):
-    """Pairs of a line number and code."""
-    begin, lines = None, []
+    """Pairs of a line number and code, but for what is part of a file, which documented_code.sh looks at."""
+    begin, lines, before = None, [], ""
     for number, line in enumerate(document.read_text().split("\n"), 1):
-        if line == "```python":
+        if line == "```python" and not before.startswith(("<!-- file:", "<!-- part:")):
             begin, lines = number, []
         elif line == "```" and begin is not None:
             yield begin, "\n" * begin + "\n".join(lines)
             begin = None
         elif begin is not None:
             lines.append(line)
+        before = line
 
 
 def missing(code):

@@ -1,7 +1,7 @@
 """The compiled part: what the other files of the package call. See module.cpp."""
 
 import enum
-from typing import Any, Callable, Dict, KeysView, List, Literal, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, KeysView, List, Literal, Mapping, Optional, Sequence, Set, Tuple
 
 from numpy.typing import NDArray
 
@@ -243,6 +243,7 @@ def simplify_gltf(
     target: str,
     options: Options,
     seams: Optional[Seams],
+    labels: Set[str],
     stop: Optional[Callable[[Status], bool]],
     progress: Optional[Callable[[Status], Optional[bool]]],
 ) -> Tuple[Report, List[str]]: ...

@@ -8,6 +8,7 @@ from typing import Any, List, Optional
 import numpy as np
 
 from . import _core
+from ._forms import Array
 
 _HINTS = {
     "constraint": "points that are fixed, or beside triangles that are not selected, stay",
@@ -24,7 +25,7 @@ _HINTS = {
 }
 
 
-def warn_if_missed(report: _core.Report, options: _core.Options, points: Optional[np.ndarray],
+def warn_if_missed(report: _core.Report, options: _core.Options, points: Optional[Array],
                    stop: Optional[Any], stacklevel: int) -> None:
     """One UserWarning with the reason, and what helps. Nothing where it was ended on purpose."""
     if report.is_target_reached or report.stop == "cancelled":
@@ -43,7 +44,7 @@ def _asked(options: _core.Options, stop: Optional[Any]) -> str:
     return f"{' or '.join(asked)} was" if asked else "half of them were"
 
 
-def _hints(report: _core.Report, options: _core.Options, points: Optional[np.ndarray]) -> List[str]:
+def _hints(report: _core.Report, options: _core.Options, points: Optional[Array]) -> List[str]:
     hints: List[str] = []
     is_free = options.topology == _core.Topology.free or (options.topology is None and options.pairs_closer_than > 0)
     doubled = 0 if points is None or options.split_vertices else _doubled(points)
@@ -61,5 +62,5 @@ def _hints(report: _core.Report, options: _core.Options, points: Optional[np.nda
     return hints
 
 
-def _doubled(points: np.ndarray) -> int:
+def _doubled(points: Array) -> int:
     return len(points) - len(np.unique(points + 0.0, axis=0))  # -0 is 0
