@@ -1268,6 +1268,13 @@ for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--p
   run 0 out.ply out.off --keep 100%
   expect_ratio out.off 80
 done
+for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --faces 200'; do
+  # shellcheck disable=SC2086
+  run 0 whole.ply out.ply $limit --out-of-core scratch
+  expect stdout '^whole.ply: 800 -> [0-9]+ faces .* from IN'
+done
+run 2 whole.ply out.ply --error 1% --both-ways --calibrated --out-of-core scratch
+run 2 whole.ply out.ply --tolerance size --out-of-core scratch
 run 0 sheet.off coloured.ply --keep 100%
 run 0 coloured.ply out.ply --keep 50% --out-of-core scratch
 grep -a -q '^property uchar red$' out.ply || fail "colours do not go along"

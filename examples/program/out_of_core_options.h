@@ -69,7 +69,7 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                           "simplify part N, or close the phase, which prints 0 when OUT is there"))
       ->check(word_that(is_step, "cut, the number of a part, nor close"))
       ->type_name("cut|N|close");
-  for (const char* const name : {"--record", "--from", "--vertices", "--error"})
+  for (const char* const name : {"--record", "--from", "--vertices", "--calibrated"})
     parts->excludes(name);
   for (const char* const name : options_of_whole_meshes)
     parts->excludes(name);

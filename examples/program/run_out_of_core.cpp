@@ -51,6 +51,14 @@ BuiltInPlacement placement(const Options& options, bool has_minimizer) {
   return BuiltInPlacement(Kind::optimal);
 }
 
+quadrille::internal::DistanceChoice limit(const Target& target) {
+  using Kind = quadrille::internal::DistanceChoice::Kind;
+  if (!target.error)
+    return {};
+  return {target.both_ways ? Kind::both_ways : Kind::one_way, target.error->value,
+          target.error->is_percentage};
+}
+
 /// A run by parts, or a step of one.
 class PartsRun {
 public:
@@ -105,15 +113,18 @@ private:
       const BuiltInPlacement place = placement(options_, has_minimizer);
       if (launch_)
         return tell_of(launch_->simplify_file(options_.input, options_.output, stop, how, Cost(),
-                                              place, topology(options_)));
-      quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology> job(
-          options_.input, stop, how, Cost(), place, topology(options_));
+                                              place, topology(options_), limit(target)));
+      quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology,
+                                       quadrille::internal::DistanceChoice>
+          job(options_.input, stop, how, Cost(), place, topology(options_), limit(target));
       return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
     };
     if (target.faces && target.ratio)
       throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
     if (target.faces)
       return run_to(quadrille::FaceCount{*target.faces});
+    if (target.error && !target.ratio)
+      return run_to(quadrille::FaceCount{0});
     return run_to(quadrille::FaceRatio{target.ratio.value_or(0.5)});
   }
 

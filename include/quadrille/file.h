@@ -8,6 +8,7 @@
 #include <quadrille/internal/file/job_lock.h>
 #include <quadrille/internal/file/job_watch.h>
 #include <quadrille/internal/file/limit_search.h>
+#include <quadrille/internal/file/part_limit.h>
 #include <quadrille/internal/file/part_runner.h>
 #include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/surface_source.h>
@@ -20,6 +21,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 /// \file
@@ -64,15 +67,16 @@ template <class Cost = Quadric, class Placement = OptimalPlacement, class... Pol
 class PartitionedSimplifier {
 public:
   /// `stop` is a FaceCount or a FaceRatio; `policies` are what `simplify` takes beside, as it is
-  /// told to each part: filters, a Topology, an order. Throws std::invalid_argument for options
-  /// that make no sense.
+  /// told to each part: filters, a Topology, an order. And, among them, an ErrorLimit or a
+  /// HausdorffLimit, which the whole keeps: without a target of faces besides, that is
+  /// FaceCount{0}. Throws std::invalid_argument for options that make no sense.
   template <class Stop>
   PartitionedSimplifier(const std::filesystem::path& input, const Stop& stop,
                         const OutOfCore& options, Cost cost, Placement placement,
                         Policies... policies)
       : options_(options), source_(input, options.positions_only),
-        runner_(std::move(cost), std::move(placement), std::move(policies)...),
-        watch_(options.proceed), job_(made_job(internal::FileTarget(stop))) {
+        runner_(std::move(cost), std::move(placement), policies...), watch_(options.proceed),
+        job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
     if (options.scratch.empty())
       throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
     if (!(options.attribute_importance > 0 && options.attribute_importance < 1e30))
@@ -188,7 +192,7 @@ private:
   internal::PartedJob made_job(const internal::FileTarget& target) const {
     const internal::VertexScalars scalars = source_.scalars();
     const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::memory_size,
-                                        scalars.size());
+                                        scalars.size(), target.is_limited());
     internal::JobKey key;
     key.add_number(source_.key());
     key.add_number(options_.attribute_importance);
@@ -248,7 +252,9 @@ private:
 ///   labels, with their names and types, and in the range that they had
 /// - stop: a FaceCount or a FaceRatio. The count is met exactly, as far as faces allow, if what is
 ///   left of some phase fits into memory, or no phase takes too many (FileReport::is_count_exact);
-///   else it is near
+///   else it is near. Or an ErrorLimit or a HausdorffLimit, or AnyOf one of these and a count: what
+///   each face has used of the limit goes along from phase to phase, so that the whole keeps it, as
+///   Report::distance_bound and Report::hausdorff_bound tell; 8 bytes a face more on disk
 /// - policies: what `simplify` takes beside, as it is told to each part
 ///
 /// The result depends on OutOfCore::memory (or part_faces), but not on how many parts are in
@@ -261,9 +267,15 @@ template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, 
 FileReport simplify_file(const std::filesystem::path& input, const std::filesystem::path& output,
                          const Stop& stop, const OutOfCore& options, Cost cost = {},
                          Placement placement = {}, Policies... policies) {
-  PartitionedSimplifier<Cost, Placement, Policies...> job(
-      input, stop, options, std::move(cost), std::move(placement), std::move(policies)...);
-  return job(output);
+  const auto target = internal::faces_and_limit(stop);
+  return std::apply(
+      [&](const auto&... limits) {
+        PartitionedSimplifier<Cost, Placement, Policies..., std::decay_t<decltype(limits)>...> job(
+            input, target.first, options, std::move(cost), std::move(placement),
+            std::move(policies)..., limits...);
+        return job(output);
+      },
+      target.second);
 }
 
 } // namespace quadrille

@@ -22,6 +22,8 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 /// \file
@@ -173,6 +175,47 @@ inline void take_numbers(const std::array<std::int64_t, 8>& numbers, FileReport&
   report.is_count_exact = numbers[7] != 0;
 }
 
+/// simplify_file by a Job of each rank, which `make` makes.
+template <class Job, class Make>
+FileReport run_over_ranks(MPI_Comm communicator, const std::filesystem::path& output,
+                          const Make& make) {
+  const Ranks ranks(communicator);
+  std::optional<Job> job;
+  std::size_t done = 0; // by this rank
+  const auto is_cancelled = [&] {
+    return !job->proceeds((std::min)(done * ranks.size(), job->parts()));
+  };
+  const auto simplify_part = [&](std::size_t part) {
+    if (is_cancelled() || !job->simplify(part, is_cancelled))
+      throw JobCancelled();
+    ++done;
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  FileReport report;
+  using Flag = std::array<std::int64_t, 1>;
+  try {
+    ranks.on_first([&] { return make(job), job->partition(), Flag{}; });
+    do {
+      ranks.run([&] {
+        if (!ranks.is_first())
+          make(job), job->join();
+      });
+      done = 0;
+      ranks.share(job->parts(), simplify_part, job->phase_folder());
+    } while (ranks.on_first([&] { return Flag{job->close()}; })[0] != 0);
+    take_numbers(ranks.on_first([&] {
+      report = job->sew(output);
+      return numbers_of(report);
+    }),
+                 report);
+  } catch (const JobCancelled&) {
+    report.stop = StopReason::cancelled;
+  }
+  report.seconds.contract =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
 } // namespace internal
 
 /// simplify_file over the ranks of a communicator: all of them call it with the same arguments.
@@ -191,46 +234,19 @@ inline void take_numbers(const std::array<std::int64_t, 8>& numbers, FileReport&
 /// `stop` and is_count_exact.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
 FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& input,
-                         const std::filesystem::path& output, const Stop& stop, OutOfCore options,
-                         const Cost& cost = {}, const Placement& placement = {},
-                         const Policies&... policies) {
-  using Job = PartitionedSimplifier<Cost, Placement, Policies...>;
-  const internal::Ranks ranks(communicator);
-  std::optional<Job> job;
-  const auto make = [&] { job.emplace(input, stop, options, cost, placement, policies...); };
-  std::size_t done = 0; // by this rank
-  const auto is_cancelled = [&] {
-    return !job->proceeds((std::min)(done * ranks.size(), job->parts()));
-  };
-  const auto simplify_part = [&](std::size_t part) {
-    if (is_cancelled() || !job->simplify(part, is_cancelled))
-      throw internal::JobCancelled();
-    ++done;
-  };
-  const auto begin = std::chrono::steady_clock::now();
-  FileReport report;
-  using Flag = std::array<std::int64_t, 1>;
-  try {
-    ranks.on_first([&] { return make(), job->partition(), Flag{}; });
-    do {
-      ranks.run([&] {
-        if (!ranks.is_first())
-          make(), job->join();
-      });
-      done = 0;
-      ranks.share(job->parts(), simplify_part, job->phase_folder());
-    } while (ranks.on_first([&] { return Flag{job->close()}; })[0] != 0);
-    internal::take_numbers(ranks.on_first([&] {
-      report = job->sew(output);
-      return internal::numbers_of(report);
-    }),
-                           report);
-  } catch (const internal::JobCancelled&) {
-    report.stop = StopReason::cancelled;
-  }
-  report.seconds.contract =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return report;
+                         const std::filesystem::path& output, const Stop& stop,
+                         const OutOfCore& options, const Cost& cost = {},
+                         const Placement& placement = {}, const Policies&... policies) {
+  const auto target = internal::faces_and_limit(stop);
+  return std::apply(
+      [&](const auto&... limit) {
+        using Job =
+            PartitionedSimplifier<Cost, Placement, Policies..., std::decay_t<decltype(limit)>...>;
+        return internal::run_over_ranks<Job>(communicator, output, [&](std::optional<Job>& job) {
+          job.emplace(input, target.first, options, cost, placement, policies..., limit...);
+        });
+      },
+      target.second);
 }
 
 } // namespace quadrille

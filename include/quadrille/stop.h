@@ -155,6 +155,8 @@ public:
   bool is_asking_for_edges() const {
     return is_any([](const auto& stop) { return internal::is_asking_for_edges(stop); });
   }
+  /// The policies, in the order in which they were given.
+  const std::tuple<Stops...>& stops() const { return stops_; }
   /// Throws what the policies throw that make no sense.
   void validate() const {
     std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);

@@ -317,6 +317,46 @@ TEST_CASE("The faces up to a cost are those that a run up to it takes") {
   }
 }
 
+TEST_CASE("Faces of a piece go on with how far they and their input points are") {
+  using internal::FaceBound;
+  const Soup soup = test::shuffled(terrain(3, 40), 5);
+  const auto run = [&](std::vector<FaceBound> bounds, const auto& order) {
+    Piece<MemorylessQuadric> piece = whole<MemorylessQuadric>(soup);
+    piece.bounds = std::move(bounds);
+    return simplify_piece(std::move(piece), MemorylessQuadric{}, OptimalPlacement{},
+                          HausdorffLimit(0.01), order);
+  };
+  const auto require = [&](const auto& order) {
+    const auto result = run({}, order);
+    REQUIRE(result.bounds.size() == result.triangles.size());
+    FaceBound most;
+    for (const FaceBound& b : result.bounds) {
+      most.from_input = std::max(most.from_input, b.from_input);
+      most.to_input = std::max(most.to_input, b.to_input);
+    }
+    const double unit = result.report.distance_bound / static_cast<double>(most.from_input);
+    CHECK(std::exp2(std::round(std::log2(unit))) == unit);
+    CHECK(result.report.hausdorff_bound ==
+          unit * static_cast<double>(std::max(most.from_input, most.to_input)));
+    const auto begun_at = [&](double from, double to) {
+      const auto as_float = [&](double length) { return static_cast<float>(length / unit); };
+      return run(std::vector<FaceBound>(soup.triangles.size(), {as_float(from), as_float(to)}),
+                 order);
+    };
+    CHECK(begun_at(0.0101, 0).report.contractions == 0);
+    CHECK(begun_at(0, 0.0101).report.contractions == 0);
+    for (const auto& later : {begun_at(0.006, 0), begun_at(0, 0.006)}) {
+      CHECK(later.report.contractions > 0);
+      CHECK(later.report.contractions < result.report.contractions);
+      CHECK(later.report.hausdorff_bound > 0.006);
+      CHECK(later.report.hausdorff_bound <= 0.01);
+    }
+  };
+  require(GreedyOrder{});
+  require(RelaxedOrder{});
+  CHECK_THROWS_WITH(run(std::vector<FaceBound>(3), GreedyOrder{}), Catch::Contains("3 bounds"));
+}
+
 TEST_CASE("Points and faces of a piece's result tell what they were") {
   const Soup soup = terrain(3);
   auto pieces = cut(test::Sewn<Quadric>{soup, {}}, kd_parts(soup, 3, 0.5), Box<3>(soup.points));

@@ -1,5 +1,6 @@
 // Surfaces in parts, from a file to a file: against what is simplified in memory.
 
+#include "farthest.h"
 #include "soups.h"
 #include "surface_files.h"
 
@@ -187,6 +188,63 @@ TEST_CASE("Where the whole does not fit, all parts give their share to a count")
   CHECK(topology.genus() == 1);
   CHECK(rms(surface(), output) <
         1.1 * rms_in_memory<MemorylessQuadric>(surface(), output.triangles.size()));
+}
+
+// Of a surface in 16 parts that does not fit into memory as a whole before its last phase: what is
+// left, which CGAL's tree measures.
+template <class Limit>
+void require_within(const Soup& input, const Limit& limit, bool both_ways) {
+  const Folder folder;
+  folder.file("in.ply", ply_of<double>(input));
+  OutOfCore options = in_parts(folder, part_of_16);
+  options.whole_faces = part_of_16;
+  const FileReport report = simplify_file<MemorylessQuadric, OptimalPlacement>(
+      folder.path("in.ply"), folder.path("out.ply"), limit, options);
+  const Soup output = read_ply(folder.path("out.ply"));
+  CHECK(report.parts >= 14);
+  CHECK(report.phases >= 3);
+  CHECK(report.stop == StopReason::target_met);
+  CHECK(topology_of(output).is_manifold);
+  const double distance = limit.distance(report.diagonal);
+  const double from_input = test::farthest(output, input, 4);
+  CHECK(from_input <= report.distance_bound);
+  CHECK(report.distance_bound <= distance);
+  CHECK(from_input > 0.2 * distance);
+  if (both_ways) {
+    CHECK(test::farthest(input, output, 2) <= report.hausdorff_bound);
+    CHECK(report.hausdorff_bound <= distance);
+  }
+  Soup in_memory = input;
+  simplify<MemorylessQuadric, OptimalPlacement>(in_memory.points, in_memory.triangles, limit);
+  INFO(output.triangles.size() << " faces, in memory " << in_memory.triangles.size());
+  CHECK(20 * output.triangles.size() < 23 * in_memory.triangles.size());
+  CHECK(20 * output.triangles.size() > 17 * in_memory.triangles.size());
+}
+
+TEST_CASE("What is within a distance in each part is so as a whole") {
+  require_within(surface(), HausdorffLimit::relative(0.006), true);
+  require_within(test::with_noise(test::grid(70, 60), 4, 0.004), ErrorLimit::relative(0.002),
+                 false);
+}
+
+TEST_CASE("A limit of distances and a count end a run by parts at what comes first") {
+  const Folder folder;
+  const Soup input = surface();
+  folder.file("in.ply", ply_of<double>(input));
+  const auto faces = [&](const auto& stop) {
+    const FileReport report = simplify_file<Quadric, OptimalPlacement>(
+        folder.path("in.ply"), folder.path("out.ply"), stop, in_parts(folder, part_of_16));
+    CHECK(report.distance_bound <= 0.01 * report.diagonal);
+    return report.faces_after;
+  };
+  const ErrorLimit limit = ErrorLimit::relative(0.01);
+  const std::size_t at_limit = faces(limit);
+  CHECK(at_limit > 100);
+  CHECK(faces(AnyOf{FaceCount{2000}, limit}) == 2000);
+  CHECK(faces(AnyOf{limit, FaceRatio{0.25}}) == 2000);
+  CHECK(10 * faces(AnyOf{FaceCount{50}, limit}) < 11 * at_limit);
+  CHECK_THROWS_WITH(faces(ErrorLimit(-1)), Catch::Contains("-1"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
 }
 
 TEST_CASE("Borders that several parts have stay borders") {

@@ -7,6 +7,7 @@
 #include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/cost_histogram.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -48,6 +49,9 @@ struct Piece {
   std::vector<Memory> memories = {};
   /// Of each position: is its memory there? Empty: all are, if any is.
   std::vector<bool> has_memory = {};
+  /// Of each triangle, as PieceResult tells it, where the stop policy asks for distances; empty:
+  /// all are of the input.
+  std::vector<FaceBound> bounds = {};
   /// Of each triangle, any numbers, of which the regions are kept as by `Labels`; empty: none.
   std::vector<Index> labels = {};
 };
@@ -77,6 +81,7 @@ struct PieceResult {
   std::vector<Index> vertices;                    ///< which vertex of the piece each of them was
   std::vector<std::array<Index, 3>> triangles;    ///< of `positions`
   std::vector<Index> faces;                       ///< which triangle of the piece each of them was
+  std::vector<FaceBound> bounds; ///< of `triangles`; empty if the stop policy asks for no distances
   /// What each position remembers, in the engine's units, about the position. Of a shared vertex
   /// that had been given a memory: what has been added to that. So what a shared vertex remembers
   /// then is what it was given, plus the sum over all pieces. Empty if the cost remembers nothing.

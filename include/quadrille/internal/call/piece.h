@@ -11,8 +11,11 @@
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/scale.h>
 
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 /// \file
 /// A piece of a surface, simplified by itself, with all that a caller needs who joins the pieces.
@@ -67,11 +70,22 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   if (!given.memories.empty())
     policies.optional.memories = &given;
   policies.optional.costs = &result.costs;
+  std::vector<FaceBound> bounds = std::move(piece.bounds);
+  if (!bounds.empty() && bounds.size() != piece.triangles.size())
+    throw std::invalid_argument("quadrille: a piece has " + std::to_string(bounds.size()) +
+                                " bounds, not " + std::to_string(piece.triangles.size()));
+  if (policies.stop.is_asking_for_distance()) {
+    bounds.resize(piece.triangles.size());
+    policies.optional.bounds = &bounds;
+  }
   Workspace workspace(memory_needs(policies, !piece.labels.empty(), piece.positions.size(),
                                    piece.triangles.size()));
   PieceAdapter<Cost> adapter(piece, given, channels_among(arguments...), result, workspace);
   const auto read = [](auto& reader) { return reader.read(); };
   result.report = run(adapter, policies, read, PieceTeller<Cost>{});
+  if (policies.optional.bounds)
+    for (const Index face : result.faces)
+      result.bounds.push_back(bounds[face]);
   return result;
 }
 

@@ -207,6 +207,8 @@ public:
     progress_.tell(report);
     if (policies_.stop.is_asking_for_distance())
       distance_check_.tell(report, progress_.has_all_points());
+    if (policies_.optional.bounds)
+      bounds_.tell(*policies_.optional.bounds, complex_, numbering_.faces);
     count_topology(complex_, scratch().labels).tell(report);
     const std::size_t parts = report.components_after + report.vanished_parts;
     report.components_before = is_topology_kept_ ? parts : initial_components_;
@@ -237,6 +239,8 @@ private:
       const bool both_ways = policies_.stop.is_asking_both_ways();
       bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box),
                                both_ways, tolerances_of(complex_, tolerances, scale_));
+      if (policies_.optional.bounds)
+        bounds_.take_given(*policies_.optional.bounds, complex_, numbering_.faces);
       progress_.announce_distance(0);
       if (both_ways)
         progress_.announce_distance_back(0);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/distance/back_deviation.h>
+#include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/distance/recent_faces.h>
 #include <quadrille/internal/distance/star_deviation.h>
 #include <quadrille/internal/distance/tolerances.h>
@@ -154,6 +155,26 @@ public:
     }
   }
 
+  /// The faces begin with what is known of them, by the numbers that they and their backs have in
+  /// the input.
+  template <class Inputs>
+  void take_given(const std::vector<FaceBound>& given, const TriangleComplex& complex,
+                  const Inputs& inputs) {
+    for_inputs(complex, inputs, [&](Index face, Index input) {
+      of_face_[face] = (std::max)(of_face_[face], given[input].from_input);
+      if (back_of_face_.size() > 0)
+        back_of_face_[face] = (std::max)(back_of_face_[face], given[input].to_input);
+    });
+  }
+  /// What is known of those that are left, in the same way.
+  template <class Inputs>
+  void tell(std::vector<FaceBound>& told, const TriangleComplex& complex,
+            const Inputs& inputs) const {
+    for_inputs(complex, inputs, [&](Index face, Index input) {
+      told[input] = {of_face_[face], back_of_face_.size() > 0 ? back_of_face_[face] : 0};
+    });
+  }
+
   /// Leaves out those of faces for which is_left(face) is false.
   template <class IsLeft>
   void pack_if(IsLeft is_left) {
@@ -183,6 +204,17 @@ public:
   }
 
 private:
+  template <class Inputs, class Take>
+  static void for_inputs(const TriangleComplex& complex, const Inputs& inputs, Take take) {
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      if (complex.is_removed(face))
+        continue;
+      take(face, inputs[face]);
+      if (complex.backs().has(face))
+        take(face, complex.backs().input_face(face));
+    }
+  }
+
   template <class Stored>
   static void set(Array<float>& of_face, const PairStar& star, const std::vector<float>& bounds,
                   Stored stored) {

@@ -86,6 +86,8 @@ private:
         piece.triangles.push_back(corners);
       if (is_inside && !part_.labels.empty())
         piece.labels.push_back(part_.labels[f]);
+      if (is_inside && !part_.bounds.empty())
+        piece.bounds.push_back(part_.bounds[f]);
       for (const Index corner : corners)
         if (!is_inside && corner != none)
           piece.is_shared[corner] = true;

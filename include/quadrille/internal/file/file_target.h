@@ -12,14 +12,16 @@
 
 namespace quadrille::internal {
 
-/// The stop policies of a surface in parts: how many faces are to be left, of so many.
+/// The stop policies of a surface in parts: how many faces are to be left, of so many; and whether
+/// a limit of distances may end it before.
 class FileTarget {
 public:
   template <class Stop>
-  explicit FileTarget(const Stop& stop) {
+  FileTarget(const Stop& stop, bool is_limited) : is_limited_(is_limited) {
     static_assert(std::is_same_v<Stop, FaceCount> || std::is_same_v<Stop, FaceRatio>,
-                  "quadrille: a file is simplified to a FaceCount or a FaceRatio: other stop "
-                  "policies are for surfaces in memory");
+                  "quadrille: a file is simplified to a FaceCount or a FaceRatio, an ErrorLimit or "
+                  "a HausdorffLimit, or AnyOf one of both: other stop policies are for surfaces in "
+                  "memory");
     validate(stop);
     if constexpr (std::is_same_v<Stop, FaceCount>)
       faces_ = stop.faces;
@@ -31,6 +33,7 @@ public:
     return ratio_ < 0 ? faces_
                       : static_cast<std::uint64_t>(std::llround(ratio_ * static_cast<double>(of)));
   }
+  bool is_limited() const { return is_limited_; }
   void tell(JobKey& key) const {
     key.add_number(faces_);
     key.add_number(ratio_);
@@ -39,6 +42,7 @@ public:
 private:
   std::uint64_t faces_ = 0;
   double ratio_ = -1; // negative: a count
+  bool is_limited_;
 };
 
 } // namespace quadrille::internal

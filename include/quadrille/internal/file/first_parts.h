@@ -43,7 +43,7 @@ public:
     const PartTree cut = count(part_vertices, from(0.15, 0.3, facts_.vertices));
     const std::vector<PartNumber> homes = find_homes(cut, from(0.3, 0.4, facts_.vertices));
     LabelTable labels(input_.labels());
-    PartScatter scatter(folder, 1, cut.size(), facts_.vertices, buffers, has_labels());
+    PartScatter scatter(folder, 1, cut.size(), facts_.vertices, buffers, has_labels(), false);
     give_faces(scatter, homes, labels, from(0.4, 0.7, facts_.faces));
     give_vertices(scatter, homes, from(0.7, 1, facts_.vertices));
     if (has_labels())
@@ -114,7 +114,7 @@ private:
         return;
       ++facts_.counted_faces;
       scatter.add_face(corners, {homes[corners[0]], homes[corners[1]], homes[corners[2]]},
-                       has_labels() ? labels.number(values) : 0,
+                       has_labels() ? labels.number(values) : 0, FaceBound{},
                        [&](std::size_t i, PartNumber part) {
                          requests_.add({corners[i], part});
                        });

@@ -65,6 +65,7 @@ inline void remove_job_files(const std::filesystem::path& folder,
 /// phase-K/vertices-P     the vertices of part P, as VertexRow
 /// phase-K/faces-P        its faces, as FaceRow
 /// phase-K/labels-P       the label of each face, if there are labels
+/// phase-K/bounds-P       how far each face is from the input, see FaceBound, if that is limited
 /// phase-K/borders        edges of one face between vertices that are shared, as two numbers
 /// phase-K/left-P         what is left of the part: there once it has been simplified
 /// phase-K/claims-N/      which process has which part, see TaskClaims
@@ -90,6 +91,9 @@ public:
   }
   std::filesystem::path labels(unsigned k, std::size_t part) const {
     return phase(k) / ("labels-" + std::to_string(part));
+  }
+  std::filesystem::path bounds(unsigned k, std::size_t part) const {
+    return phase(k) / ("bounds-" + std::to_string(part));
   }
   /// What labels are: of all phases.
   std::filesystem::path label_table() const { return path_ / "labels"; }
@@ -123,7 +127,8 @@ public:
   void remove_phase(unsigned k) const {
     ::unlink(plan(k).c_str()); // first: it says that the others are there
     remove_claims(phase(k));
-    remove_job_files(phase(k), {"plan", "vertices", "faces", "labels", "borders", "left"});
+    remove_job_files(phase(k),
+                     {"plan", "vertices", "faces", "labels", "bounds", "borders", "left"});
   }
   void remove_phases() const {
     for (const unsigned k : phases())

@@ -52,6 +52,8 @@ public:
     add_member([](const auto& p) -> decltype(p.loss_weight) { return p.loss_weight; });
     add_member([](const auto& p) -> decltype(p.loss_tolerance) { return p.loss_tolerance; });
     add_member([](const auto& p) -> decltype(p.kind()) { return p.kind(); });
+    add_member([](const auto& p) -> decltype(p.distance(1.0)) { return p.distance(1.0); });
+    add_member([](const auto& p) -> decltype(p.distance(2.0)) { return p.distance(2.0); });
     if constexpr (std::has_unique_object_representations_v<Policy> && !std::is_empty_v<Policy>)
       checksum_.add(&policy, sizeof(policy));
   }

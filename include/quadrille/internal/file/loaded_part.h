@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_LOADED_PART_H
 
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/id_index.h>
 #include <quadrille/internal/file/job_folder.h>
@@ -29,6 +30,7 @@ struct LoadedPart {
   std::vector<char> memories;  ///< of `memory_size` bytes each; empty in the first phase
   std::vector<std::array<Index, 3>> triangles;
   std::vector<std::uint32_t> labels;         ///< of the triangles, or none
+  std::vector<FaceBound> bounds;             ///< of the triangles, or none
   std::vector<std::array<Index, 2>> borders; ///< see TrueBorders
 
   /// Reads part `part` of a phase. Throws for files that are not what was written.
@@ -49,6 +51,8 @@ struct LoadedPart {
       }
     if (files.labels.size > 0)
       loaded.labels = read_rows<std::uint32_t>(folder.labels(plan.phase, part), files.labels);
+    if (files.bounds.size > 0)
+      loaded.bounds = read_rows<FaceBound>(folder.bounds(plan.phase, part), files.bounds);
     loaded.take_borders(read_rows<std::uint64_t>(folder.borders(plan.phase), plan.borders), index);
     return loaded;
   }

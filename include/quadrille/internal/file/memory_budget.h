@@ -19,10 +19,12 @@ namespace quadrille::internal {
 /// and never on how many are simplified at a time.
 class MemoryBudget {
 public:
-  /// `per_vertex` are bytes of what a vertex remembers, `scalars` how many it has.
-  MemoryBudget(const OutOfCore& options, std::size_t per_vertex, std::size_t scalars)
-      : memory_(options.memory),
-        per_face_(bytes_of_engine + (per_vertex + scalars * bytes_of_scalar) / 2) {
+  /// `per_vertex` are bytes of what a vertex remembers, `scalars` how many it has. Are distances
+  /// limited?
+  MemoryBudget(const OutOfCore& options, std::size_t per_vertex, std::size_t scalars,
+               bool is_limited)
+      : memory_(options.memory), per_face_(bytes_of_engine + (is_limited ? bytes_of_bounds : 0) +
+                                           (per_vertex + scalars * bytes_of_scalar) / 2) {
     if (memory_ < 2 * base)
       throw std::invalid_argument("quadrille::OutOfCore: a memory of " + std::to_string(memory_) +
                                   " bytes is too small; it has to be at least " +
@@ -77,6 +79,7 @@ public:
 private:
   static constexpr std::uint64_t base = 64'000'000;           // program, cells, and what is small
   static constexpr std::uint64_t bytes_of_engine = 200;       // with the part as it is read
+  static constexpr std::uint64_t bytes_of_bounds = 24;        // in the engine, and as they are read
   static constexpr std::uint64_t bytes_of_scalar = 96;        // of a vertex, with its map
   static constexpr std::uint64_t most_part_faces = 4'000'000; // more gain nothing
 

@@ -134,7 +134,8 @@ public:
     if (memories_.size() > 0)
       for_survivors([&](const Survivors& part) { memories_.add(part); });
     memories_.sum_up();
-    PartScatter scatter(folder_, phase_ + 1, cut.size(), ids, buffers, has_labels());
+    PartScatter scatter(folder_, phase_ + 1, cut.size(), ids, buffers,
+                        has(&SurvivorsHeader::labels), has(&SurvivorsHeader::bounds));
     for_survivors([&](const Survivors& part) { give_faces(scatter, part, cut); });
     scatter.end_faces();
     for_survivors([&](const Survivors& part) { give_vertices(scatter, part, cut); });
@@ -143,9 +144,9 @@ public:
   }
 
 private:
-  bool has_labels() const {
+  bool has(std::uint64_t SurvivorsHeader::*count) const {
     return std::any_of(old_.begin(), old_.end(),
-                       [](const SurvivorsHeader& h) { return h.labels > 0; });
+                       [&](const SurvivorsHeader& h) { return h.*count > 0; });
   }
 
   static std::size_t memory_size(const std::vector<SurvivorsHeader>& parts) {
@@ -179,8 +180,10 @@ private:
   static void give_faces(PartScatter& scatter, const Survivors& part, const PartTree& cut) {
     std::size_t face = 0;
     for_faces(part, cut, [&](const FaceRow& corners, const auto&, const auto& homes) {
-      const std::uint32_t label = part.labels.empty() ? 0 : part.labels[face++];
-      scatter.add_face(corners, homes, label, [](std::size_t, PartNumber) {});
+      const std::uint32_t label = part.labels.empty() ? 0 : part.labels[face];
+      const FaceBound bound = part.bounds.empty() ? FaceBound{} : part.bounds[face];
+      scatter.add_face(corners, homes, label, bound, [](std::size_t, PartNumber) {});
+      ++face;
     });
   }
 

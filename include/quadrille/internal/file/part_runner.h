@@ -4,6 +4,7 @@
 #include <quadrille/internal/file/cost_samples.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/loaded_part.h>
+#include <quadrille/internal/file/part_limit.h>
 #include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/piece_of_part.h>
 #include <quadrille/simplify.h>
@@ -29,14 +30,24 @@ public:
                 "quadrille: each part of a file counts its vertices anew: a placement that asks "
                 "for indices in the input is for surfaces in memory");
 
-  PartRunner(Cost cost, Placement placement, Policies... policies)
+  PartRunner(Cost cost, Placement placement, const Policies&... policies)
       : cost_(std::move(cost)), placement_(std::move(placement)),
-        policies_(std::move(policies)...) {}
+        limits_(std::tuple_cat(limit_as_tuple(policies)...)),
+        others_(std::tuple_cat(other_as_tuple(policies)...)) {
+    std::apply([](const auto&... limit) { (validate(limit), ...); }, limits_);
+  }
 
   void tell(JobKey& key) const {
     key.add_policy(cost_);
     key.add_policy(placement_);
-    std::apply([&](const auto&... policy) { (key.add_policy(policy), ...); }, policies_);
+    const auto add = [&](const auto&... policy) { (key.add_policy(policy), ...); };
+    std::apply(add, others_);
+    std::apply(add, limits_);
+  }
+  /// Are distances limited?
+  bool is_limited() const {
+    return std::apply([](const auto&... limit) { return (is_asking_for_distance(limit) || ...); },
+                      limits_);
   }
 
   /// Simplifies a part, and writes what is left; false, and nothing is written, if it is cancelled.
@@ -51,10 +62,9 @@ public:
     const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
     auto piece = Pieces::piece(std::move(loaded), plan.input.box);
     const PieceChannels channels = job.channels(scalars);
-    const auto result =
-        plan.is_last || plan.is_exact
-            ? run(std::move(piece), channels, job.count(part), is_cancelled)
-            : run(std::move(piece), channels, limit(plan, plan.limit), is_cancelled);
+    auto result = plan.is_last || plan.is_exact
+                      ? run(std::move(piece), job, channels, job.count(part), is_cancelled)
+                      : run(std::move(piece), job, channels, limit(plan, plan.limit), is_cancelled);
     if (result.report.stop == StopReason::cancelled)
       return false;
     Survivors survivors = Pieces::survivors(result, ids, is_shared, given, labels);
@@ -101,7 +111,7 @@ private:
     const PieceChannels channels = job.channels(part.scalars);
     auto piece = Pieces::piece(std::move(part), job.plan().input.box);
     const CostLimit unlimited = limit(job.plan(), std::numeric_limits<double>::infinity());
-    return {counts, run(std::move(piece), channels, unlimited, is_cancelled).costs};
+    return {counts, run(std::move(piece), job, channels, unlimited, is_cancelled).costs};
   }
 
   template <class IsCancelled>
@@ -110,13 +120,23 @@ private:
     bool proceed(const Status&) const { return !(*is_cancelled)(); }
   };
 
+  // Where the part ends, by the phase and by the limit of distances, if there is one.
+  template <class Stop>
+  auto limited(const Stop& stop, const PartedJob& job) const {
+    if constexpr (has_limit)
+      return AnyOf{
+          stop, LimitInPart<std::tuple_element_t<0, Limits>>{std::get<0>(limits_), job.diagonal()}};
+    else
+      return stop;
+  }
+
   // Without channels by the engine that has none, and pays nothing for them.
   template <class Stop, class IsCancelled>
-  PieceResult<Cost> run(Piece<Cost> piece, const PieceChannels& channels, const Stop& stop,
-                        const IsCancelled& is_cancelled) const {
+  PieceResult<Cost> run(Piece<Cost> piece, const PartedJob& job, const PieceChannels& channels,
+                        const Stop& stop, const IsCancelled& is_cancelled) const {
     const auto run_with = [&](const auto&... arguments) {
       return simplify_piece<Cost, Placement>(
-          std::move(piece), cost_, placement_, stop, arguments...,
+          std::move(piece), cost_, placement_, limited(stop, job), arguments...,
           CGAL::parameters::visitor(Watch<IsCancelled>{&is_cancelled}));
     };
     return std::apply(
@@ -124,12 +144,18 @@ private:
           return channels.channels.empty() ? run_with(policies...)
                                            : run_with(policies..., channels);
         },
-        policies_);
+        others_);
   }
+
+  using Limits = decltype(std::tuple_cat(limit_as_tuple(std::declval<const Policies&>())...));
+  using Others = decltype(std::tuple_cat(other_as_tuple(std::declval<const Policies&>())...));
+  static constexpr bool has_limit = std::tuple_size_v<Limits> > 0;
+  static_assert(std::tuple_size_v<Limits> <= 1, "quadrille: there are two limits of distances");
 
   Cost cost_;
   Placement placement_;
-  std::tuple<Policies...> policies_;
+  Limits limits_; // one or none
+  Others others_;
 };
 
 } // namespace quadrille::internal

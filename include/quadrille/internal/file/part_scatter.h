@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PART_SCATTER_H
 #define QUADRILLE_INTERNAL_FILE_PART_SCATTER_H
 
+#include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/job_folder.h>
@@ -61,21 +62,24 @@ private:
 class PartScatter {
 public:
   PartScatter(const JobFolder& folder, unsigned phase, std::size_t parts, std::uint64_t ids,
-              std::uint64_t memory, bool has_labels)
+              std::uint64_t memory, bool has_labels, bool has_bounds)
       : folder_(folder), phase_(phase), faces_(paths(parts, &JobFolder::faces), memory),
         vertices_(paths(parts, &JobFolder::vertices), memory),
-        labels_(paths(has_labels ? parts : 0, &JobFolder::labels), memory), shared_(ids),
-        parts_(parts), has_labels_(has_labels) {}
+        labels_(paths(has_labels ? parts : 0, &JobFolder::labels), memory),
+        bounds_(paths(has_bounds ? parts : 0, &JobFolder::bounds), memory), shared_(ids),
+        parts_(parts), has_labels_(has_labels), has_bounds_(has_bounds) {}
 
   /// `homes` are the parts in which the corners lie; request(i, part) is called for a corner i that
   /// another part has to be given.
   template <class Ask>
   void add_face(const FaceRow& corners, const std::array<PartNumber, 3>& homes, std::uint32_t label,
-                Ask request) {
+                const FaceBound& bound, Ask request) {
     const PartNumber part = (std::min)({homes[0], homes[1], homes[2]});
     faces_.add(part, corners.data(), sizeof(corners));
     if (has_labels_)
       labels_.add(part, &label, sizeof(label));
+    if (has_bounds_)
+      bounds_.add(part, &bound, sizeof(bound));
     for (std::size_t i = 0; i < 3; ++i)
       if (homes[i] != part) {
         shared_.add(corners[i]);
@@ -91,6 +95,9 @@ public:
     const std::vector<FileContent> labels = labels_.finish();
     for (std::size_t p = 0; p < labels.size(); ++p)
       parts_[p].labels = labels[p];
+    const std::vector<FileContent> bounds = bounds_.finish();
+    for (std::size_t p = 0; p < bounds.size(); ++p)
+      parts_[p].bounds = bounds[p];
   }
 
   /// `scalars` are those of the vertex, `memory` the bytes of what it remembers.
@@ -125,10 +132,10 @@ private:
 
   const JobFolder& folder_;
   unsigned phase_;
-  AppendedFiles faces_, vertices_, labels_;
+  AppendedFiles faces_, vertices_, labels_, bounds_;
   IdSet shared_;
   std::vector<PartFiles> parts_;
-  bool has_labels_;
+  bool has_labels_, has_bounds_;
 };
 
 } // namespace quadrille::internal

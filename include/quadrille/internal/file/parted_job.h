@@ -39,10 +39,10 @@ public:
   const VertexScalars& scalars() const { return scalars_; }
   /// Of rows of these scalars.
   PieceChannels channels(const std::vector<double>& rows) const {
-    return scalars_.piece(rows, plan_.input.ranges,
-                          Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal(),
-                          importance_);
+    return scalars_.piece(rows, plan_.input.ranges, diagonal(), importance_);
   }
+  /// Of the input.
+  double diagonal() const { return Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal(); }
   std::uint64_t target() const { return target_.faces(plan_.input.counted_faces); }
   /// Of a part, where the phase ends with a count and not at a limit.
   FaceCount count(std::size_t part) const {
@@ -140,11 +140,15 @@ public:
     const std::vector<std::uint64_t>& left = plan_.faces_after_phases;
     const std::uint64_t before = left.empty() ? plan_.input.counted_faces : left.back();
     const bool is_enough = schedule().is_enough(plan_.step, before, next.faces(), target());
+    const bool is_held =
+        target_.is_limited() && Schedule::is_held(next.faces(), plan_.faces_wanted);
     if (plan_.is_last || plan_.is_exact ||
-        (!fits && is_enough && !Schedule::can_share(next.faces(), target())))
+        (!fits && is_enough && !Schedule::can_share(next.faces(), target())) ||
+        (!fits && is_held && Schedule::is_still(before, next.faces())))
       return false;
     plan.is_exact = !fits && is_enough;
-    plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target());
+    plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target() || is_held ||
+                            (target_.is_limited() && next.faces() <= budget_.part_faces()));
     folder_.begin_phase(plan.phase);
     const std::uint64_t most = plan.is_last ? next.vertices() : budget_.part_vertices();
     const PartScatter scatter = next.write(plan.input.box, plan.input.vertices, most,
@@ -164,7 +168,7 @@ public:
     report.parts = static_cast<std::size_t>(plan_.first_parts);
     report.shared_vertices = plan_.first_shared;
     report.faces_of_phases = plan_.faces_after_phases;
-    report.diagonal = Box<3>(plan_.input.box.low, plan_.input.box.high).diagonal();
+    report.diagonal = diagonal();
     report.peak_memory = MemoryBudget::peak();
     add_tally(plan_, report);
     return report;
@@ -177,8 +181,12 @@ public:
     add_tally(plan, report);
     const std::vector<SurvivorsHeader> parts = headers();
     std::uint64_t left = 0;
-    for (const SurvivorsHeader& h : parts)
+    report.distance_bound = report.hausdorff_bound = 0;
+    for (const SurvivorsHeader& h : parts) {
       left += h.faces;
+      report.distance_bound = (std::max)(report.distance_bound, h.tally.distance_bound);
+      report.hausdorff_bound = (std::max)(report.hausdorff_bound, h.tally.hausdorff_bound);
+    }
     report.faces_of_phases.push_back(left);
     report.is_count_exact = plan_.is_last || left == target();
     report.stop =

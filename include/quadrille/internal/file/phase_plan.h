@@ -24,6 +24,7 @@ namespace quadrille::internal {
 struct PartFiles {
   FileContent vertices, faces;
   FileContent labels = {}; ///< of the faces; empty if there are none
+  FileContent bounds = {}; ///< of the faces; empty if nothing is known of their distances
 };
 
 /// What the input is, and what has been found out about it.
@@ -98,7 +99,7 @@ struct PhasePlan {
   }
 
 private:
-  static inline const std::string magic = "quadrille phase 3";
+  static inline const std::string magic = "quadrille phase 4";
 
   static std::string end_of(const std::string& content) {
     FileChecksum checksum;
@@ -138,6 +139,7 @@ private:
       pass_content(part.vertices);
       pass_content(part.faces);
       pass_content(part.labels);
+      pass_content(part.bounds);
     });
     pass_list(plan.faces_after_phases, pass);
   }

@@ -49,6 +49,7 @@ struct PieceOfPart {
     piece.is_shared = std::move(part.is_shared);
     piece.borders = std::move(part.borders);
     piece.labels = std::move(part.labels);
+    piece.bounds = std::move(part.bounds);
     piece.box = box(of_file);
     if constexpr (has_memory) {
       piece.memories.resize(part.memories.size() / memory_size);
@@ -59,7 +60,7 @@ struct PieceOfPart {
   }
 
   /// By the numbers of the input. `given` are memories of the part, if it had any.
-  static Survivors survivors(const PieceResult<Cost>& result, const std::vector<VertexId>& ids,
+  static Survivors survivors(PieceResult<Cost>& result, const std::vector<VertexId>& ids,
                              const std::vector<bool>& is_shared, const std::vector<char>& given,
                              const std::vector<std::uint32_t>& labels) {
     Survivors s;
@@ -80,6 +81,7 @@ struct PieceOfPart {
     if (!labels.empty())
       for (const Index face : result.faces)
         s.labels.push_back(labels[face]);
+    s.bounds = std::move(result.bounds);
     if constexpr (has_memory) {
       s.memories.resize(result.memories.size() * memory_size);
       const char* const bytes = reinterpret_cast<const char*>(result.memories.data());

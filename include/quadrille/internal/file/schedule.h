@@ -46,8 +46,16 @@ public:
     if (step < wanted_.size())
       return false;
     const std::size_t times = step - wanted_.size() + 1;
-    return after <= target + target / 12 || times >= 4 ||
-           (times >= 2 && after > before - before / 50);
+    return after <= target + target / 12 || times >= 4 || (times >= 2 && is_still(before, after));
+  }
+  /// Where distances are limited: does that hold the surface, so that a phase has left much more
+  /// than it had aimed at?
+  static bool is_held(std::uint64_t after, std::uint64_t wanted) {
+    return after > wanted + wanted / 4;
+  }
+  /// Has a phase taken nearly nothing?
+  static bool is_still(std::uint64_t before, std::uint64_t after) {
+    return after > before - before / 50;
   }
   /// Are there some faces too many, and not so many that parts which can't give theirs would be
   /// destroyed by a count?

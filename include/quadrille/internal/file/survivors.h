@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_SURVIVORS_H
 #define QUADRILLE_INTERNAL_FILE_SURVIVORS_H
 
+#include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/file_checksum.h>
 #include <quadrille/internal/file/rows.h>
@@ -23,6 +24,7 @@ struct PartTally {
   std::uint64_t faces_before = 0, contractions = 0;
   std::array<std::uint64_t, rejection_causes> rejections{};
   double error = 0, seconds = 0;
+  double distance_bound = 0, hausdorff_bound = 0;
   std::uint32_t stop = 0; ///< a StopReason
 
   static PartTally of(const Report& report) {
@@ -32,6 +34,8 @@ struct PartTally {
     for (std::size_t i = 0; i < rejection_causes; ++i)
       tally.rejections[i] = report.rejections[i];
     tally.error = report.error;
+    tally.distance_bound = report.distance_bound;
+    tally.hausdorff_bound = report.hausdorff_bound;
     tally.seconds = report.seconds.total();
     tally.stop = static_cast<std::uint32_t>(report.stop);
     return tally;
@@ -40,20 +44,21 @@ struct PartTally {
 
 /// The beginning of a file of survivors. All zeros until it is finished.
 struct SurvivorsHeader {
-  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '2'};
+  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '3'};
   std::uint64_t key = 0; ///< of the job
   std::uint64_t phase = 0, part = 0;
   std::uint64_t vertices = 0, faces = 0;
   std::uint64_t scalars = 0;     ///< of a vertex, behind the vertices
   std::uint64_t memory_size = 0; ///< of a vertex, in bytes, behind the faces
   std::uint64_t labels = 0;      ///< one for each face, or none
+  std::uint64_t bounds = 0;      ///< one for each face, or none
   std::uint64_t given = 0;       ///< vertices whose memory before the phase is told, behind that
   std::uint64_t checksum = 0;    ///< of all that follows
   PartTally tally = {};
 
   std::uint64_t content_size() const {
     return vertices * (sizeof(VertexRow) + scalars * sizeof(double) + memory_size) +
-           faces * sizeof(FaceRow) + labels * sizeof(std::uint32_t) +
+           faces * sizeof(FaceRow) + labels * sizeof(std::uint32_t) + bounds * sizeof(FaceBound) +
            given * (sizeof(std::uint64_t) + memory_size);
   }
 };
@@ -68,6 +73,7 @@ struct Survivors {
   std::vector<FaceRow> faces;
   std::vector<double> scalars = {};       ///< of the vertices, or none
   std::vector<std::uint32_t> labels = {}; ///< of the faces, or none
+  std::vector<FaceBound> bounds = {};     ///< of the faces, or none
   std::vector<char> memories = {};
   std::vector<std::uint64_t> given = {};
   std::vector<char> given_memories = {};
@@ -83,6 +89,7 @@ struct Survivors {
     header.vertices = vertices.size();
     header.faces = faces.size();
     header.labels = labels.size();
+    header.bounds = bounds.size();
     header.given = given.size();
     header.scalars = vertices.empty() ? 0 : scalars.size() / vertices.size();
     header.memory_size = vertices.empty() ? 0 : memories.size() / vertices.size();
@@ -103,6 +110,7 @@ struct Survivors {
     s.faces.resize(static_cast<std::size_t>(header.faces));
     s.scalars.resize(static_cast<std::size_t>(header.vertices * header.scalars));
     s.labels.resize(static_cast<std::size_t>(header.labels));
+    s.bounds.resize(static_cast<std::size_t>(header.bounds));
     s.memories.resize(static_cast<std::size_t>(header.vertices * header.memory_size));
     s.given.resize(static_cast<std::size_t>(header.given));
     s.given_memories.resize(static_cast<std::size_t>(header.given * header.memory_size));
@@ -143,6 +151,7 @@ private:
     visit(s.scalars.data(), s.scalars.size() * sizeof(double));
     visit(s.faces.data(), s.faces.size() * sizeof(FaceRow));
     visit(s.labels.data(), s.labels.size() * sizeof(std::uint32_t));
+    visit(s.bounds.data(), s.bounds.size() * sizeof(FaceBound));
     visit(s.memories.data(), s.memories.size());
     visit(s.given.data(), s.given.size() * sizeof(std::uint64_t));
     visit(s.given_memories.data(), s.given_memories.size());

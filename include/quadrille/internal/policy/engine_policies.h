@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace quadrille::internal {
 
@@ -29,6 +30,7 @@ template <std::size_t N>
 class Geometry;
 template <class Memory>
 struct GivenMemories;
+struct FaceBound;
 class CostHistogram;
 class IntersectionCheck;
 class NormalCheck;
@@ -54,6 +56,9 @@ struct OptionalParts {
   double normal_degrees = 180;
   /// What vertices remember at the beginning instead of what their faces leave, if that is given.
   const GivenMemories<typename Policies::Cost::Memory>* memories = nullptr;
+  /// How far each input face is from the input of all pieces, at the beginning and then at the end;
+  /// where a stop policy asks for distances.
+  std::vector<FaceBound>* bounds = nullptr;
   /// Counts what contractions cost.
   CostHistogram* costs = nullptr;
   /// Throws if a surface is no solid.

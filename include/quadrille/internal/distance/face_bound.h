@@ -1,0 +1,15 @@
+#ifndef QUADRILLE_INTERNAL_DISTANCE_FACE_BOUND_H
+#define QUADRILLE_INTERNAL_DISTANCE_FACE_BOUND_H
+
+namespace quadrille::internal {
+
+/// How far the points of a face are from the input at most, and the input points that have come to
+/// lie in it from the face, in the engine's unit: see DistanceBounds. Where it is written to a file
+/// it is these bytes.
+struct FaceBound {
+  float from_input = 0, to_input = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_DISTANCE_FACE_BOUND_H
