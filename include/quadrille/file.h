@@ -91,6 +91,20 @@ public:
   /// Cuts the file into the parts of the first phase; or, with OutOfCore::restart, takes up the
   /// phase that is at work.
   void partition() {
+    cut();
+    try {
+      find_limit();
+    } catch (const std::invalid_argument&) { // what policies refuse
+      if (phase() == 1)
+        remove_job();
+      throw;
+    }
+  }
+
+  /// partition() and close() look for the cost at which parts of the phase end, by samples of some
+  /// parts. Those who share that out as well call cut() and regroup() instead of them, and then, in
+  /// each phase, sample(i) for i < samples(), in any order, by any process, and settle().
+  void cut() {
     lock();
     if (job_.folder().phase_at_work() > 0 && !options_.restart)
       internal::fail_file(job_.folder().path(),
@@ -98,7 +112,7 @@ public:
     if (job_.take_up())
       return job_.remove_phase_before();
     try {
-      cut();
+      cut_file();
     } catch (const internal::JobCancelled&) {
       job_.folder().remove_phases();
       if (!source_.is_welded(job_.folder()))
@@ -108,6 +122,27 @@ public:
       remove_job();
       throw;
     }
+  }
+
+  /// How many are to be taken in this phase; none if it needs none, or is settled.
+  std::size_t samples() const {
+    return job_.plan().is_settled ? 0 : internal::LimitSearch(job_).size();
+  }
+  /// Takes a sample. False, with nothing done, if `is_cancelled`, which is asked now and then, says
+  /// so.
+  template <class IsCancelled>
+  bool sample(std::size_t i, const IsCancelled& is_cancelled) const {
+    return internal::LimitSearch(job_).sample(i, runner_, is_cancelled);
+  }
+  /// The same to its end.
+  void sample(std::size_t i) const {
+    sample(i, [] { return false; });
+  }
+  /// When all are taken. Throws std::logic_error if some are missing.
+  void settle() {
+    lock();
+    if (!job_.plan().is_settled)
+      job_.settle(internal::LimitSearch(job_).limit());
   }
 
   /// Takes up the phase that is at work, to simplify parts of it.
@@ -126,6 +161,9 @@ public:
   /// time. False, with nothing done, if `is_cancelled`, which is asked now and then, says so.
   template <class IsCancelled>
   bool simplify(std::size_t part, const IsCancelled& is_cancelled) const {
+    if (!job_.plan().is_settled)
+      throw std::logic_error("quadrille::PartitionedSimplifier: phase " + std::to_string(phase()) +
+                             " is not settled");
     return job_.is_done(part) || runner_.simplify(job_, part, is_cancelled);
   }
   /// The same to its end.
@@ -133,12 +171,14 @@ public:
     simplify(part, [] { return false; });
   }
 
-  /// Tells OutOfCore::proceed that so many parts of the phase are done; false if it says that the
-  /// job shall end.
+  /// Tells OutOfCore::proceed that so many parts, or samples, of the phase are done; false if it
+  /// says that the job shall end.
   bool proceeds(std::size_t done) const {
     try {
-      const double part = static_cast<double>(done) / static_cast<double>(parts());
-      watch_.tell(job_, FileStage::simplify, part, done, parts());
+      const bool is_settled = job_.plan().is_settled;
+      const std::size_t all = is_settled ? parts() : samples();
+      watch_.tell(job_, is_settled ? FileStage::simplify : FileStage::sample,
+                  static_cast<double>(done) / static_cast<double>(all), done, all);
       return true;
     } catch (const internal::JobCancelled&) {
       return false;
@@ -148,9 +188,16 @@ public:
   /// Ends the phase, and begins the next one; false if it was the last, and what is left can be
   /// sewn. Throws std::logic_error if parts are missing.
   bool close() {
+    const bool goes_on = regroup();
+    if (goes_on)
+      find_limit();
+    return goes_on;
+  }
+  /// The same without settling the next one: see cut().
+  bool regroup() {
     lock();
     watch_.tell(job_, FileStage::regroup, 0);
-    return job_.end_phase(internal::PieceOfPart<Cost>::add_memory(), limit());
+    return job_.end_phase(internal::PieceOfPart<Cost>::add_memory());
   }
 
   /// Writes what is left to a binary PLY file, with floats or doubles as the input has, and empties
@@ -212,15 +259,18 @@ private:
     lock_.reset();
   }
 
-  void cut() {
+  void cut_file() {
     const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
     tell(0);
-    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2), limit(), tell);
+    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2), tell);
   }
 
-  // What finds the limit of a phase that is about to begin.
-  auto limit() const {
-    return [this] { return internal::find_limit(job_, runner_, watch_); };
+  void find_limit() {
+    watch_.run(job_, FileStage::sample, samples(), [&](std::size_t i, const auto& ask) {
+      if (!sample(i, ask))
+        throw internal::JobCancelled();
+    });
+    settle();
   }
 
   FileReport report() const {

@@ -183,26 +183,40 @@ FileReport run_over_ranks(MPI_Comm communicator, const std::filesystem::path& ou
   std::optional<Job> job;
   std::size_t done = 0; // by this rank
   const auto is_cancelled = [&] {
-    return !job->proceeds((std::min)(done * ranks.size(), job->parts()));
+    const std::size_t all = job->samples() > 0 ? job->samples() : job->parts();
+    return !job->proceeds((std::min)(done * ranks.size(), all));
   };
-  const auto simplify_part = [&](std::size_t part) {
-    if (is_cancelled() || !job->simplify(part, is_cancelled))
-      throw JobCancelled();
-    ++done;
+  const auto share = [&](std::size_t n, const auto& task) {
+    done = 0;
+    ranks.share(
+        n,
+        [&](std::size_t i) {
+          if (is_cancelled() || !task(i))
+            throw JobCancelled();
+          ++done;
+        },
+        job->phase_folder());
+  };
+  const auto take_up_on_others = [&] {
+    ranks.run([&] {
+      if (!ranks.is_first())
+        make(job), job->join();
+    });
   };
   const auto begin = std::chrono::steady_clock::now();
   FileReport report;
   using Flag = std::array<std::int64_t, 1>;
   try {
-    ranks.on_first([&] { return make(job), job->partition(), Flag{}; });
+    ranks.on_first([&] { return make(job), job->cut(), Flag{}; });
     do {
-      ranks.run([&] {
-        if (!ranks.is_first())
-          make(job), job->join();
-      });
-      done = 0;
-      ranks.share(job->parts(), simplify_part, job->phase_folder());
-    } while (ranks.on_first([&] { return Flag{job->close()}; })[0] != 0);
+      take_up_on_others();
+      if (job->samples() > 0) {
+        share(job->samples(), [&](std::size_t i) { return job->sample(i, is_cancelled); });
+        ranks.on_first([&] { return job->settle(), Flag{}; });
+        take_up_on_others();
+      }
+      share(job->parts(), [&](std::size_t part) { return job->simplify(part, is_cancelled); });
+    } while (ranks.on_first([&] { return Flag{job->regroup()}; })[0] != 0);
     take_numbers(ranks.on_first([&] {
       report = job->sew(output);
       return numbers_of(report);
@@ -220,8 +234,9 @@ FileReport run_over_ranks(MPI_Comm communicator, const std::filesystem::path& ou
 
 /// simplify_file over the ranks of a communicator: all of them call it with the same arguments.
 ///
-/// Each rank simplifies one part at a time, the next that is left, and asks no other rank for it;
-/// the steps between, the cut of the file, the next phase, the result, are the first rank's.
+/// Each rank simplifies one part at a time, or takes samples of one, the next that is left, and
+/// asks no other rank for it; the steps between, the cut of the file, the next phase, the result,
+/// are the first rank's.
 /// OutOfCore::memory is that of each rank, and parts_in_flight does not count. Surfaces go through
 /// the files of the scratch folder only, which all ranks must see, as they must see the input;
 /// messages hold a few integers. The result has the same bytes for any number of ranks, and those

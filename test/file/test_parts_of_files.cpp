@@ -321,7 +321,7 @@ TEST_CASE("A sample tells the cost at which as many faces are left") {
   for (int i = 0; i < 30; ++i)
     costs.add(static_cast<float>(i + 1), 2); // all 60 of them
   CostSamples samples(1000);
-  samples.add(1000, SampleCounts(part), costs);
+  samples.add(1000, SampleCounts(part).free_faces, costs);
   CHECK(samples.limit(510) == Approx(15).epsilon(0.04));
   CHECK(samples.limit(910) == Approx(3).epsilon(0.04));
   CHECK(samples.limit(0) == Approx(30).epsilon(0.04));

@@ -607,6 +607,38 @@ std::map<std::string, std::string> tree_of(const std::filesystem::path& path) {
   return tree;
 }
 
+TEST_CASE("Samples are taken one by one, in any order, by any process") {
+  const Folder folder;
+  OutOfCore options = in_parts(folder, part_of_16);
+  const std::string once = content_at_once(folder, options);
+  using Job = PartitionedSimplifier<MemorylessQuadric, OptimalPlacement>;
+  const auto made = [&] { return Job(folder.path("in.ply"), FaceCount{800}, options); };
+  Job job = made();
+  job.cut();
+  do {
+    if (job.samples() > 0) {
+      CHECK(job.samples() == job.parts());
+      for (std::size_t i = job.samples(); i-- > 1;)
+        job.sample(i);
+      CHECK_THROWS_WITH(job.simplify(0), Catch::Contains("is not settled"));
+      Job other = made();
+      other.join();
+      CHECK_FALSE(other.sample(0, [] { return true; }));
+      CHECK_THROWS_WITH(job.settle(), Catch::Contains("sample 0 of phase"));
+      other.sample(0);
+      folder.file("scratch/quadrille-job/phase-" + std::to_string(job.phase()) + "/sample-1", "?");
+      CHECK_THROWS_WITH(job.settle(), Catch::Contains("sample 1 of phase"));
+      other.sample(1);
+      job.settle();
+    }
+    for (std::size_t part = 0; part < job.parts(); ++part)
+      job.simplify(part);
+  } while (job.regroup());
+  job.sew(folder.path("out.ply"));
+  CHECK(content_of(folder.path("out.ply")) == once);
+  CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+}
+
 TEST_CASE("A job removes what it has made, and nothing else") {
   const Folder folder;
   const auto scratch = folder.path("scratch");

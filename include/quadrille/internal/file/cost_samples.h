@@ -125,10 +125,11 @@ class CostSamples {
 public:
   explicit CostSamples(std::uint64_t faces) : faces_(faces) {}
 
-  /// A sample that stands for so many faces, with what contractions in it took.
-  void add(std::uint64_t part_faces, const SampleCounts& counts, const CostHistogram& costs) {
-    if (counts.free_faces > 0)
-      samples_.push_back({part_faces, counts.free_faces, costs});
+  /// A sample that stands for so many faces, of which so many could go, with what contractions in
+  /// it took.
+  void add(std::uint64_t part_faces, double free_faces, const CostHistogram& costs) {
+    if (free_faces > 0)
+      samples_.push_back({part_faces, free_faces, costs});
   }
 
   /// In the engine's unit. If nothing could be sampled it is infinite.

@@ -67,6 +67,7 @@ inline void remove_job_files(const std::filesystem::path& folder,
 /// phase-K/labels-P       the label of each face, if there are labels
 /// phase-K/bounds-P       how far each face is from the input, see FaceBound, if that is limited
 /// phase-K/borders        edges of one face between vertices that are shared, as two numbers
+/// phase-K/sample-P       what samples of the part tell of its costs, see SampleFile
 /// phase-K/left-P         what is left of the part: there once it has been simplified
 /// phase-K/claims-N/      which process has which part, see TaskClaims
 class JobFolder {
@@ -100,6 +101,9 @@ public:
   std::filesystem::path left(unsigned k, std::size_t part) const {
     return phase(k) / ("left-" + std::to_string(part));
   }
+  std::filesystem::path samples(unsigned k, std::size_t part) const {
+    return phase(k) / ("sample-" + std::to_string(part));
+  }
   /// Where a soup is made a surface.
   std::filesystem::path welding() const { return path_ / "welding"; }
   /// That surface.
@@ -127,8 +131,8 @@ public:
   void remove_phase(unsigned k) const {
     ::unlink(plan(k).c_str()); // first: it says that the others are there
     remove_claims(phase(k));
-    remove_job_files(phase(k),
-                     {"plan", "vertices", "faces", "labels", "bounds", "borders", "left"});
+    remove_job_files(
+        phase(k), {"plan", "vertices", "faces", "labels", "bounds", "borders", "sample", "left"});
   }
   void remove_phases() const {
     for (const unsigned k : phases())

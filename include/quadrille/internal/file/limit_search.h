@@ -2,41 +2,82 @@
 #define QUADRILLE_INTERNAL_FILE_LIMIT_SEARCH_H
 
 #include <quadrille/internal/file/cost_samples.h>
-#include <quadrille/internal/file/job_watch.h>
 #include <quadrille/internal/file/parted_job.h>
+#include <quadrille/internal/file/sample_file.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The cost limit at which a phase is to leave the faces that it aims at, in the engine's unit:
-/// from samples of 32 parts, or of several pieces of each if there are fewer.
-template <class Runner>
-float find_limit(const PartedJob& job, const Runner& runner, const JobWatch& watch) {
-  const std::vector<PartFiles>& parts = job.plan().parts;
-  const auto faces_of = [](const PartFiles& p) { return p.faces.size / sizeof(FaceRow); };
-  std::vector<std::size_t> sampled;
-  std::uint64_t faces = 0;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (p % ((parts.size() + 31) / 32) == 0)
-      sampled.push_back(p);
-    faces += faces_of(parts[p]);
+/// From samples of 32 parts of a phase, or of several pieces of each if there are fewer, to the
+/// cost limit at which it is to leave the faces that it aims at. Samples are files of the phase,
+/// which any process may make.
+class LimitSearch {
+public:
+  explicit LimitSearch(const PartedJob& job) : job_(job) {
+    const std::size_t step = (job.plan().parts.size() + 31) / 32;
+    for (std::size_t p = 0; p < job.plan().parts.size(); p += step)
+      parts_.push_back(p);
   }
-  const std::size_t pieces = std::bit_floor(std::max<std::size_t>(32 / sampled.size(), 1));
-  std::vector<std::vector<typename Runner::Sample>> samples(sampled.size());
-  watch.run(job, FileStage::sample, sampled.size(), [&](std::size_t i, const auto& is_cancelled) {
-    samples[i] = runner.samples(job, sampled[i], pieces, is_cancelled);
-  });
-  CostSamples all(faces);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    for (const auto& sample : samples[i])
-      all.add(faces_of(parts[sampled[i]]) / samples[i].size(), sample.counts, sample.costs);
-  return all.limit(job.plan().faces_wanted);
-}
+
+  /// Of how many parts there are samples.
+  std::size_t size() const { return parts_.size(); }
+
+  /// Takes those of the i-th of them, unless they are there. False if it is cancelled.
+  template <class Runner, class IsCancelled>
+  bool sample(std::size_t i, const Runner& runner, const IsCancelled& is_cancelled) const {
+    if (read(i))
+      return true;
+    const std::size_t pieces = std::bit_floor(std::max<std::size_t>(32 / parts_.size(), 1));
+    bool is_whole = true; // a sample that was cut short would tell less than there is
+    const auto samples = runner.samples(job_, parts_[i], pieces, [&] {
+      is_whole = is_whole && !is_cancelled();
+      return !is_whole;
+    });
+    if (is_whole)
+      SampleFile::write(path(i), job_.key(), samples);
+    return is_whole;
+  }
+
+  /// In the engine's unit. Throws std::logic_error if samples are missing.
+  float limit() const {
+    const auto faces_of = [](const PartFiles& p) { return p.faces.size / sizeof(FaceRow); };
+    const std::vector<PartFiles>& parts = job_.plan().parts;
+    std::uint64_t faces = 0;
+    for (const PartFiles& p : parts)
+      faces += faces_of(p);
+    CostSamples all(faces);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const std::optional<std::vector<CostSample>> samples = read(i);
+      if (!samples)
+        throw std::logic_error("quadrille::PartitionedSimplifier: sample " + std::to_string(i) +
+                               " of phase " + std::to_string(job_.plan().phase) +
+                               " has not been taken");
+      for (const CostSample& sample : *samples)
+        all.add(faces_of(parts[parts_[i]]) / samples->size(), sample.free_faces, sample.costs);
+    }
+    return all.limit(job_.plan().faces_wanted);
+  }
+
+private:
+  std::filesystem::path path(std::size_t i) const {
+    return job_.folder().samples(job_.plan().phase, parts_[i]);
+  }
+  std::optional<std::vector<CostSample>> read(std::size_t i) const {
+    return SampleFile::read(path(i), job_.key());
+  }
+
+  const PartedJob& job_;
+  std::vector<std::size_t> parts_;
+};
 
 } // namespace quadrille::internal
 

@@ -7,6 +7,7 @@
 #include <quadrille/internal/file/part_limit.h>
 #include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/piece_of_part.h>
+#include <quadrille/internal/file/sample_file.h>
 #include <quadrille/simplify.h>
 
 #include <algorithm>
@@ -74,23 +75,17 @@ public:
     return true;
   }
 
-  /// What a connected piece of a part tells of its costs.
-  struct Sample {
-    SampleCounts counts;
-    CostHistogram costs;
-  };
-
   /// Some pieces of a part, about a sixteenth of it together; of a small one, all of it.
   template <class IsCancelled>
-  std::vector<Sample> samples(const PartedJob& job, std::size_t part, std::size_t pieces,
-                              const IsCancelled& is_cancelled) const {
+  std::vector<CostSample> samples(const PartedJob& job, std::size_t part, std::size_t pieces,
+                                  const IsCancelled& is_cancelled) const {
     const PhasePlan& plan = job.plan();
     auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::memory_size);
     const std::size_t vertices =
         std::max<std::size_t>(loaded.ids.size() / 16 / pieces, least_sample);
     if (vertices * pieces >= loaded.ids.size() / 2)
       return {sample(std::move(loaded), job, is_cancelled)};
-    std::vector<Sample> result;
+    std::vector<CostSample> result;
     for (std::size_t i = 0; i < pieces; ++i)
       result.push_back(
           sample(PartOfPart::of(loaded, vertices, i + part * 0x9E3779B1U, Pieces::memory_size), job,
@@ -106,12 +101,12 @@ private:
   }
 
   template <class IsCancelled>
-  Sample sample(LoadedPart part, const PartedJob& job, const IsCancelled& is_cancelled) const {
+  CostSample sample(LoadedPart part, const PartedJob& job, const IsCancelled& is_cancelled) const {
     const SampleCounts counts(part);
     const PieceChannels channels = job.channels(part.scalars);
     auto piece = Pieces::piece(std::move(part), job.plan().input.box);
     const CostLimit unlimited = limit(job.plan(), std::numeric_limits<double>::infinity());
-    return {counts, run(std::move(piece), job, channels, unlimited, is_cancelled).costs};
+    return {counts.free_faces, run(std::move(piece), job, channels, unlimited, is_cancelled).costs};
   }
 
   template <class IsCancelled>

@@ -36,6 +36,7 @@ public:
   const JobFolder& folder() const { return folder_; }
   const MemoryBudget& budget() const { return budget_; }
   const PhasePlan& plan() const { return plan_; }
+  std::uint64_t key() const { return key_; }
   const VertexScalars& scalars() const { return scalars_; }
   /// Of rows of these scalars.
   PieceChannels channels(const std::vector<double>& rows) const {
@@ -81,9 +82,9 @@ public:
       folder_.remove_phase(plan_.phase - 1);
   }
 
-  /// Cuts a file into the parts of the first phase; `limit()` finds the limit of its costs.
-  template <class Limit, class Tell>
-  void cut_file(const PlyInput& input, Limit limit, Tell tell) {
+  /// Cuts a file into the parts of the first phase.
+  template <class Tell>
+  void cut_file(const PlyInput& input, Tell tell) {
     budget_.require_tables(input.vertices());
     if (input.faces() == 0 || input.vertices() == 0)
       fail_file(input.file().path(), "nothing to simplify: it has no faces");
@@ -101,7 +102,14 @@ public:
     plan.is_last = is_whole || plan.input.counted_faces <= target_.faces(plan.input.counted_faces);
     plan.label_table = parts.label_table();
     plan.bytes_read = 4 * 24 * plan.input.vertices + input.file().size();
-    begin(std::move(plan), scatter, limit);
+    begin(std::move(plan), scatter);
+  }
+
+  /// Parts of the phase end at that cost, in the engine's unit.
+  void settle(float limit) {
+    plan_.limit = static_cast<double>(limit);
+    plan_.is_settled = true;
+    plan_.write(folder_.plan(plan_.phase));
   }
 
   /// Is that part simplified? Its file is read as a whole, so that it is sure.
@@ -128,8 +136,7 @@ public:
   }
 
   /// Ends a phase of which all parts are done, and begins the next one. False if it was the last.
-  template <class Limit>
-  bool end_phase(AddMemory add, Limit limit) {
+  bool end_phase(AddMemory add) {
     NextParts next(folder_, plan_.phase, headers(), add);
     PhasePlan plan = plan_;
     ++plan.phase;
@@ -153,7 +160,7 @@ public:
     const std::uint64_t most = plan.is_last ? next.vertices() : budget_.part_vertices();
     const PartScatter scatter = next.write(plan.input.box, plan.input.vertices, most,
                                            Schedule::fraction(plan.phase), budget_.buffers());
-    begin(std::move(plan), scatter, limit);
+    begin(std::move(plan), scatter);
     remove_phase_before();
     return true;
   }
@@ -247,8 +254,7 @@ private:
       plan.bytes_read += p.vertices.size + p.faces.size;
   }
 
-  template <class Limit>
-  void begin(PhasePlan plan, const PartScatter& scatter, Limit limit) {
+  void begin(PhasePlan plan, const PartScatter& scatter) {
     plan.parts = scatter.parts();
     if (plan.phase == 1) {
       plan.first_parts = plan.parts.size();
@@ -261,8 +267,7 @@ private:
     }
     plan_ = plan;
     plan_.faces_wanted = schedule().wanted(plan.step, target());
-    if (!plan.is_last && !plan.is_exact)
-      plan_.limit = static_cast<double>(limit());
+    plan_.is_settled = plan.is_last || plan.is_exact;
     plan_.write(folder_.plan(plan.phase));
     folder_.remove_welded();
   }

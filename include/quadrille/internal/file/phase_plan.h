@@ -37,13 +37,15 @@ struct InputFacts {
 };
 
 /// A phase that may begin: each of its parts is there, and what becomes of it depends on nothing
-/// else. It is written as a whole when all else of the phase has been.
+/// else. It is written as a whole when all else of the phase has been, and once more when the limit
+/// of its costs has been found.
 struct PhasePlan {
   std::uint64_t key = 0;          ///< of the job: see JobKey
   unsigned phase = 0;             ///< from 1 on
   unsigned step = 0;              ///< of the schedule
   bool is_last = false;           ///< one part, which is simplified to the target itself
   bool is_exact = false;          ///< each part gives its share of the faces that are too many
+  bool is_settled = false;        ///< is it known where its parts end?
   double limit = 0;               ///< up to which cost, in the engine's unit, if it is not the last
   std::uint64_t faces_wanted = 0; ///< at which the limit is aimed
   InputFacts input;
@@ -99,7 +101,7 @@ struct PhasePlan {
   }
 
 private:
-  static inline const std::string magic = "quadrille phase 4";
+  static inline const std::string magic = "quadrille phase 5";
 
   static std::string end_of(const std::string& content) {
     FileChecksum checksum;
@@ -122,8 +124,8 @@ private:
         pass_item(item);
     };
     const auto pass_content = [&](auto& file) { pass_all(file.size, file.checksum); };
-    pass_all(plan.key, plan.phase, plan.step, plan.is_last, plan.is_exact, plan.limit,
-             plan.faces_wanted, plan.first_parts, plan.first_shared, plan.bytes_read,
+    pass_all(plan.key, plan.phase, plan.step, plan.is_last, plan.is_exact, plan.is_settled,
+             plan.limit, plan.faces_wanted, plan.first_parts, plan.first_shared, plan.bytes_read,
              plan.bytes_written, plan.contractions, plan.error);
     for (auto& number : plan.rejections)
       pass(number);
