@@ -10,6 +10,7 @@
 /// Simplified copies may become levels of detail beside it.
 
 #include "gltf/document.h"
+#include "gltf/images.h"
 #include "gltf/json.h"
 #include "gltf/levels.h"
 #include "gltf/placement.h"
@@ -66,9 +67,8 @@ public:
   std::vector<std::string> image_files() const {
     std::vector<std::string> files;
     for_each_element(document_.json, "images", [&](const Json& image) {
-      const std::string uri = text_of(image, "uri");
-      if (!uri.empty() && !uri.starts_with("data:"))
-        files.push_back(uri);
+      if (GltfImageFiles::is_file(image))
+        files.push_back(text_of(image, "uri"));
     });
     return files;
   }
@@ -155,7 +155,7 @@ private:
 
 /// What the document of one file will not have, or not find, when it is written to another.
 inline std::vector<std::string> remarks_of(GltfMeshes& meshes, const std::filesystem::path& in,
-                                           const std::filesystem::path& out) {
+                                           const std::filesystem::path& out, bool leaves_images) {
   std::vector<std::string> remarks;
   const auto remark = [&](const char* what, std::size_t count) {
     if (count > 0)
@@ -167,10 +167,7 @@ inline std::vector<std::string> remarks_of(GltfMeshes& meshes, const std::filesy
   remark("triangles left out for having two equal corners, or the corners of another one, the same "
          "way round",
          left_out);
-  const auto folder = [](const std::filesystem::path& path) {
-    return std::filesystem::absolute(path).lexically_normal().parent_path();
-  };
-  if (folder(in) != folder(out))
+  if (leaves_images && folder_of(in) != folder_of(out))
     remark("its images are files, which OUT names as it does, but from another folder",
            meshes.image_files().size());
   return remarks;

@@ -1146,10 +1146,37 @@ run 0 sheet.gltf out.gltf --faces 40
 expect stdout '^sheet.gltf: 128 -> 40 faces'
 run 0 sheet.gltf - --format glb
 head -c 4 stdout | grep -q '^glTF' || fail "no GLB on standard output"
-run 2 sheet.gltf out.off
-expect stderr '^sheet.gltf: glTF goes to glTF only'
-run 2 plain.off out.glb
-expect stderr '^plain.off: glTF goes to glTF only'
+run 0 sheet.gltf out.off --keep 50%
+expect_ratio out.off 64
+expect stderr '^sheet.gltf: not kept: .*looks of materials'
+# Images go into a document, from another format too, unless they shall stay files.
+mkdir images other
+printf '\211PNG\r\n\032\nanything' >'images/a b.png'
+printf 'newmtl red\nKd 1 0 0\nmap_Kd a b.png\n' >images/one.mtl
+awk 'BEGIN { print "mtllib one.mtl\nusemtl red\no sheet" } NR > 2 && NF == 3 { print "v", $0 }
+     NF == 4 { print "f", $2 + 1 "/1", $3 + 1 "/1", $4 + 1 "/1" } END { print "vt 0.25 0.25" }' out.off >images/one.obj
+for end in glb gltf; do
+  run 0 images/one.obj other/one.$end --keep 50%
+  expect_nothing stderr
+done
+expect other/one.glb '"images":\[{"name":"a b.png","mimeType":"image/png","bufferView":[0-9]*}\]'
+expect other/one.glb '"baseColorTexture":{"index":0}'
+grep -q anything other/one.glb || fail "no image in a GLB"
+run 0 images/one.obj images/named.gltf --external-images
+expect images/named.gltf '"images":\[{"uri":"a%20b.png"}\]'
+run 0 images/named.gltf images/out.gltf --keep 50%
+expect images/out.gltf '"images":\[{"uri":"a%20b.png"}\]'
+run 0 images/named.gltf other/out.gltf --keep 50%
+expect other/out.gltf '"images":\[{"uri":"data:image/png;base64,iVBORw0K'
+run 0 images/named.gltf other/out.glb --keep 50%
+grep -q anything other/out.glb || fail "no image in a GLB"
+run 0 images/named.gltf other/out.glb --keep 50% --external-images
+expect stderr 'its images are files, which OUT names as it does, but from another folder: 1$'
+rm 'images/a b.png'
+run 0 images/named.gltf other/out.glb --keep 50%
+expect stderr "the image 'a%20b.png' is not there, or is none: OUT names it as IN does"
+run 0 images/one.obj other/out.glb --keep 50%
+expect stderr "the image 'a b.png' is not there, or is none$"
 run 2 --cost color sheet.gltf out.glb
 expect stderr '^sheet.gltf: no colours for --cost color$'
 run 0 sheet.gltf levels.gltf --levels 50%,40

@@ -5,12 +5,12 @@
 /// What OBJ and PLY files say of the looks of faces: diffuse colours and images.
 
 #include "../gltf/base64.h"
+#include "../gltf/images.h"
+#include "../material_library.h"
 #include "../mesh_io/indexed_mesh.h"
 #include "../mesh_io/text.h"
 #include "shown_mesh.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -25,18 +25,6 @@ namespace quadrille_examples {
 
 /// Images of more bytes are not put into a page.
 inline constexpr std::size_t most_bytes_of_images = std::size_t{1} << 24;
-
-/// The type of an image that browsers show, by its first bytes; nothing for others.
-inline std::optional<std::string> image_type(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG"))
-    return "image/png";
-  if (bytes.starts_with("\xff\xd8\xff"))
-    return "image/jpeg";
-  if (bytes.starts_with("RIFF") &&
-      bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP"))
-    return "image/webp";
-  return std::nullopt;
-}
 
 /// What read() returns; a complaint of it has no path, which a page must not tell everyone.
 template <class Read>
@@ -96,7 +84,8 @@ public:
   void read(const FaceParts& parts) {
     for (const std::string& library : parts.libraries)
       try {
-        read_library(read_for_page([&] { return read_content(folder_ / library); }));
+        MaterialLibrary::read(read_for_page([&] { return read_content(folder_ / library); }),
+                              materials_);
       } catch (const std::runtime_error& error) {
         looks_.notes.push_back("The materials of " + library + " are not shown: " + error.what());
       }
@@ -109,7 +98,7 @@ public:
       const auto [place, is_new] =
           numbers.try_emplace(name, static_cast<std::uint32_t>(looks_.materials.size()));
       if (is_new)
-        looks_.materials.push_back(materials_[parts.names[name]]);
+        looks_.materials.push_back(shown(materials_[parts.names[name]]));
       looks_.of_faces.push_back(place->second);
     }
     if (looks_.materials.empty())
@@ -117,52 +106,21 @@ public:
   }
 
 private:
-  void read_library(const std::string& content) {
-    std::istringstream lines(content);
-    PageMaterial* material = nullptr;
-    for (std::string line; std::getline(lines, line);) {
-      std::istringstream words(line);
-      std::string keyword;
-      words >> keyword;
-      if (keyword == "newmtl")
-        material = &materials_[rest(words)];
-      else if (keyword == "Kd" && material)
-        read_color(words, *material);
-      else if (keyword == "map_Kd" && material)
-        read_image(rest(words), *material);
-    }
-  }
-
-  static std::string rest(std::istringstream& words) {
-    std::string text;
-    std::getline(words >> std::ws, text);
-    text.erase(std::find_if(text.rbegin(), text.rend(), [](char c) { return !is_blank(c); }).base(),
-               text.end());
-    return text;
-  }
-
-  static void read_color(std::istringstream& words, PageMaterial& material) {
-    std::array<double, 3> color{};
-    if (words >> color[0] >> color[1] >> color[2])
-      for (std::size_t i = 0; i < 3; ++i)
-        material.color[i] = linear_light(std::clamp(color[i], 0., 1.));
-  }
-
-  /// Options before the name are passed over. Where there is an image, programs that write files
-  /// put anything into Kd.
-  void read_image(std::string name, PageMaterial& material) {
-    if (name.starts_with('-'))
-      name = name.substr(name.rfind(' ') + 1);
-    std::replace(name.begin(), name.end(), '\\', '/');
-    material.image = images_.add(name, [&] { return read_content(folder_ / name); });
-    if (material.image)
-      material.color = {1, 1, 1};
+  /// Where there is an image, programs that write files put anything into Kd.
+  PageMaterial shown(const ObjMaterial& material) {
+    PageMaterial result{.color = material.color};
+    if (!material.image.empty())
+      result.image =
+          images_.add(material.image, [&] { return read_content(folder_ / material.image); });
+    if (result.image)
+      result.color = {1, 1, 1};
+    return result;
   }
 
   std::filesystem::path folder_;
   PageMaterials& looks_;
   PageImages images_;
-  std::map<std::string, PageMaterial> materials_;
+  std::map<std::string, ObjMaterial> materials_;
 };
 
 /// The image that a PLY file names, if it names one: "comment TextureFile a.png".

@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_EXAMPLES_PAGE_SHOWN_MESH_H
 #define QUADRILLE_EXAMPLES_PAGE_SHOWN_MESH_H
 
+#include "../linear_light.h"
 #include "../mesh_io/indexed_mesh.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,11 +41,6 @@ struct ShownMesh {
   PageMaterials looks;
   bool has_linear_colors = false; ///< as glTF has them; else sRGB
 };
-
-/// From sRGB to linear light. Source: IEC 61966-2-1.
-inline double linear_light(double x) {
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
 
 } // namespace quadrille_examples
 

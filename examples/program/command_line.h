@@ -74,7 +74,7 @@ inline void add_target(CLI::App& app, Options& options) {
 }
 
 inline void add_files(CLI::App& app, Options& options) {
-  const std::string formats = " (.off .obj .ply .stl .ts, or .gltf .glb for both; - is standard ";
+  const std::string formats = " (.off .obj .ply .stl .ts .gltf .glb; - is standard ";
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
   app.add_option("OUT", options.output,
                  "the mesh to write" + formats + "output), or a page that shows it (.html)");
@@ -89,8 +89,7 @@ inline void add_files(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--weld", [&](const std::string& word) { options.weld = amount_of(word); },
          "make vertices at the same place one, or closer than TOLERANCE, in units of IN or, with "
-         "%, in parts of the diagonal; without this, that is done only if no two faces share a "
-         "vertex, and to vertices of the same colour and texture coordinate")
+         "%, in parts of the diagonal; without this, those are one at which edges of faces meet")
       ->check(distance())
       ->type_name("[TOLERANCE]")
       ->group("Files");
@@ -98,6 +97,10 @@ inline void add_files(CLI::App& app, Options& options) {
          "--orient", options.orients,
          "wind faces as their neighbours are, in each piece of IN that hangs together by edges "
          "of two faces")
+      ->group("Files");
+  app.add_flag("--external-images", options.leaves_images,
+               "leave images of glTF and OBJ in their files, which OUT names; without this they go "
+               "into OUT if it is .glb, or .gltf in another folder")
       ->group("Files");
   app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only")->group("Files");
   app.add_flag("--keep-partial", options.keeps_partial,

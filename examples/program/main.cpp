@@ -84,17 +84,14 @@ bool run(Options options, ProgressLine& progress) {
     throw std::runtime_error(options.output + ": a level of a record is not written as glTF");
   if (!options.from.empty())
     return run_from_record(options, progress);
-  const bool reads_gltf = is_gltf(extension_of(options.input, options));
-  if (reads_gltf != writes_gltf)
-    throw std::runtime_error(options.input + ": glTF goes to glTF only (.gltf, .glb), and no " +
-                             "other format does");
-  if (reads_gltf && options.orients)
+  const bool stays_gltf = writes_gltf && is_gltf(extension_of(options.input, options));
+  if (stays_gltf && options.orients)
     throw std::runtime_error(options.input + ": --orient is for any format but glTF, whose faces " +
                              "say which of their sides is seen");
-  if (!reads_gltf && !options.labels.empty())
-    throw std::runtime_error(options.input + ": --labels is for glTF; of other files names of " +
-                             "faces and integers of faces are labels anyway");
-  if (!reads_gltf)
+  if (!stays_gltf && !options.labels.empty())
+    throw std::runtime_error(options.input + ": --labels is for glTF that stays glTF; of other " +
+                             "files names of faces and integers of faces are labels anyway");
+  if (!stays_gltf)
     return run_mesh(options, progress);
   if (!options.record.empty())
     throw std::runtime_error(options.input + ": --record is not for glTF");

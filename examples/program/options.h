@@ -71,6 +71,7 @@ struct Options {
   bool is_forced = false;
   bool is_quiet = false, is_verbose = false;
   std::function<bool(const quadrille::Status&)> proceed; // asked now and then; false: no further
+  bool leaves_images = false;                            // of glTF and OBJ, as files that OUT names
 
   bool has_lines_or_noise() const {
     return line_weight > 0 || normal_noise > 0 || position_noise.value > 0 || weighs_squared_area;

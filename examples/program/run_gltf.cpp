@@ -34,7 +34,8 @@ void require_fit(const Options& options, const Surfaces& surfaces) {
 }
 
 void print_remarks(const Options& options, GltfMeshes& meshes) {
-  for (const std::string& remark : remarks_of(meshes, options.input, options.output))
+  for (const std::string& remark :
+       remarks_of(meshes, options.input, options.output, options.leaves_images))
     print_remark(options, remark);
 }
 
@@ -149,11 +150,23 @@ private:
     return levels;
   }
 
-  void write(const GltfDocument& document) {
+  void write(GltfDocument document) {
     progress_.show_stage("writing");
+    take_images_in(document);
     require_not_interrupted(options_);
-    write_gltf(options_.output, document, output_extension(options_), options_.is_forced);
+    write_gltf(options_.output, std::move(document), output_extension(options_),
+               options_.is_forced);
     progress_.clear();
+  }
+
+  void take_images_in(GltfDocument& document) const {
+    if (options_.leaves_images)
+      return;
+    with_errors_of(options_.input, [&] {
+      for (const std::string& remark : GltfImageFiles::take_in(
+               document, options_.input, options_.output, output_extension(options_)))
+        print_remark(options_, remark);
+    });
   }
 
   const Options& options_;

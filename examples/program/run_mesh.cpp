@@ -1,4 +1,6 @@
 #include "../bounding_box.h"
+#include "../gltf/mesh_document.h"
+#include "../gltf/scene_mesh.h"
 #include "../mesh_io.h"
 #include "../mesh_io/replace_file.h"
 #include "../mesh_io/winding.h"
@@ -93,6 +95,20 @@ bool has_attributes(const IndexedMesh& mesh) {
          !mesh.vertex_numbers.empty() || !mesh.face_numbers.empty();
 }
 
+/// What a document can hold of a mesh; it is made another way.
+constexpr MeshFormat gltf_format{".glb", nullptr, nullptr, true, true, true, false, false};
+
+const MeshFormat& format_of_output(const Options& options) {
+  return is_gltf(output_extension(options)) ? gltf_format : output_format(options);
+}
+
+IndexedMesh read(const Options& options) {
+  if (is_gltf(extension_of(options.input, options)))
+    return GltfSceneMesh::read(options.input);
+  return read_mesh(options.input, format_of(options.input, options),
+                   options.weld ? Weld::places : Weld::surfaces, options.weld.value_or(Amount{}));
+}
+
 /// The files that a run writes its results to, all of which may be written, else it throws.
 std::vector<std::string> files_of_results(const Options& options) {
   std::vector<std::string> files;
@@ -127,7 +143,7 @@ std::string encoded_levels(const quadrille::Levels& levels) {
 class MeshRun {
 public:
   MeshRun(const Options& options, ProgressLine& progress)
-      : options_(options), progress_(progress), format_(output_format(options)),
+      : options_(options), progress_(progress), format_(format_of_output(options)),
         files_(files_of_results(options)) {
     if (!options.record.empty())
       require_recordable(options);
@@ -136,16 +152,14 @@ public:
   bool run() {
     print_remark_of_memory(options_);
     progress_.show_stage("reading");
-    IndexedMesh mesh =
-        read_mesh(options_.input, format_of(options_.input, options_),
-                  options_.weld ? Weld::places : Weld::surfaces, options_.weld.value_or(Amount{}));
+    IndexedMesh mesh = read(options_);
     require_fit(options_, mesh);
     take_scalars(options_, mesh); // OUT may not hold them
     fit_to_format(mesh, format_);
     progress_.clear();
     print_remarks(options_, mesh);
     orient(options_, mesh);
-    if (!is_standard_output(options_.output))
+    if (!is_standard_output(options_.output) && !writes_gltf())
       print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);
     if (!options_.levels.empty())
@@ -160,6 +174,25 @@ public:
   }
 
 private:
+  bool writes_gltf() const { return &format_ == &gltf_format; }
+
+  std::string content(const std::string& file, const IndexedMesh& mesh) {
+    if (!writes_gltf())
+      return encoded(file, mesh, format_);
+    return with_errors_of(file, [&] {
+      const bool is_first = contents_.empty();
+      std::vector<std::string> remarks;
+      GltfDocument document =
+          GltfMeshDocument::of(mesh, options_.input, options_.leaves_images, remarks);
+      for (const std::string& remark : remarks)
+        if (is_first)
+          print_remark(options_, remark);
+      return equal_ignoring_case(output_extension(options_), ".glb")
+                 ? encode_glb(std::move(document))
+                 : encode_gltf(std::move(document));
+    });
+  }
+
   /// A run to one target; `simplify` is what simplifies a mesh, and tells what points become.
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options,
                    const Simplify& simplify) {
@@ -180,7 +213,7 @@ private:
     if (options.verifies)
       outcomes_.back().verdict =
           verify(options, report, *input, mesh, std::move(images), progress_);
-    contents_.push_back(encoded(file, mesh, format_));
+    contents_.push_back(content(file, mesh));
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {
     simplify_to(file, std::move(mesh), options,

@@ -37,11 +37,14 @@ simplify_gltf(const std::filesystem::path& in, const std::filesystem::path& out,
   GltfMeshes meshes = GltfMeshes::read(in, labels);
   if (meshes.surfaces().empty())
     throw std::invalid_argument(in.string() + ": there are no triangles to simplify");
-  std::vector<std::string> remarks = remarks_of(meshes, in, out);
+  std::vector<std::string> remarks = remarks_of(meshes, in, out, false);
   const Report report =
       GltfSceneSurface(meshes.surfaces(), meshes.placements())
           .simplify(std::move(options), {.of_numbers = hardly, .texture_seams = seams});
-  write_gltf(out, meshes.take(), out.extension().string());
+  GltfDocument document = meshes.take();
+  for (std::string& remark : GltfImageFiles::take_in(document, in, out, out.extension().string()))
+    remarks.push_back(std::move(remark));
+  write_gltf(out, std::move(document), out.extension().string());
   return {report, std::move(remarks)};
 }
 
