@@ -1295,6 +1295,9 @@ for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--p
   run 0 out.ply out.off --keep 100%
   expect_ratio out.off 80
 done
+for option in lock 0 1000; do
+  run 0 whole.ply out.ply --boundary $option --faces 300 --out-of-core scratch
+done
 for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --faces 200'; do
   # shellcheck disable=SC2086
   run 0 whole.ply out.ply $limit --out-of-core scratch

@@ -136,8 +136,8 @@ inline void add_records(CLI::App& app, Options& options) {
   CLI::Option* const reads = app.add_option(
       "--from", options.from, "read the target's level from this record instead of IN");
   reads->type_name("FILE")->group("Files");
-  for (const char* const name :
-       {"--record", "--cost", "--placement", "--topology", "--threads", "--both-ways"})
+  for (const char* const name : {"--record", "--cost", "--placement", "--topology", "--threads",
+                                 "--both-ways", "--boundary"})
     reads->excludes(name);
   for (const char* const name : options_of_whole_meshes)
     reads->excludes(name);

@@ -35,6 +35,7 @@ quadrille::OutOfCore out_of_core(const Options& options, ProgressLine& progress)
   result.restart = options.restarts || options.step == "close";
   result.attribute_importance = options.cost.empty() ? 1 : hardly;
   result.positions_only = options.positions_only;
+  result.locks_boundary = options.locks_boundaries;
   result.proceed = [&](const quadrille::FileStatus& status) {
     progress.show(status);
     return !Interruption::is_asked();
@@ -57,6 +58,14 @@ quadrille::internal::DistanceChoice limit(const Target& target) {
     return {};
   return {target.both_ways ? Kind::both_ways : Kind::one_way, target.error->value,
           target.error->is_percentage};
+}
+
+template <class Cost>
+Cost cost_of(const Options& options) {
+  Cost cost;
+  if constexpr (requires { cost.boundary_weight; })
+    cost.boundary_weight = options.boundary_weight;
+  return cost;
 }
 
 /// A run by parts, or a step of one.
@@ -112,11 +121,13 @@ private:
       const quadrille::OutOfCore how = out_of_core(options_, progress_);
       const BuiltInPlacement place = placement(options_, has_minimizer);
       if (launch_)
-        return tell_of(launch_->simplify_file(options_.input, options_.output, stop, how, Cost(),
-                                              place, topology(options_), limit(target)));
+        return tell_of(launch_->simplify_file(options_.input, options_.output, stop, how,
+                                              cost_of<Cost>(options_), place, topology(options_),
+                                              limit(target)));
       quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology,
                                        quadrille::internal::DistanceChoice>
-          job(options_.input, stop, how, Cost(), place, topology(options_), limit(target));
+          job(options_.input, stop, how, cost_of<Cost>(options_), place, topology(options_),
+              limit(target));
       return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
     };
     if (target.faces && target.ratio)

@@ -75,8 +75,8 @@ public:
                         const OutOfCore& options, Cost cost, Placement placement,
                         Policies... policies)
       : options_(options), source_(input, options.positions_only),
-        runner_(std::move(cost), std::move(placement), policies...), watch_(options.proceed),
-        job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
+        runner_(options.locks_boundary, std::move(cost), std::move(placement), policies...),
+        watch_(options.proceed), job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
     if (options.scratch.empty())
       throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
     if (!(options.attribute_importance > 0 && options.attribute_importance < 1e30))

@@ -61,6 +61,8 @@ struct OutOfCore {
   /// How much colours, normals, texture coordinates and other numbers of vertices count beside the
   /// shape: see ChannelOptions::importance. Above 0. The result depends on it.
   double attribute_importance = 1;
+  /// Vertices at edges of one face stay where they are, bit by bit. The result depends on it.
+  bool locks_boundary = false;
   /// Read over whatever the file has beside positions, corners and labels; else what can't go along
   /// is refused.
   bool positions_only = false;

@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -259,6 +260,32 @@ TEST_CASE("Borders that several parts have stay borders") {
   CHECK(topology.euler() == 1);
   CHECK(topology.faces == 720);
   CHECK(rms(input, output) < 1.03 * rms_in_memory<MemorylessQuadric>(input, 720));
+}
+
+TEST_CASE("Boundaries may be locked, wherever parts are cut") {
+  const Folder folder;
+  const Soup input = test::with_holes(test::with_noise(test::grid(70, 60), 4, 0.004), 3, 6);
+  folder.file("in.ply", ply_of<double>(input));
+  OutOfCore options = in_parts(folder, part_of_16);
+  options.locks_boundary = true;
+  run(folder, options, 1200);
+  const Soup output = read_ply(folder.path("out.ply"));
+  const auto sorted = [](const std::array<double, 3>& p, const std::array<double, 3>& q) {
+    return p < q ? std::array{p, q} : std::array{q, p};
+  };
+  const auto boundary = [&](const Soup& soup) {
+    std::map<std::array<std::uint32_t, 2>, int> faces;
+    for (const test::Triangle& t : soup.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        ++faces[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+    std::set<std::array<std::array<double, 3>, 2>> edges;
+    for (const auto& [edge, count] : faces)
+      if (count == 1)
+        edges.insert(sorted(soup.points[edge[0]].coordinates, soup.points[edge[1]].coordinates));
+    return edges;
+  };
+  CHECK(output.triangles.size() <= 1201);
+  CHECK(boundary(output) == boundary(input));
 }
 
 TEST_CASE("Several pieces and vertices without a face") {

@@ -31,14 +31,16 @@ public:
                 "quadrille: each part of a file counts its vertices anew: a placement that asks "
                 "for indices in the input is for surfaces in memory");
 
-  PartRunner(Cost cost, Placement placement, const Policies&... policies)
-      : cost_(std::move(cost)), placement_(std::move(placement)),
+  /// Do vertices of the boundary stay?
+  PartRunner(bool locks_boundary, Cost cost, Placement placement, const Policies&... policies)
+      : locks_boundary_(locks_boundary), cost_(std::move(cost)), placement_(std::move(placement)),
         limits_(std::tuple_cat(limit_as_tuple(policies)...)),
         others_(std::tuple_cat(other_as_tuple(policies)...)) {
     std::apply([](const auto&... limit) { (validate(limit), ...); }, limits_);
   }
 
   void tell(JobKey& key) const {
+    key.add_number(std::uint64_t{locks_boundary_});
     key.add_policy(cost_);
     key.add_policy(placement_);
     const auto add = [&](const auto&... policy) { (key.add_policy(policy), ...); };
@@ -61,7 +63,7 @@ public:
     const std::vector<std::uint32_t> labels = loaded.labels;
     const std::vector<double> scalars = std::move(loaded.scalars);
     const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
-    auto piece = Pieces::piece(std::move(loaded), plan.input.box);
+    auto piece = Pieces::piece(std::move(loaded), plan.input.box, locks_boundary_);
     const PieceChannels channels = job.channels(scalars);
     auto result = plan.is_last || plan.is_exact
                       ? run(std::move(piece), job, channels, job.count(part), is_cancelled)
@@ -104,7 +106,7 @@ private:
   CostSample sample(LoadedPart part, const PartedJob& job, const IsCancelled& is_cancelled) const {
     const SampleCounts counts(part);
     const PieceChannels channels = job.channels(part.scalars);
-    auto piece = Pieces::piece(std::move(part), job.plan().input.box);
+    auto piece = Pieces::piece(std::move(part), job.plan().input.box, locks_boundary_);
     const CostLimit unlimited = limit(job.plan(), std::numeric_limits<double>::infinity());
     return {counts.free_faces, run(std::move(piece), job, channels, unlimited, is_cancelled).costs};
   }
@@ -147,6 +149,7 @@ private:
   static constexpr bool has_limit = std::tuple_size_v<Limits> > 0;
   static_assert(std::tuple_size_v<Limits> <= 1, "quadrille: there are two limits of distances");
 
+  bool locks_boundary_;
   Cost cost_;
   Placement placement_;
   Limits limits_; // one or none

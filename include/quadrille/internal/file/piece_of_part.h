@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_PIECE_OF_PART_H
 
 #include <quadrille/internal/call/piece.h>
+#include <quadrille/internal/file/boundary_vertices.h>
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/loaded_part.h>
 #include <quadrille/internal/file/next_parts.h>
@@ -42,8 +43,10 @@ struct PieceOfPart {
     return result;
   }
 
-  static Piece<Cost> piece(LoadedPart part, const FileBox& of_file) {
+  static Piece<Cost> piece(LoadedPart part, const FileBox& of_file, bool locks_boundary) {
     Piece<Cost> piece;
+    if (locks_boundary)
+      piece.is_fixed = boundary_vertices(part);
     piece.positions = std::move(part.positions);
     piece.triangles = std::move(part.triangles);
     piece.is_shared = std::move(part.is_shared);
