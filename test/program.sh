@@ -118,13 +118,13 @@ run 1 parts.off out.off --faces 8
 expect stderr '^out.off: 10 parts are left.*--drop-parts.*--topology free.*--pairs'
 expect_faces out.off 40
 run 0 parts.off out.off --faces 8 --drop-parts
-expect stdout '8 parts vanished'
+expect stdout '8 small parts vanished, the largest 0\.21 % of the diagonal'
 expect_nothing stderr
 expect_faces out.off 8
 expect out.off '^1 0 0'
 run 0 parts.off out.off --faces 8 --drop-parts --topology kept --cost memoryless
 run 0 parts.off out.off --error 0.2 --drop-parts
-expect stdout '9 parts vanished'
+expect stdout '9 small parts vanished'
 run 0 parts.off out.off --error 0.1 --drop-parts
 expect_faces out.off 40
 run 1 parts.off out.off --faces 0 --drop-parts

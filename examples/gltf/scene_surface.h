@@ -45,6 +45,9 @@ public:
   /// What simplify() has made of them, as one soup.
   const quadrille::SoupResult& result() const { return result_; }
 
+  /// Are there faces of several labels?
+  bool has_labels() const { return !labels_.empty(); }
+
   /// With all attributes. Throws as `quadrille::simplified_soup` does.
   quadrille::Report simplify(quadrille::SoupOptions options, const ChannelChoices& choices) {
     if (!held_.empty())
@@ -110,6 +113,8 @@ private:
         labels_.push_back(first_label + label);
       first_label += static_cast<std::uint32_t>(surfaces_[s].label_count());
     }
+    if (first_label < 2) // one tells nothing apart
+      labels_.clear();
   }
 
   std::size_t surface_of(std::size_t face) const {

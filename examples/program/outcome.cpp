@@ -50,6 +50,12 @@ std::string counted(std::size_t count, const std::string& noun) {
   return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string vanished_text(const Report& report, double diagonal) {
+  const bool are_small = report.largest_vanished_part < 0.05 * diagonal;
+  return counted(report.vanished_parts, are_small ? "small part" : "part") +
+         " vanished, the largest " + distance_text(report.largest_vanished_part, diagonal);
+}
+
 std::string line(const Options& options, const Outcome& outcome) {
   const Report& report = outcome.report;
   std::string text = options.input + ": " + with_commas(report.faces_before) + arrow() +
@@ -89,7 +95,7 @@ std::string line(const Options& options, const Outcome& outcome) {
   if (report.normal_bound_degrees)
     text += ", normals within " + two_digits(rounded_up(*report.normal_bound_degrees)) + " degrees";
   if (report.vanished_parts > 0)
-    text += ", " + with_commas(report.vanished_parts) + " parts vanished";
+    text += ", " + vanished_text(report, outcome.diagonal);
   const quadrille::Status input{.initial_faces = report.counted_faces,
                                 .initial_vertices = report.vertices_before,
                                 .faces = report.counted_faces,
@@ -180,6 +186,7 @@ Json json_of(const Outcome& outcome) {
                {"contractions", report.contractions},
                {"non_edge_contractions", report.non_edge_contractions},
                {"vanished_parts", report.vanished_parts},
+               {"largest_vanished_part", report.largest_vanished_part},
                {"non_manifold_edges", report.non_manifold_edges},
                {"non_manifold_vertices", report.non_manifold_vertices},
                {"error", report.error},
@@ -232,55 +239,99 @@ void write_report(const Options& options, const std::vector<Outcome>& outcomes) 
   replace_file(options.report, json.dump(2, ' ', false, replace) + '\n', options.is_forced);
 }
 
-/// What helps where parts of the surface, each of which keeps some faces, are in the way.
-std::string hint_of_parts(const Options& options, const Report& report) {
-  const std::string parts = with_commas(report.components_after) + " parts are left";
-  if (topology(options) == quadrille::Topology::free)
-    return options.joins_pairs() ? ""
-                                 : parts + ": --pairs joins those that are closer than a distance";
-  std::string text = parts + ", and each keeps some faces: ";
-  if (!options.drops_parts)
-    text += "--drop-parts lets small ones vanish, ";
-  text += "--topology free lets holes close and thin parts become sheets, --pairs also joins parts";
-  if (!options.weld)
-    text += ", and --weld TOLERANCE makes vertices one that only nearly touch";
-  return text;
-}
+/// What is in the way of a target, and what would help.
+class Hints {
+public:
+  Hints(const Options& options, const Outcome& outcome)
+      : options_(options), outcome_(outcome), report_(outcome.report),
+        is_free_(topology(options) == quadrille::Topology::free),
+        refusals_(std::accumulate(report_.rejections.begin(), report_.rejections.end(),
+                                  std::size_t{0})) {}
+
+  std::vector<std::string> all() {
+    if (are_parts_in_the_way())
+      add_parts();
+    else if (!is_free_ && counts(Rejection::topology))
+      hints_.emplace_back(
+          "topology is kept: --topology free lets holes close and thin parts become sheets");
+    if (counts(Rejection::seam))
+      add_seams();
+    if (report_.stop == quadrille::StopReason::target_unreachable)
+      hints_.push_back("it stopped at " + with_commas(report_.faces_after) +
+                       " faces, since most of what is left can lose none, and the rest would have "
+                       "lost its shape");
+    if (is_held_by_topology_alone())
+      hints_.push_back("topology alone holds the " + with_commas(report_.faces_after) +
+                       " faces that are left: none of their edges can go without changing it");
+    if (counts(Rejection::constraint) && options_.locks_boundaries)
+      hints_.push_back("the boundary is locked (" + refused(Rejection::constraint) +
+                       " contractions refused): --boundary WEIGHT lets it move");
+    return std::move(hints_);
+  }
+
+private:
+  /// What is rarer is not in the way.
+  bool counts(Rejection cause) const {
+    return report_.rejected(cause) > 0 && 100 * report_.rejected(cause) >= refusals_;
+  }
+  std::string refused(Rejection cause) const { return with_commas(report_.rejected(cause)); }
+
+  /// Each keeps four faces, or one if it has a border.
+  bool are_parts_in_the_way() const {
+    return report_.components_after > 1 && 10 * report_.components_after >= report_.faces_after;
+  }
+
+  /// A closed surface keeps its topology to the end; where nothing else was ever refused, that is
+  /// what the faces that are left owe it.
+  bool is_held_by_topology_alone() const {
+    return !is_free_ && report_.stop == quadrille::StopReason::all_pairs_rejected &&
+           report_.rejected(Rejection::topology) == refusals_;
+  }
+
+  void add_parts() {
+    std::string text = with_commas(report_.components_after) + " parts are left";
+    if (is_free_ && options_.joins_pairs())
+      return;
+    if (is_free_) {
+      hints_.push_back(text + ": --pairs joins those that are closer than a distance");
+      return;
+    }
+    text += ", and each keeps some faces: ";
+    if (topology(options_) != quadrille::Topology::parts_may_vanish)
+      text += "--drop-parts lets small ones vanish, ";
+    text += "--topology free lets holes close and thin parts become sheets, --pairs also joins "
+            "parts";
+    if (!options_.weld && !is_gltf(extension_of(options_.input, options_)))
+      text += ", and --weld TOLERANCE makes vertices one that only nearly touch";
+    hints_.push_back(text);
+  }
+
+  /// Seams of textures are among those that hold only where they are kept.
+  void add_seams() {
+    const bool holds_textures = options_.seams == quadrille::Seams::kept;
+    std::string text = outcome_.has_labels ? "borders of materials and labels stay" : "";
+    if (holds_textures)
+      text += outcome_.has_labels ? ", and seams of textures" : "seams of textures stay";
+    if (text.empty())
+      return;
+    text += " (" + refused(Rejection::seam) + " contractions refused)";
+    if (holds_textures)
+      text += ": --seams held lets seams vanish where that shows little";
+    hints_.push_back(text);
+  }
+
+  const Options& options_;
+  const Outcome& outcome_;
+  const Report& report_;
+  bool is_free_;
+  std::size_t refusals_; // of all causes
+  std::vector<std::string> hints_;
+};
 
 } // namespace
 
 std::vector<std::string> hints(const Options& options, const Outcome& outcome) {
-  const Report& report = outcome.report;
-  std::vector<std::string> hints;
-  const auto add_if = [&](bool applies, const std::string& hint) {
-    if (applies && !hint.empty())
-      hints.push_back(hint);
-  };
-  const std::size_t all_refused =
-      std::accumulate(report.rejections.begin(), report.rejections.end(), std::size_t{0});
-  const auto counts = [&](std::size_t refusals) {
-    return refusals > 0 && 100 * refusals >= all_refused; // what is rarer is not in the way
-  };
-  const auto refused = [&](Rejection cause) { return with_commas(report.rejected(cause)); };
-  add_if(report.components_after > 1, hint_of_parts(options, report));
-  add_if(topology(options) != quadrille::Topology::free && report.components_after <= 1 &&
-             counts(report.rejected(Rejection::topology)),
-         "topology is kept: --topology free lets holes close and thin parts become sheets");
-  const bool keeps_seams = options.seams == quadrille::Seams::kept;
-  add_if(counts(report.rejected(Rejection::seam)),
-         "borders of materials and labels stay" +
-             std::string(keeps_seams ? ", and seams of textures" : "") + " (" +
-             refused(Rejection::seam) + " contractions refused)" +
-             (keeps_seams ? ": --seams held lets seams vanish where that shows little" : ""));
-  add_if(
-      report.rejected(Rejection::destruction) > 0,
-      with_commas(report.faces_after) +
-          " faces are the least that can be reached like that: most of the surface can lose none, "
-          "and the rest would lose its shape");
-  add_if(counts(report.rejected(Rejection::constraint)) && options.locks_boundaries,
-         "the boundary is locked (" + refused(Rejection::constraint) +
-             " contractions refused): --boundary WEIGHT lets it move");
-  return hints;
+  return Hints(options, outcome).all();
 }
 
 bool tell(const Options& options, const std::vector<Outcome>& outcomes) {

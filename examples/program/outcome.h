@@ -30,6 +30,7 @@ struct Outcome {
   std::optional<Measurement> measured = {};
   std::optional<quadrille::Verdict> verdict = {};
   std::optional<quadrille::FileReport> parts = {}; ///< of a run by parts
+  bool has_labels = false; ///< has the input regions of several labels, materials say?
 
   bool is_target_met() const { return target.is_met(report.stop); }
 };

@@ -125,6 +125,7 @@ private:
     });
     require_not_interrupted(options);
     outcomes_.push_back({name, options.target, report, diagonal});
+    outcomes_.back().has_labels = scene.has_labels();
     if (options.measures || options.verifies)
       progress_.show_stage("measuring");
     if (options.measures)

@@ -1,4 +1,5 @@
 #include "../bounding_box.h"
+#include "../face_labels.h"
 #include "../gltf/mesh_document.h"
 #include "../gltf/scene_mesh.h"
 #include "../mesh_io.h"
@@ -200,12 +201,14 @@ private:
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
     std::vector<std::size_t> images;
     std::vector<std::size_t>* const asked = options.verifies ? &images : nullptr;
+    const bool has_labels = !FaceRegions(mesh).labels().empty();
     const quadrille::Report report = with_errors_of_file(options, [&] {
       return options.target.is_calibrated ? simplify_calibrated(mesh, options, asked, simplify)
                                           : simplify(mesh, options, asked);
     });
     require_not_interrupted(options);
     outcomes_.push_back({file, options.target, report, diagonal_});
+    outcomes_.back().has_labels = has_labels;
     if (input)
       progress_.show_stage("measuring");
     if (options.measures)

@@ -56,7 +56,8 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   Outcome outcome{.file = options.output,
                   .target = options.target,
                   .report = {},
-                  .diagonal = diagonal(shown.mesh.points, shown.mesh.triangles)};
+                  .diagonal = diagonal(shown.mesh.points, shown.mesh.triangles),
+                  .has_labels = !FaceRegions(shown.mesh).labels().empty()};
   if (!options.target.is_given())
     options.target.faces = least_faces_of_page;
   AttributeRecorder recorder(shown, MeshAttributes(shown.mesh, importance(options)), source.levels);

@@ -98,9 +98,9 @@ inline py::dict dict_of(const quadrille::Report& report) {
   using namespace py::literals;
   const auto& [faces_before, counted_faces, faces_after, vertices_before, vertices_after,
                contractions, non_edge_contractions, components_before, components_after,
-               vanished_parts, non_manifold_edges, non_manifold_vertices, duplicated_vertices,
-               doubled_faces, doubled_labels, stop, error, distance_bound, hausdorff_bound,
-               used_tolerance, volume_before, volume_after, self_intersections,
+               vanished_parts, largest_vanished_part, non_manifold_edges, non_manifold_vertices,
+               duplicated_vertices, doubled_faces, doubled_labels, stop, error, distance_bound,
+               hausdorff_bound, used_tolerance, volume_before, volume_after, self_intersections,
                normal_bound_degrees, rejections, seconds] = report;
   return py::dict(
       "faces_before"_a = faces_before, "counted_faces"_a = counted_faces,
@@ -108,6 +108,7 @@ inline py::dict dict_of(const quadrille::Report& report) {
       "vertices_after"_a = vertices_after, "contractions"_a = contractions,
       "non_edge_contractions"_a = non_edge_contractions, "components_before"_a = components_before,
       "components_after"_a = components_after, "vanished_parts"_a = vanished_parts,
+      "largest_vanished_part"_a = largest_vanished_part,
       "non_manifold_edges"_a = non_manifold_edges,
       "non_manifold_vertices"_a = non_manifold_vertices,
       "duplicated_vertices"_a = duplicated_vertices, "doubled_faces"_a = doubled_faces,
@@ -162,6 +163,7 @@ inline quadrille::Report report_of(const py::dict& dict) {
                            count("components_before"),
                            count("components_after"),
                            count("vanished_parts"),
+                           member<double>(dict, "largest_vanished_part"),
                            count("non_manifold_edges"),
                            count("non_manifold_vertices"),
                            count("duplicated_vertices"),
@@ -243,7 +245,10 @@ inline void add_report(py::module_& m) {
       .def_readonly("non_edge_contractions", &Report::non_edge_contractions)
       .def_readonly("components_before", &Report::components_before)
       .def_readonly("components_after", &Report::components_after)
-      .def_readonly("vanished_parts", &Report::vanished_parts)
+      .def_readonly("vanished_parts", &Report::vanished_parts,
+                    "those that went whole, with any topology")
+      .def_readonly("largest_vanished_part", &Report::largest_vanished_part,
+                    "the diagonal of the bounding box of the largest of them")
       .def_readonly("non_manifold_edges", &Report::non_manifold_edges)
       .def_readonly("non_manifold_vertices", &Report::non_manifold_vertices)
       .def_readonly("error", &Report::error,

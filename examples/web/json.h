@@ -70,6 +70,7 @@ inline std::string json_of(const quadrille::Report& report) {
   json.add("componentsBefore", report.components_before);
   json.add("componentsAfter", report.components_after);
   json.add("vanishedParts", report.vanished_parts);
+  json.add("largestVanishedPart", report.largest_vanished_part);
   json.add("nonManifoldEdges", report.non_manifold_edges);
   json.add("nonManifoldVertices", report.non_manifold_vertices);
   json.add("doubledFaces", report.doubled_faces);

@@ -149,7 +149,11 @@ struct Report {
 
   std::size_t components_before = 0;     ///< parts of the input that no vertex connects
   std::size_t components_after = 0;      ///< the same of the result
-  std::size_t vanished_parts = 0;        ///< those that went whole: see Topology::parts_may_vanish
+  /// Those that went whole: see Topology::parts_may_vanish. Where topology is free, those of which
+  /// no vertex is left, nor one that any of them has become.
+  std::size_t vanished_parts = 0;
+  /// How large the largest of them was: the diagonal of its bounding box, in the mesh's units.
+  double largest_vanished_part = 0;
   std::size_t non_manifold_edges = 0;    ///< of the result: edges of three faces or more
   std::size_t non_manifold_vertices = 0; ///< of the result: neither a disc nor half a disc around
   std::size_t duplicated_vertices = 0;   ///< added to write a non-manifold result to a FaceGraph
@@ -260,7 +264,8 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
   if (report.components_before != report.components_after)
     out << ", " << report.components_before << " -> " << report.components_after << " components";
   if (report.vanished_parts > 0)
-    out << ", " << report.vanished_parts << " parts vanished";
+    out << ", " << report.vanished_parts << " parts vanished, of sizes up to "
+        << report.largest_vanished_part;
   if (report.non_manifold_edges + report.non_manifold_vertices > 0)
     out << ", " << report.non_manifold_edges << " non-manifold edges, "
         << report.non_manifold_vertices << " non-manifold vertices";

@@ -7,6 +7,7 @@
 
 #include <quadrille/levels.h>
 #include <quadrille/simplify.h>
+#include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>
 #include <catch2/catch.hpp>
@@ -255,6 +256,36 @@ TEST_CASE("Thin and flat parts do not go before their size says so") {
   CHECK(is_there[40]);
   CHECK(is_there[41]);
   CHECK(is_there[42]);
+}
+
+TEST_CASE("Parts that are gone are told with the size of the largest, with topology free, too") {
+  const std::vector<double> radii = {1.5, 0.3, 0.5, 0.05, 0.2, 0.1};
+  const Soup input = spheres(radii, 3);
+  const auto check = [&](const auto&... arguments) {
+    Report report;
+    const Soup result = simplified(input, report, arguments...);
+    INFO(report);
+    const std::vector<bool> is_there = things_in(result, radii.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      if (!is_there[i]) // the vertices of an octahedron are among those of a sphere
+        largest = std::max(largest, 2 * radii[i] * std::sqrt(3));
+    CHECK(report.vanished_parts ==
+          static_cast<std::size_t>(std::count(is_there.begin(), is_there.end(), false)));
+    CHECK(report.largest_vanished_part == Approx(largest));
+    CHECK(report.error >= largest / 3.5);
+    CHECK(report.components_before == radii.size());
+    return report.vanished_parts;
+  };
+  CHECK(check(FaceCount{40}, Topology::free) > 1);
+  CHECK(check(FaceCount{40}, Topology::free, RelaxedOrder{}) > 1);
+  CHECK(check(FaceCount{12}, parts_may_vanish) > 1);
+  CHECK(check(FaceCount{40}, Topology::kept) == 0);
+  Report report;
+  const Soup joined = simplified(spheres({1.9, 1.9}), report, FaceCount{100}, ThresholdPairs{0.5});
+  CHECK(test::topology_of(joined).components == 1);
+  CHECK(report.components_before == 2);
+  CHECK(report.vanished_parts == 0);
 }
 
 TEST_CASE("A part of any topology vanishes, inside of another or not") {

@@ -144,6 +144,8 @@ export interface Report {
   componentsBefore: number;
   componentsAfter: number;
   vanishedParts: number;
+  /** The diagonal of the bounding box of the largest of them. */
+  largestVanishedPart: number;
   nonManifoldEdges: number;
   nonManifoldVertices: number;
   doubledFaces: number;

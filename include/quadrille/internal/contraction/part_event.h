@@ -14,7 +14,7 @@ namespace quadrille::internal {
 /// whole: all vertices that are left of it, and all their faces.
 struct PartEvent {
   std::span<const Index> vertices, faces;
-  double radius; // of the part as it was in the input, in the mesh's unit
+  double radius, size; // of the part as it was in the input, in the mesh's unit: see Part
 };
 
 template <class Observer>
@@ -36,11 +36,11 @@ inline std::vector<Index> faces_of(const TriangleComplex& complex,
 }
 
 /// Removes a part whole, of which these vertices are left, tells observers before, and tallies it.
-template <class... Observer, class Tally>
-void remove_part(TriangleComplex& complex, std::span<const Index> vertices, double radius,
+template <class Part, class... Observer, class Tally>
+void remove_part(TriangleComplex& complex, std::span<const Index> vertices, const Part& part,
                  const std::tuple<Observer&...>& observers, Tally& tally) {
   const std::vector<Index> faces = faces_of(complex, vertices);
-  const PartEvent event{vertices, faces, radius};
+  const PartEvent event{vertices, faces, part.radius, part.size};
   std::apply([&](auto&... observer) { (tell_vanished(observer, event), ...); }, observers);
   std::size_t count = 0; // with backs
   for (Index face : faces) {

@@ -25,6 +25,7 @@ struct Part {
   Vector<N> centre{};
   double squared_radius = 0; ///< in all dimensions, in the engine's unit
   double radius = 0;         ///< in space, in the mesh's unit
+  double size = 0;           ///< the diagonal of the box in space, in the mesh's unit
   bool is_fixed = false;     ///< is any of its vertices?
 };
 
@@ -44,8 +45,11 @@ public:
       }
       part.is_fixed |= geometry.is_fixed(v);
     });
-    for (Part<N>& part : parts_)
+    for (Part<N>& part : parts_) {
       part.centre = 0.5 * part.low + 0.5 * part.high;
+      part.size =
+          scale.length_of_mesh(std::sqrt(squared_distance(space(part.low), space(part.high))));
+    }
     for_each_vertex([&](Part<N>& part, Index v) {
       const Vector<N>& p = geometry.position(v);
       part.squared_radius = (std::max)(part.squared_radius, squared_distance(p, part.centre));

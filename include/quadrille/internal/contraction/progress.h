@@ -54,6 +54,7 @@ public:
     total_.doubled_labels += tally.doubled_labels;
     total_.vanished_parts += tally.vanished_parts;
     total_.error = (std::max)(total_.error, tally.error);
+    total_.vanished_size = (std::max)(total_.vanished_size, tally.vanished_size);
     total_.loses_points |= tally.loses_points;
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
       total_.rejections[cause] += tally.rejections[cause];
@@ -91,6 +92,7 @@ public:
     report.doubled_faces = total_.doubled_faces;
     report.doubled_labels = total_.doubled_labels;
     report.vanished_parts = total_.vanished_parts;
+    report.largest_vanished_part = total_.vanished_size;
     report.rejections = total_.rejections;
     report.error = total_.error;
   }

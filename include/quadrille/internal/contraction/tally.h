@@ -20,6 +20,7 @@ struct Tally {
   std::size_t doubled_faces = 0, doubled_labels = 0, vanished_parts = 0; // see Report
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0;          // the greatest
+  double vanished_size = 0;  // the same of parts
   bool loses_points = false; // of the input, which BackDeviation finds no face for
 
   void count_contraction(double its_error) {
@@ -33,6 +34,7 @@ struct Tally {
     ++vanished_parts;
     loses_points = true;
     error = (std::max)(error, part.radius);
+    vanished_size = (std::max)(vanished_size, part.size);
   }
   void reject(Rejection cause) { ++rejections[static_cast<std::size_t>(cause)]; }
 };

@@ -16,6 +16,7 @@
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
+#include <quadrille/internal/contraction/input_parts.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/part_event.h>
@@ -181,8 +182,7 @@ public:
 
   /// Removes a part whole, of which these vertices are left. Observers are told before.
   void remove_part(Index part, std::span<const Index> vertices) {
-    internal::remove_part(complex_, vertices, parts_[part].radius, followers(*this),
-                          scratch().tally);
+    internal::remove_part(complex_, vertices, parts_[part], followers(*this), scratch().tally);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
@@ -210,8 +210,9 @@ public:
     if (policies_.optional.bounds)
       bounds_.tell(*policies_.optional.bounds, complex_, numbering_.faces);
     count_topology(complex_, scratch().labels).tell(report);
-    const std::size_t parts = report.components_after + report.vanished_parts;
-    report.components_before = is_topology_kept_ ? parts : initial_components_;
+    report.components_before =
+        is_topology_kept_ ? report.components_after + report.vanished_parts : input_parts_.size();
+    input_parts_.tell(complex_, numbering_, report);
     if (!progress_.is_cancelled())
       progress_.tell_end();
     std::vector<Channel> channels = appearance_.take_channels();
@@ -234,7 +235,7 @@ private:
           [this](std::size_t worker) -> VertexLabels& { return scratches_[worker].labels; },
           policies_.threads);
     else
-      initial_components_ = count_components(complex_);
+      input_parts_ = InputParts(complex_, geometry_, scale_, numbering_.vertices);
     if (policies_.stop.is_asking_for_distance()) {
       const bool both_ways = policies_.stop.is_asking_both_ways();
       bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box),
@@ -319,7 +320,7 @@ private:
   CountedCosts costs_;
   CountedEdges edges_;
   Progress<Policies> progress_;
-  std::size_t initial_components_ = 0;
+  InputParts input_parts_;                 // none where topology is kept
   std::vector<std::size_t> back_channels_; // see BackValues
 };
 
