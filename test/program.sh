@@ -1295,6 +1295,15 @@ for option in '' '--cost memoryless' '--cost thin-features' '--cost length' '--p
   run 0 out.ply out.off --keep 100%
   expect_ratio out.off 80
 done
+mkdir tiles
+cp whole.ply tiles/a.ply
+cp whole.ply tiles/b.ply
+run 0 'tiles/*.ply' out.ply --faces 400 --out-of-core scratch
+expect stdout '^tiles/\*.ply: 1,?600 -> 400 faces '
+run 0 'tiles/*.ply' fewer/ --faces 400 --out-of-core scratch
+[ "$(ls fewer)" = "$(printf 'a.ply\nb.ply')" ] || fail "not the same tiles"
+run 2 'tiles/*.stl' out.ply --faces 400 --out-of-core scratch
+expect stderr '^tiles/\*.stl: no file has such a name$'
 for option in lock 0 1000; do
   run 0 whole.ply out.ply --boundary $option --faces 300 --out-of-core scratch
 done

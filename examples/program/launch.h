@@ -87,9 +87,10 @@ public:
     });
   }
   template <class Stop, class Cost, class... Policies>
-  quadrille::FileReport simplify_file(const std::string& input, const std::string& output,
-                                      const Stop& stop, const quadrille::OutOfCore& how,
-                                      const Cost& cost, const Policies&... policies) const {
+  quadrille::FileReport simplify_file(const quadrille::SurfaceFiles& input,
+                                      const std::string& output, const Stop& stop,
+                                      const quadrille::OutOfCore& how, const Cost& cost,
+                                      const Policies&... policies) const {
     return quadrille::simplify_file(MPI_COMM_WORLD, input, output, stop, how, cost, policies...);
   }
 #else

@@ -40,7 +40,10 @@ inline std::optional<std::uint64_t> parse_bytes(std::string word) {
 
 /// Files that do not fit into memory. Called after all options that do not go with it.
 inline void add_out_of_core(CLI::App& app, Options& options) {
-  const char* const group = "Files that do not fit into memory: binary PLY and STL, to PLY";
+  const char* const group =
+      "Files that do not fit into memory: binary PLY and STL, to PLY; IN may be "
+      "a pattern as 'tiles/*.ply', of tiles whose borders coincide, and OUT a "
+      "folder, in which they are tiles again";
   CLI::Option* const parts =
       app.add_option("--out-of-core", options.scratch,
                      "simplify IN by parts that lie in this folder meanwhile, about 28 bytes for "

@@ -1,6 +1,7 @@
 #include "launch.h"
 #include "outcome.h"
 #include "runs.h"
+#include "tiles.h"
 
 #include "../mesh_channels.h"
 #include "../mesh_io/replace_file.h"
@@ -36,6 +37,7 @@ quadrille::OutOfCore out_of_core(const Options& options, ProgressLine& progress)
   result.attribute_importance = options.cost.empty() ? 1 : hardly;
   result.positions_only = options.positions_only;
   result.locks_boundary = options.locks_boundaries;
+  result.keeps_tiles = keeps_tiles(options);
   result.proceed = [&](const quadrille::FileStatus& status) {
     progress.show(status);
     return !Interruption::is_asked();
@@ -91,12 +93,13 @@ public:
 
 private:
   void require_files() const {
-    if (output_extension(options_) != ".ply")
+    if (!keeps_tiles(options_) && output_extension(options_) != ".ply")
       throw std::runtime_error(options_.output + ": --out-of-core writes PLY only");
     if (is_standard_input(options_.input) || is_standard_output(options_.output))
       throw std::runtime_error(
           "--out-of-core reads and writes files, not standard input or output");
-    require_replaceable(options_.output, options_.is_forced);
+    if (!keeps_tiles(options_))
+      require_replaceable(options_.output, options_.is_forced);
   }
 
   bool run_cost() {
@@ -119,15 +122,15 @@ private:
     const Target& target = options_.target;
     const auto run_to = [&](const auto& stop) {
       const quadrille::OutOfCore how = out_of_core(options_, progress_);
+      const quadrille::SurfaceFiles files = surface_files(options_);
       const BuiltInPlacement place = placement(options_, has_minimizer);
       if (launch_)
-        return tell_of(launch_->simplify_file(options_.input, options_.output, stop, how,
+        return tell_of(launch_->simplify_file(files, options_.output, stop, how,
                                               cost_of<Cost>(options_), place, topology(options_),
                                               limit(target)));
       quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology,
                                        quadrille::internal::DistanceChoice>
-          job(options_.input, stop, how, cost_of<Cost>(options_), place, topology(options_),
-              limit(target));
+          job(files, stop, how, cost_of<Cost>(options_), place, topology(options_), limit(target));
       return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
     };
     if (target.faces && target.ratio)

@@ -12,6 +12,7 @@
 #include <quadrille/internal/file/part_runner.h>
 #include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/surface_source.h>
+#include <quadrille/internal/file/tile_split.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
 
@@ -24,6 +25,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 /// \file
 /// Surfaces that do not fit into memory: from a file to a file, by parts.
@@ -71,10 +73,9 @@ public:
   /// HausdorffLimit, which the whole keeps: without a target of faces besides, that is
   /// FaceCount{0}. Throws std::invalid_argument for options that make no sense.
   template <class Stop>
-  PartitionedSimplifier(const std::filesystem::path& input, const Stop& stop,
-                        const OutOfCore& options, Cost cost, Placement placement,
-                        Policies... policies)
-      : options_(options), source_(input, options.positions_only),
+  PartitionedSimplifier(const SurfaceFiles& input, const Stop& stop, const OutOfCore& options,
+                        Cost cost, Placement placement, Policies... policies)
+      : options_(options), source_(input.paths, options.positions_only, options.keeps_tiles),
         runner_(options.locks_boundary, std::move(cost), std::move(placement), policies...),
         watch_(options.proceed), job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
     if (options.scratch.empty())
@@ -84,8 +85,7 @@ public:
   }
   /// The same with policies that need not be told.
   template <class Stop>
-  PartitionedSimplifier(const std::filesystem::path& input, const Stop& stop,
-                        const OutOfCore& options)
+  PartitionedSimplifier(const SurfaceFiles& input, const Stop& stop, const OutOfCore& options)
       : PartitionedSimplifier(input, stop, options, Cost(), Placement(), Policies()...) {}
 
   /// Cuts the file into the parts of the first phase; or, with OutOfCore::restart, takes up the
@@ -207,7 +207,10 @@ public:
     watch_.tell(job_, FileStage::sew, 0);
     FileReport report = this->report();
     job_.add_last_phase(report);
-    job_.sew(output, report);
+    if (options_.keeps_tiles)
+      sew_tiles(output, report);
+    else
+      job_.sew(output, report);
     remove_job();
     report.peak_memory = internal::MemoryBudget::peak();
     return report;
@@ -259,6 +262,15 @@ private:
     lock_.reset();
   }
 
+  void sew_tiles(const std::filesystem::path& output, FileReport& report) const {
+    const std::vector<std::filesystem::path> tiles = source_.tiles_in(output);
+    const std::filesystem::path whole = job_.folder().welded(0);
+    std::filesystem::create_directories(output);
+    job_.sew(whole, report);
+    report.bytes_written +=
+        internal::TileSplit::run(whole, tiles, job_.folder().welding(), options_.memory / 8);
+  }
+
   void cut_file() {
     const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
     tell(0);
@@ -294,7 +306,9 @@ private:
 ///     "in.ply", "out.ply", FaceCount{10'000'000}, OutOfCore{.scratch = "/scratch/a"});
 /// ```
 ///
-/// - input: binary PLY of triangles, little or big endian, float or double; or binary STL, of which
+/// - input: one file, or several that are tiles of one surface: see SurfaceFiles
+/// - what it is: binary PLY of triangles, little or big endian, float or double; or binary STL, of
+/// which
 ///   corners at exactly the same place become one vertex
 /// - output: binary PLY, little endian, float or double as the input; vertices in the order of the
 ///   input
@@ -314,7 +328,7 @@ private:
 /// Time O(n log n) for n faces, reading the file five times; memory as told, with two bytes for
 /// each vertex at least; on disk about 28 bytes for each face. Throws as PartitionedSimplifier.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
-FileReport simplify_file(const std::filesystem::path& input, const std::filesystem::path& output,
+FileReport simplify_file(const SurfaceFiles& input, const std::filesystem::path& output,
                          const Stop& stop, const OutOfCore& options, Cost cost = {},
                          Placement placement = {}, Policies... policies) {
   const auto target = internal::faces_and_limit(stop);

@@ -9,6 +9,8 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace quadrille {
@@ -39,6 +41,19 @@ struct FileStatus {
   double progress = 0;                    ///< about which part of all work is done, from 0 to 1
 };
 
+/// What simplify_file reads: a file, or several, which are tiles of one surface. Vertices of their
+/// borders that lie at exactly the same place, in two tiles or more, become one.
+struct SurfaceFiles {
+  /// A file.
+  template <class Path>
+  requires std::is_convertible_v<const Path&, std::filesystem::path> SurfaceFiles(const Path& path)
+      : paths{std::filesystem::path(path)} {}
+  /// Tiles, all of them PLY with the same properties, or STL.
+  SurfaceFiles(std::vector<std::filesystem::path> tiles) : paths(std::move(tiles)) {}
+
+  std::vector<std::filesystem::path> paths; ///< at least one
+};
+
 /// How a file is simplified in parts.
 struct OutOfCore {
   /// A folder for what lies on disk meanwhile, on a file system that all who run parts see. It is
@@ -61,6 +76,10 @@ struct OutOfCore {
   /// How much colours, normals, texture coordinates and other numbers of vertices count beside the
   /// shape: see ChannelOptions::importance. Above 0. The result depends on it.
   double attribute_importance = 1;
+  /// The output is a folder, in which each of several files of the input becomes one again, of the
+  /// same name but with .ply. Borders between them stay where they are about, as those of labels,
+  /// and fit bit for bit.
+  bool keeps_tiles = false;
   /// Vertices at edges of one face stay where they are, bit by bit. The result depends on it.
   bool locks_boundary = false;
   /// Read over whatever the file has beside positions, corners and labels; else what can't go along

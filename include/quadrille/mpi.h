@@ -248,7 +248,7 @@ FileReport run_over_ranks(MPI_Comm communicator, const std::filesystem::path& ou
 /// of all. Returns the report on the first rank; on others its faces, vertices, phases, parts,
 /// `stop` and is_count_exact.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
-FileReport simplify_file(MPI_Comm communicator, const std::filesystem::path& input,
+FileReport simplify_file(MPI_Comm communicator, const SurfaceFiles& input,
                          const std::filesystem::path& output, const Stop& stop,
                          const OutOfCore& options, const Cost& cost = {},
                          const Placement& placement = {}, const Policies&... policies) {

@@ -319,6 +319,139 @@ TEST_CASE("A surface that is small beside something far away is cut as evenly") 
   CHECK(rms(input, output) < 1.03 * rms_in_memory<MemorylessQuadric>(input, 808));
 }
 
+// Four tiles of a surface, by where the middles of faces are: each with vertices of its own.
+std::vector<Soup> tiles_of(const Soup& soup) {
+  std::vector<Soup> tiles(4);
+  std::vector<std::map<std::uint32_t, std::uint32_t>> numbers(4);
+  for (const test::Triangle& t : soup.triangles) {
+    const test::Position middle = soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]];
+    const std::size_t tile = (middle[0] > 0 ? 1 : 0) + (middle[1] > 0.1 ? 2 : 0);
+    test::Triangle& to = tiles[tile].triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [found, is_new] =
+          numbers[tile].try_emplace(t[i], static_cast<std::uint32_t>(tiles[tile].points.size()));
+      if (is_new)
+        tiles[tile].points.push_back(soup.points[t[i]]);
+      to[i] = found->second;
+    }
+  }
+  return tiles;
+}
+
+// Points at exactly the same place become one.
+Soup sewn(const std::vector<Soup>& tiles) {
+  Soup soup;
+  std::map<std::array<double, 3>, std::uint32_t> numbers;
+  for (const Soup& tile : tiles)
+    for (const test::Triangle& t : tile.triangles) {
+      test::Triangle& to = soup.triangles.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [found, is_new] = numbers.try_emplace(
+            tile.points[t[i]].coordinates, static_cast<std::uint32_t>(soup.points.size()));
+        if (is_new)
+          soup.points.push_back(tile.points[t[i]]);
+        to[i] = found->second;
+      }
+    }
+  return soup;
+}
+
+void require_whole(const Soup& output, std::size_t faces) {
+  const auto topology = topology_of(output);
+  CHECK(topology.is_manifold);
+  CHECK(topology.is_oriented);
+  CHECK(topology.is_closed());
+  CHECK(topology.genus() == 1);
+  CHECK(output.triangles.size() == faces);
+}
+
+TEST_CASE("Tiles whose borders coincide are one surface, and may be tiles again") {
+  const Soup input = surface();
+  const std::vector<Soup> tiles = tiles_of(input);
+  for (const bool is_stl : {false, true}) {
+    INFO((is_stl ? "STL" : "PLY"));
+    const Folder folder;
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+      files.push_back(folder.file("tile" + std::to_string(i) + (is_stl ? ".stl" : ".ply"),
+                                  is_stl ? test::stl_of(tiles[i]) : ply_of(tiles[i])));
+    OutOfCore options = in_parts(folder, part_of_16);
+    const auto simplified = [&](const std::filesystem::path& output) {
+      return simplify_file<MemorylessQuadric, OptimalPlacement>(files, output, FaceCount{800},
+                                                                options);
+    };
+    CHECK(simplified(folder.path("out.ply")).faces_after == 800);
+    require_whole(read_ply(folder.path("out.ply")), 800);
+    if (!is_stl)
+      CHECK(rms(input, read_ply(folder.path("out.ply"))) <
+            1.1 * rms_in_memory<MemorylessQuadric>(input, 800));
+    options.keeps_tiles = true;
+    CHECK(simplified(folder.path("out")).faces_before == 8000);
+    std::vector<Soup> kept;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      kept.push_back(read_ply(folder.path("out") / ("tile" + std::to_string(i) + ".ply")));
+      CHECK(20 * kept[i].triangles.size() > tiles[i].triangles.size());
+      CHECK(kept[i].triangles.size() * 5 < tiles[i].triangles.size());
+    }
+    require_whole(sewn(kept), 800);
+    CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+  }
+}
+
+TEST_CASE("Vertices at one place become one where tiles meet, and nowhere else") {
+  const Folder folder;
+  const Soup square = test::grid(1, 1);
+  Soup slit = square; // each of its faces has vertices of its own
+  slit.points.insert(slit.points.end(), square.points.begin(), square.points.end());
+  for (std::uint32_t& v : slit.triangles[1])
+    v += 4;
+  const auto moved = [&](double x) {
+    return folder.file("at" + std::to_string(static_cast<int>(x)) + ".ply",
+                       ply_of(test::mapped(square, [&](const test::Position& p) {
+                         return test::Position{{p[0] + x, p[1], 0}};
+                       })));
+  };
+  const auto vertices = [&](double x) {
+    const std::vector<std::filesystem::path> files{folder.file("slit.ply", ply_of(slit)), moved(x)};
+    return simplify_file<Quadric>(files, folder.path("out.ply"), FaceCount{100},
+                                  in_parts(folder, 100))
+        .vertices_after;
+  };
+  CHECK(vertices(5) == 6 + 4);
+  CHECK(vertices(1) == 6 + 4 - 3); // at one of the two corners it has two vertices
+}
+
+TEST_CASE("Files that are no tiles of one surface are refused by their names") {
+  const Folder folder;
+  std::vector<Soup> tiles = tiles_of(surface());
+  const auto refusal = [&](const std::vector<std::filesystem::path>& files, bool keeps = false) {
+    OutOfCore options = in_parts(folder, part_of_16);
+    options.keeps_tiles = keeps;
+    try {
+      simplify_file<MemorylessQuadric, OptimalPlacement>(files, folder.path("out.ply"),
+                                                         FaceCount{800}, options);
+    } catch (const std::exception& error) {
+      CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  const auto a = folder.file("a.ply", ply_of(tiles[0])), b = folder.file("b.ply", ply_of(tiles[1]));
+  const auto doubles = folder.file("doubles.ply", ply_of<double>(tiles[2]));
+  const auto soup = folder.file("soup.stl", test::stl_of(tiles[3]));
+  CHECK_THAT(refusal({a, doubles}), Catch::Contains("doubles.ply: has other properties"));
+  CHECK_THAT(refusal({a, b, soup}), Catch::Contains("soup.stl: is no tile of a surface with"));
+  CHECK_THAT(refusal({a, folder.path("none.ply")}), Catch::Contains("none.ply: cannot be opened"));
+  CHECK_THAT(refusal({}), Catch::Contains("0 files are no surface"));
+  std::filesystem::create_directory(folder.path("other"));
+  CHECK_THAT(refusal({a, folder.file("other/a.ply", ply_of(tiles[1]))}, true),
+             Catch::Contains("two tiles would be a.ply"));
+  for (test::Position& p : tiles[1].points)
+    p[2] = std::numeric_limits<double>::infinity();
+  folder.file("b.ply", ply_of(tiles[1]));
+  CHECK_THAT(refusal({a, b}), Catch::Contains("b.ply: vertex 0 is not finite"));
+}
+
 TEST_CASE("Labels of faces go along, and their regions stay") {
   const Folder folder;
   const Soup input = surface();

@@ -59,7 +59,8 @@ inline void remove_job_files(const std::filesystem::path& folder,
 /// job                    says that the folder is a job's, see JobLock
 /// lock                   who works there, see JobLock
 /// welding/               files of a soup that is made a surface, see StlWeld
-/// welded-KEY.ply         that surface
+/// welded-KEY.ply         that surface, also of several tiles
+/// welded-0-T.ply         tile T of it, if it is a soup; of what is left, welded-0.ply
 /// labels                 what these are, see LabelTable
 /// phase-K/plan           what the phase is: there once all of the phase's input is
 /// phase-K/vertices-P     the vertices of part P, as VertexRow
@@ -106,6 +107,10 @@ public:
   }
   /// Where a soup is made a surface.
   std::filesystem::path welding() const { return path_ / "welding"; }
+  /// One of several soups, which is a tile of a surface.
+  std::filesystem::path welded_tile(std::size_t tile) const {
+    return path_ / ("welded-0-" + std::to_string(tile) + ".ply");
+  }
   /// That surface.
   std::filesystem::path welded(std::uint64_t key) const {
     return path_ / ("welded-" + std::to_string(key) + ".ply");

@@ -7,6 +7,7 @@
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/label_table.h>
 #include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/ply_output.h>
 #include <quadrille/internal/file/survivors.h>
 
 #include <algorithm>
@@ -23,33 +24,6 @@
 #include <vector>
 
 namespace quadrille::internal {
-
-/// Bytes on the way to a file, little-endian.
-class PlyBytes {
-public:
-  explicit PlyBytes(WholeFile& file) : file_(file) {}
-
-  void put_text(const std::string& text) {
-    buffer_.insert(buffer_.end(), text.begin(), text.end());
-  }
-  template <class Number>
-  void put(Number number) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    if constexpr (std::endian::native == std::endian::big)
-      std::reverse(bytes.begin(), bytes.end());
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    if (buffer_.size() >= (1 << 20))
-      flush();
-  }
-  void flush() {
-    file_.write(buffer_.data(), buffer_.size());
-    buffer_.clear();
-  }
-
-private:
-  WholeFile& file_;
-  std::vector<char> buffer_;
-};
 
 /// What is left of the parts of a phase becomes one surface. All parts agree on the numbers and on
 /// the places of their vertices, so nothing has to be matched. Vertices are in the order of the
@@ -98,20 +72,7 @@ private:
   }
 
   std::string header(bool has_doubles) const {
-    const std::string number = has_doubles ? "double" : "float";
-    const std::string index = vertices() > 0x7FFFFFFFU ? "uint" : "int";
-    return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices()) +
-           "\nproperty " + number + " x\nproperty " + number + " y\nproperty " + number + " z\n" +
-           properties(scalars_.properties()) + "element face " + std::to_string(faces_) +
-           "\nproperty list uchar " + index + " vertex_indices\n" +
-           properties(labels_.properties()) + "end_header\n";
-  }
-
-  static std::string properties(const std::vector<PlyProperty>& list) {
-    std::string text;
-    for (const PlyProperty& p : list)
-      text += "property " + p.type.name() + " " + p.name + "\n";
-    return text;
+    return ply_header(vertices(), has_doubles, scalars_.properties(), faces_, labels_.properties());
   }
 
   // The vertices of a part, one after the other.
@@ -173,34 +134,16 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
       bytes.put(static_cast<Number>(from.row.position[i]));
     for (std::size_t i = 0; i < from.scalars.size(); ++i)
-      put_scalar(bytes, scalars_.properties()[i].type,
-                 std::clamp(from.scalars[i], ranges_.low[i], ranges_.high[i]));
-  }
-
-  static void put_scalar(PlyBytes& bytes, const PlyType& type, double value) {
-    if (type.is_integer)
-      put_integer(bytes, type, std::llround(value));
-    else if (type.size == 8)
-      bytes.put(value);
-    else
-      bytes.put(static_cast<float>(value));
-  }
-  static void put_integer(PlyBytes& bytes, const PlyType& type, std::int64_t value) {
-    if (type.size == 1)
-      bytes.put(static_cast<std::uint8_t>(value));
-    else if (type.size == 2)
-      bytes.put(static_cast<std::uint16_t>(value));
-    else
-      bytes.put(static_cast<std::uint32_t>(value));
+      bytes.put_as(scalars_.properties()[i].type,
+                   std::clamp(from.scalars[i], ranges_.low[i], ranges_.high[i]));
   }
 
   void put_faces(PlyBytes& bytes) const {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const Survivors part = Survivors::read(folder_.left(phase_, p), parts_[p]);
       for (std::size_t f = 0; f < part.faces.size(); ++f) {
-        bytes.put(static_cast<unsigned char>(3));
-        for (const VertexId corner : part.faces[f])
-          bytes.put(static_cast<std::uint32_t>(ranks_(corner)));
+        const FaceRow& corners = part.faces[f];
+        bytes.put_corners({ranks_(corners[0]), ranks_(corners[1]), ranks_(corners[2])});
         if (!part.labels.empty())
           put_label(bytes, labels_.values(part.labels[f]));
       }
@@ -209,7 +152,7 @@ private:
 
   void put_label(PlyBytes& bytes, const LabelValues& values) const {
     for (std::size_t i = 0; i < values.size(); ++i)
-      put_integer(bytes, labels_.properties()[i].type, values[i]);
+      bytes.put_integer(labels_.properties()[i].type, values[i]);
   }
 
   const JobFolder& folder_;

@@ -4,32 +4,45 @@
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/job_key.h>
+#include <quadrille/internal/file/part_cut.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/stl_weld.h>
+#include <quadrille/internal/file/tile_sewing.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The file that is simplified: PLY, or STL whose corners are made vertices first.
+/// The file that is simplified: PLY, or STL whose corners are made vertices first; or tiles of
+/// these, which are made one surface first.
 class SurfaceSource {
 public:
   /// Throws for a file that is nothing that can be read in parts, as far as its beginning tells.
-  SurfaceSource(const std::filesystem::path& path, bool positions_only)
-      : path_(path), positions_only_(positions_only), is_stl_(has_extension(path, ".stl")) {
+  SurfaceSource(std::vector<std::filesystem::path> paths, bool positions_only, bool keeps_tiles)
+      : paths_(std::move(paths)), positions_only_(positions_only), keeps_tiles_(keeps_tiles) {
+    if (paths_.empty() || paths_.size() > most_parts)
+      throw std::invalid_argument("quadrille::simplify_file: " + std::to_string(paths_.size()) +
+                                  " files are no surface; from 1 to " + std::to_string(most_parts) +
+                                  " may be tiles of one");
+    is_stl_ = has_extension(paths_.front(), ".stl");
     JobKey key;
-    key.add_file(InputFile(path));
+    for (const std::filesystem::path& path : paths_)
+      key.add_file(InputFile(path));
     key.add_number(std::uint64_t{positions_only});
+    if (is_tiled())
+      key.add_number(std::uint64_t{keeps_tiles});
     key_ = key.value();
-    if (is_stl_)
-      StlWeld::require_readable(path);
-    else
-      open(path);
+    for (std::size_t i = paths_.size(); i-- > 0;) // the first one stays open
+      require_readable(paths_[i]);
+    if (keeps_tiles)
+      tiles_in(""); // throws where names are the same
   }
 
   std::uint64_t key() const { return key_; } ///< of its content
@@ -42,20 +55,60 @@ public:
 
   /// Is there a surface that has been made of a soup?
   bool is_welded(const JobFolder& folder) const {
-    return is_stl_ && std::filesystem::exists(folder.welded(key_));
+    return (is_stl_ || is_tiled()) && std::filesystem::exists(folder.welded(key_));
   }
   /// The surface. Where it has to be welded, that is done now, if it has not been.
   const PlyInput& surface(const JobFolder& folder, std::uint64_t memory) {
-    if (ply_)
+    if (!is_stl_ && !is_tiled())
       return *ply_;
     const std::filesystem::path welded = folder.welded(key_);
-    if (!is_welded(folder))
-      StlWeld::run(path_, welded, folder.welding(), memory);
+    if (!is_welded(folder) && is_tiled())
+      sew_tiles(welded, folder, memory);
+    else if (!is_welded(folder))
+      StlWeld::run(paths_.front(), welded, folder.welding(), memory);
     open(welded);
     return *ply_;
   }
 
+  /// Where tiles go that are kept. Throws if two have the same name.
+  std::vector<std::filesystem::path> tiles_in(const std::filesystem::path& folder) const {
+    std::vector<std::filesystem::path> result;
+    for (const std::filesystem::path& path : paths_)
+      result.push_back(folder / path.filename().replace_extension(".ply"));
+    std::vector<std::filesystem::path> sorted = result;
+    std::sort(sorted.begin(), sorted.end());
+    const auto same = std::adjacent_find(sorted.begin(), sorted.end());
+    if (same != sorted.end())
+      throw std::invalid_argument("quadrille::simplify_file: two tiles would be " + same->string() +
+                                  " in the folder of the output");
+    return result;
+  }
+
 private:
+  bool is_tiled() const { return paths_.size() > 1 || keeps_tiles_; }
+
+  void require_readable(const std::filesystem::path& path) {
+    if (has_extension(path, ".stl") != is_stl_)
+      fail_file(path, "is no tile of a surface with " + paths_.front().string() +
+                          ": all have to be PLY, or all STL");
+    if (is_stl_)
+      StlWeld::require_readable(path);
+    else
+      open(path);
+  }
+
+  void sew_tiles(const std::filesystem::path& welded, const JobFolder& folder,
+                 std::uint64_t memory) const {
+    std::vector<std::filesystem::path> tiles;
+    for (std::size_t i = 0; is_stl_ && i < paths_.size(); ++i) {
+      tiles.push_back(folder.welded_tile(i));
+      StlWeld::run(paths_[i], tiles[i], folder.welding(), memory);
+    }
+    TileSewing::run(is_stl_ ? tiles : paths_, paths_, positions_only_, keeps_tiles_, welded);
+    for (const std::filesystem::path& tile : tiles)
+      std::filesystem::remove(tile);
+  }
+
   static bool has_extension(const std::filesystem::path& path, const std::string& extension) {
     std::string own = path.extension().string();
     std::transform(own.begin(), own.end(), own.begin(),
@@ -70,8 +123,8 @@ private:
                           ", which can't go along in parts; 'positions only' leaves it out");
   }
 
-  std::filesystem::path path_;
-  bool positions_only_, is_stl_;
+  std::vector<std::filesystem::path> paths_;
+  bool positions_only_, keeps_tiles_, is_stl_ = false;
   std::uint64_t key_ = 0;
   std::unique_ptr<PlyInput> ply_;
 };

@@ -1,0 +1,42 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_TILES_H
+#define QUADRILLE_EXAMPLES_PROGRAM_TILES_H
+
+#include "options.h"
+
+#include <quadrille/file_report.h>
+
+#include <glob.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// IN, or the files that it names as a pattern of the shell, in the order of their names: tiles of
+/// one surface.
+inline quadrille::SurfaceFiles surface_files(const Options& options) {
+  if (options.input.find_first_of("*?[") == std::string::npos ||
+      std::filesystem::exists(options.input))
+    return options.input;
+  ::glob_t found = {};
+  const bool is_any = ::glob(options.input.c_str(), GLOB_ERR, nullptr, &found) == 0;
+  std::vector<std::filesystem::path> tiles;
+  for (std::size_t i = 0; is_any && i < found.gl_pathc; ++i)
+    tiles.emplace_back(found.gl_pathv[i]);
+  ::globfree(&found);
+  if (tiles.empty())
+    throw std::runtime_error(options.input + ": no file has such a name");
+  return tiles;
+}
+
+/// Is OUT a folder, in which each tile becomes a file again?
+inline bool keeps_tiles(const Options& options) {
+  return options.output.ends_with('/') || std::filesystem::is_directory(options.output);
+}
+
+} // namespace quadrille_examples
+
+#endif

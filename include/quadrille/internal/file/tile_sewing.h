@@ -1,0 +1,201 @@
+#ifndef QUADRILLE_INTERNAL_FILE_TILE_SEWING_H
+#define QUADRILLE_INTERNAL_FILE_TILE_SEWING_H
+
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/ply_input.h>
+#include <quadrille/internal/file/ply_output.h>
+#include <quadrille/internal/file/rows.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The name of the property of faces that tells from which tile they are.
+inline constexpr const char* tile_property = "quadrille_tile";
+
+/// Makes one surface of several files, tiles: vertices of their borders that lie at exactly the
+/// same place, in two tiles or more, become one. All else is as it was, in the order of the files.
+/// Memory: 24 bytes for each face of a tile, one tile at a time, and 40 for each vertex of a
+/// border.
+class TileSewing {
+public:
+  /// `tiles` are binary PLY, `names` how messages call them. `tells_tiles`: faces get a property,
+  /// by which TileSplit takes them apart again.
+  static void run(const std::vector<std::filesystem::path>& tiles,
+                  const std::vector<std::filesystem::path>& names, bool positions_only,
+                  bool tells_tiles, const std::filesystem::path& output) {
+    TileSewing sewing(tiles, names, positions_only);
+    sewing.find_merged();
+    sewing.write(output, tells_tiles);
+  }
+
+private:
+  using Place = std::array<double, 3>;
+  struct BorderVertex {
+    Place place;
+    std::uint64_t tile, id; // among all vertices
+  };
+
+  TileSewing(const std::vector<std::filesystem::path>& tiles,
+             const std::vector<std::filesystem::path>& names, bool positions_only)
+      : tiles_(tiles), names_(names), positions_only_(positions_only),
+        first_(tiles.front(), positions_only) {
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+      const PlyInput tile = open(t);
+      require_as_first(tile, t);
+      begins_.push_back(vertices_);
+      vertices_ += tile.vertices();
+      faces_ += tile.faces();
+    }
+  }
+
+  // One at a time: there may be more than a process may have open.
+  PlyInput open(std::size_t t) const { return PlyInput(tiles_[t], positions_only_); }
+
+  void require_as_first(const PlyInput& tile, std::size_t t) const {
+    const auto same = [](const std::vector<PlyProperty>& a, const std::vector<PlyProperty>& b) {
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
+        return p.name == q.name && p.type == q.type;
+      });
+    };
+    if (!same(tile.scalars().properties(), first_.scalars().properties()) ||
+        !same(tile.labels(), first_.labels()) || tile.has_doubles() != first_.has_doubles())
+      fail_file(names_[t], "has other properties, or other types of numbers, than " +
+                               names_[0].string() + ", with which it is to be one surface");
+  }
+
+  // Vertices at edges of one face of their tile.
+  static std::vector<bool> border_of(const PlyInput& tile) {
+    std::vector<std::uint64_t> edges;
+    edges.reserve(3 * static_cast<std::size_t>(tile.faces()));
+    tile.for_faces([&](std::uint64_t, const FaceRow& face, const LabelValues&) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VertexId a = face[i], b = face[(i + 1) % 3];
+        if (a != b)
+          edges.push_back(std::uint64_t{(std::min)(a, b)} << 32 | (std::max)(a, b));
+      }
+    });
+    std::sort(edges.begin(), edges.end());
+    std::vector<bool> is_at_border(static_cast<std::size_t>(tile.vertices()));
+    for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+      for (end = i + 1; end < edges.size() && edges[end] == edges[i];)
+        ++end;
+      if (end == i + 1)
+        is_at_border[edges[i] >> 32] = is_at_border[edges[i] & 0xFFFFFFFFU] = true;
+    }
+    return is_at_border;
+  }
+
+  void add_border(std::size_t t, std::vector<BorderVertex>& border) const {
+    const PlyInput tile = open(t);
+    const std::vector<bool> is_at_border = border_of(tile);
+    tile.for_vertices([&](VertexId v, const Vector<3>& p) {
+      if (!is_at_border[v])
+        return;
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+        fail_file(names_[t], "vertex " + std::to_string(v) + " is not finite");
+      border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, t, begins_[t] + v}); // no -0
+    });
+  }
+
+  // Of several at one place the first is left. Where all are of one tile, its user has made them
+  // several.
+  void find_merged() {
+    std::vector<BorderVertex> border;
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      add_border(t, border);
+    std::sort(border.begin(), border.end(), [](const BorderVertex& a, const BorderVertex& b) {
+      return a.place != b.place ? a.place < b.place : a.id < b.id;
+    });
+    for (std::size_t i = 0, end = 0; i < border.size(); i = end) {
+      for (end = i + 1; end < border.size() && border[end].place == border[i].place;)
+        ++end;
+      if (border[end - 1].tile != border[i].tile)
+        for (std::size_t other = i + 1; other < end; ++other)
+          merged_.emplace_back(border[other].id, border[i].id);
+    }
+    std::sort(merged_.begin(), merged_.end());
+    if (vertices_ - merged_.size() > most_vertex_ids)
+      fail_file(names_[0], "and the other tiles have " +
+                               std::to_string(vertices_ - merged_.size()) +
+                               " vertices, more than corners of faces can name");
+  }
+
+  std::vector<std::pair<std::uint64_t, std::uint64_t>>::const_iterator
+  found(std::uint64_t id) const {
+    return std::lower_bound(merged_.begin(), merged_.end(), std::pair(id, std::uint64_t{0}));
+  }
+  bool is_merged(std::uint64_t id) const {
+    const auto at = found(id);
+    return at != merged_.end() && at->first == id;
+  }
+  // The number of what a vertex has become.
+  std::uint64_t number(std::uint64_t id) const {
+    auto at = found(id);
+    if (at != merged_.end() && at->first == id) {
+      id = at->second;
+      at = found(id);
+    }
+    return id - static_cast<std::uint64_t>(at - merged_.begin());
+  }
+
+  void write(const std::filesystem::path& output, bool tells_tiles) const {
+    WholeFile file(output);
+    PlyBytes bytes(file);
+    std::vector<PlyProperty> of_faces = first_.labels();
+    if (tells_tiles)
+      of_faces.push_back({tile_property, {4, true, true}, {}});
+    bytes.put_text(ply_header(vertices_ - merged_.size(), first_.has_doubles(),
+                              first_.scalars().properties(), faces_, of_faces));
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      put_vertices(t, bytes);
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      put_faces(t, tells_tiles, bytes);
+    bytes.flush();
+    file.finish();
+  }
+
+  void put_vertices(std::size_t t, PlyBytes& bytes) const {
+    const std::vector<PlyProperty>& properties = first_.scalars().properties();
+    const PlyType number{first_.has_doubles() ? std::size_t{8} : std::size_t{4}, false, true};
+    open(t).for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
+      if (is_merged(begins_[t] + v))
+        return;
+      for (std::size_t i = 0; i < 3; ++i)
+        bytes.put_as(number, p[i]);
+      for (std::size_t i = 0; i < scalars.size(); ++i)
+        bytes.put_as(properties[i].type, scalars[i]);
+    });
+  }
+
+  void put_faces(std::size_t t, bool tells_tiles, PlyBytes& bytes) const {
+    const std::vector<PlyProperty>& labels = first_.labels();
+    open(t).for_faces([&](std::uint64_t, const FaceRow& face, const LabelValues& values) {
+      bytes.put_corners({number(begins_[t] + face[0]), number(begins_[t] + face[1]),
+                         number(begins_[t] + face[2])});
+      for (std::size_t i = 0; i < values.size(); ++i)
+        bytes.put_integer(labels[i].type, values[i]);
+      if (tells_tiles)
+        bytes.put(static_cast<std::uint32_t>(t));
+    });
+  }
+
+  const std::vector<std::filesystem::path>&tiles_, &names_;
+  bool positions_only_;
+  PlyInput first_;
+  std::vector<std::uint64_t> begins_; // of each tile, the first of its vertices among all
+  std::uint64_t vertices_ = 0, faces_ = 0;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> merged_; // a vertex, and what it has become
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_TILE_SEWING_H
