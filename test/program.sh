@@ -1304,8 +1304,9 @@ run 0 'tiles/*.ply' fewer/ --faces 400 --out-of-core scratch
 [ "$(ls fewer)" = "$(printf 'a.ply\nb.ply')" ] || fail "not the same tiles"
 run 2 'tiles/*.stl' out.ply --faces 400 --out-of-core scratch
 expect stderr '^tiles/\*.stl: no file has such a name$'
-for option in lock 0 1000; do
-  run 0 whole.ply out.ply --boundary $option --faces 300 --out-of-core scratch
+for option in '--boundary lock' '--boundary 0' '--boundary 1000' --drop-parts; do
+  # shellcheck disable=SC2086
+  run 0 whole.ply out.ply $option --faces 300 --out-of-core scratch
 done
 for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --faces 200'; do
   # shellcheck disable=SC2086

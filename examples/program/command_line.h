@@ -137,7 +137,7 @@ inline void add_records(CLI::App& app, Options& options) {
       "--from", options.from, "read the target's level from this record instead of IN");
   reads->type_name("FILE")->group("Files");
   for (const char* const name : {"--record", "--cost", "--placement", "--topology", "--threads",
-                                 "--both-ways", "--boundary"})
+                                 "--both-ways", "--boundary", "--drop-parts"})
     reads->excludes(name);
   for (const char* const name : options_of_whole_meshes)
     reads->excludes(name);

@@ -16,12 +16,12 @@ namespace quadrille_examples {
 
 /// Options that are for a mesh that is read as a whole.
 inline constexpr const char* options_of_whole_meshes[] = {
-    "--levels", "--tolerance",     "--lines",      "--normal-noise",
-    "--noise",  "--squared-areas", "--importance", "--crease",
-    "--pairs",  "--drop-parts",    "--normals",    "--no-self-intersection",
-    "--solid",  "--seams",         "--order",      "--weld",
-    "--orient", "--keep-partial",  "--measure",    "--verify",
-    "--region", "--labels"};
+    "--levels",  "--tolerance",     "--lines",      "--normal-noise",
+    "--noise",   "--squared-areas", "--importance", "--crease",
+    "--pairs",   "--normals",       "--solid",      "--no-self-intersection",
+    "--seams",   "--order",         "--weld",       "--orient",
+    "--measure", "--keep-partial",  "--verify",     "--region",
+    "--labels"};
 
 /// Bytes: 4G, 500M, 1.5G.
 inline std::optional<std::uint64_t> parse_bytes(std::string word) {

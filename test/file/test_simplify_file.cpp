@@ -288,6 +288,29 @@ TEST_CASE("Boundaries may be locked, wherever parts are cut") {
   CHECK(boundary(output) == boundary(input));
 }
 
+TEST_CASE("Small parts of the surface may vanish, wherever it is cut") {
+  const Folder folder;
+  Soup input = surface();
+  test::Random random(8);
+  const auto at = [&] { return 0.01 * (static_cast<double>(random.below(400)) - 200); };
+  for (int i = 0; i < 40; ++i) {
+    const test::Position place{{at(), at(), 1 + at()}};
+    input = test::joined(input, test::mapped(test::tetrahedron(), [&](const test::Position& p) {
+                           return 0.01 * p + place;
+                         }));
+  }
+  folder.file("in.ply", ply_of<double>(input));
+  OutOfCore options = in_parts(folder, part_of_16);
+  const auto faces = [&](Topology topology) {
+    return simplify_file<Quadric, OptimalPlacement>(folder.path("in.ply"), folder.path("out.ply"),
+                                                    FaceCount{100}, options, {}, {}, topology)
+        .faces_after;
+  };
+  CHECK(faces(Topology::kept) > 160);
+  CHECK(faces(Topology::parts_may_vanish) == 100);
+  CHECK(topology_of(read_ply(folder.path("out.ply"))).is_closed());
+}
+
 TEST_CASE("Several pieces and vertices without a face") {
   const Folder folder;
   Soup input = test::joined(surface(), test::torus(20, 10), {{0.1, 3, 0}});
