@@ -183,6 +183,13 @@ private:
       print_remark(options_,
                    "the count of faces is near and not exact: " + with_commas(report.faces_after) +
                        ", since the whole does not fit into the memory at the end");
+    if (report.unused_not_finite > 0)
+      print_remark(options_, "vertices without a face left out for not being finite: " +
+                                 std::to_string(report.unused_not_finite));
+    if (report.doubled_faces > 0)
+      print_remark(options_, "faces left out for having the corners of another one, the same way "
+                             "round: " +
+                                 std::to_string(report.doubled_faces));
     Options options = options_;
     options.is_quiet = options.is_quiet || is_step;
     return tell(options,

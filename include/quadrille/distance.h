@@ -233,17 +233,18 @@ double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
 }
 
 /// The length of the diagonal of the axis-parallel box around the vertices of a mesh; 0 when there
-/// are none.
+/// are none. Vertices that no edge has belong to no surface, and do not count.
 template <internal::MeasurableMesh Mesh>
 double bounding_box_diagonal(const Mesh& mesh) {
   const auto position = get(CGAL::vertex_point, mesh);
   std::vector<internal::DistancePoint> points;
   for (const auto v : vertices(mesh))
-    points.push_back(internal::to_distance_point(get(position, v)));
+    if (halfedge(v, mesh) != boost::graph_traits<Mesh>::null_halfedge())
+      points.push_back(internal::to_distance_point(get(position, v)));
   return points.empty() ? 0 : internal::diagonal(internal::bounding_box(points));
 }
 
-/// The same for the points of a soup.
+/// The same for points, all of which count.
 template <std::ranges::input_range Points>
 requires(!internal::MeasurableMesh<Points>) double bounding_box_diagonal(const Points& points) {
   std::vector<internal::DistancePoint> copies;

@@ -100,10 +100,12 @@ struct FileReport : Report {
   bool is_count_exact = false;     ///< the target itself is what is left, or as near as faces allow
   std::uint64_t bytes_read = 0;    ///< of files, about
   std::uint64_t bytes_written = 0; ///< the same
-  double diagonal = 0;             ///< of the input's bounding box
+  double diagonal = 0;             ///< of the box of the vertices that faces use
   std::uint64_t shared_vertices = 0; ///< in the first phase
-  std::uint64_t peak_memory = 0;     ///< of the process so far, in bytes, as the system counts it
-  std::vector<std::string> dropped;  ///< elements and properties that were read over
+  /// Vertices that no face uses, left out for not being finite.
+  std::uint64_t unused_not_finite = 0;
+  std::uint64_t peak_memory = 0;    ///< of the process so far, in bytes, as the system counts it
+  std::vector<std::string> dropped; ///< elements and properties that were read over
 };
 
 /// Prints a report in one line, without an end of line.

@@ -29,6 +29,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -325,6 +326,66 @@ TEST_CASE("Several pieces and vertices without a face") {
   CHECK(topology.faces == 1000);
   CHECK(report.faces_before == 8401);
   CHECK(report.counted_faces == 8400);
+}
+
+TEST_CASE("What no face uses belongs to no box, and need not be finite") {
+  const Folder folder;
+  Soup input = surface();
+  folder.file("in.ply", ply_of<double>(input));
+  const FileReport plain = run(folder, in_parts(folder, part_of_16));
+  const std::string once = content_of(folder.path("out.ply"));
+  for (const double far : {1000., 1e16, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    INFO(far);
+    Soup with_far = input;
+    with_far.points.push_back({{far, far, -far}});
+    folder.file("in.ply", ply_of<double>(with_far));
+    const FileReport report = run(folder, in_parts(folder, part_of_16));
+    CHECK(content_of(folder.path("out.ply")) == once);
+    CHECK(report.diagonal == plain.diagonal);
+    CHECK(report.error == plain.error);
+    CHECK(report.unused_not_finite == (std::isnan(far) ? 1 : 0));
+  }
+}
+
+TEST_CASE("A vertex of faces that is far away takes no faces from the others") {
+  const Folder folder;
+  for (const double far : {1e4, 1e10, 1e25}) {
+    INFO(far);
+    Soup input = surface();
+    input.points[1000] = {{far, far, far}};
+    folder.file("in.ply", ply_of(input));
+    const FileReport report = run(folder, in_parts(folder, part_of_16));
+    CHECK(report.faces_after == 800);
+    CHECK(report.stop == StopReason::target_met);
+    CHECK(topology_of(read_ply(folder.path("out.ply"))).is_closed());
+  }
+}
+
+TEST_CASE("Faces that are there twice count once") {
+  const Folder folder;
+  Soup input = surface();
+  const auto run_to_tenth = [&] {
+    return simplify_file<MemorylessQuadric, OptimalPlacement>(
+        folder.path("in.ply"), folder.path("out.ply"), FaceRatio{0.1},
+        in_parts(folder, part_of_16));
+  };
+  const Soup plain = input;
+  for (auto [a, b, c] : plain.triangles)
+    input.triangles.push_back({b, c, a});
+  folder.file("in.ply", ply_of(input));
+  const FileReport report = run_to_tenth();
+  CHECK(report.doubled_faces == 8000);
+  CHECK(report.counted_faces == 8000);
+  const Soup output = read_ply(folder.path("out.ply"));
+  CHECK(output.triangles.size() == 800);
+  CHECK(topology_of(output).is_closed());
+  CHECK(rms(plain, output) < 1.02 * rms_in_memory<MemorylessQuadric>(plain, 800));
+  input = plain;
+  for (auto [a, b, c] : plain.triangles)
+    input.triangles.push_back({c, b, a}); // the backs of these
+  folder.file("in.ply", ply_of(input));
+  CHECK(run_to_tenth().doubled_faces == 0);
+  CHECK(read_ply(folder.path("out.ply")).triangles.size() == 1600);
 }
 
 TEST_CASE("A surface that is small beside something far away is cut as evenly") {
@@ -951,11 +1012,49 @@ TEST_CASE("Bad files end in a sentence that names the place") {
   require_refusal("in.ply", ply_of(infinite), "vertex 2 is not finite");
   require_refusal("in.ply", ply_of({soup.points, {}}), "nothing to simplify");
   require_refusal("in.ply", ply_of({soup.points, {{0, 1, 1}}}), "nothing to simplify");
+  require_refusal("in.ply", replaced(ply, "face 8", "face 7"), "goes on after the last element");
+  require_refusal("in.ply", ply + '\n', "goes on after the last element");
+  Soup loose;
+  for (const test::Triangle& t : soup.triangles)
+    for (const std::uint32_t v : t)
+      loose.points.push_back(soup.points[v]);
+  for (std::uint32_t v = 0; v < loose.points.size(); v += 3)
+    loose.triangles.push_back({v, v + 1, v + 2});
+  require_refusal("in.ply", ply_of(loose), "no two of its faces share a vertex");
   const std::string stl = test::stl_of(soup);
+  require_refusal("in.stl", test::stl_of({soup.points, {}}), "nothing to simplify");
   require_refusal("in.stl", stl.substr(0, 50), "ends within the 84 bytes");
   require_refusal("in.stl", stl.substr(0, stl.size() - 1),
                   "483 bytes; with 8 faces it would have 484");
   require_refusal("in.stl", "solid x\nendsolid\n", "is text");
+}
+
+TEST_CASE("Many colours of faces are no labels, nor are numbers of faces") {
+  const Soup soup = test::as_floats(test::torus(20, 10));
+  const std::string plain = ply_of(soup);
+  const std::size_t header = plain.find("end_header\n");
+  const std::size_t faces = header + 11 + 12 * soup.points.size();
+  const auto with = [&](const std::string& name, std::size_t most) {
+    std::string ply = plain.substr(0, header) + "property ushort " + name + "\n" +
+                      plain.substr(header, faces - header);
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+      ply += plain.substr(faces + 13 * f, 13);
+      test::put_number(ply, static_cast<std::uint16_t>(f * most / soup.triangles.size()));
+    }
+    return ply;
+  };
+  require_refusal("in.ply", with("red", 65), "more than 64 colours");
+  require_refusal("in.ply", with("id", 201), "201 different labels");
+  const Folder folder;
+  for (const auto& [name, most] : {std::pair("red", 64), std::pair("id", 200)}) {
+    folder.file("in.ply", with(name, static_cast<std::size_t>(most)));
+    run(folder, in_parts(folder, part_of_16), 300);
+    CHECK(content_of(folder.path("out.ply")).find(std::string("ushort ") + name) < 400);
+  }
+  folder.file("in.ply", with("red", 400));
+  OutOfCore options = in_parts(folder, part_of_16);
+  options.positions_only = true;
+  CHECK(run(folder, options, 300).dropped == std::vector<std::string>{"property red of faces"});
 }
 
 TEST_CASE("What does not go along is refused before anything is written, or told") {

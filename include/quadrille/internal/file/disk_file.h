@@ -51,7 +51,10 @@ private:
 /// A file that is read at any place, by any number of threads.
 class InputFile {
 public:
-  explicit InputFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, O_RDONLY) {
+  explicit InputFile(const std::filesystem::path& path) : InputFile(path, path) {}
+  /// One that was made of another one, by whose name it is known to the user.
+  InputFile(const std::filesystem::path& path, std::filesystem::path name)
+      : path_(std::move(name)), file_(path, O_RDONLY) {
     struct ::stat status = {};
     if (::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode))
       fail_file(path_, "is no regular file, which to read it several times takes");
@@ -59,7 +62,7 @@ public:
     changed_ = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec;
   }
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; } ///< as it is known to the user
   std::uint64_t size() const { return size_; }
   /// When it was last written to, in nanoseconds.
   std::int64_t changed() const { return changed_; }

@@ -2,31 +2,29 @@
 #define QUADRILLE_INTERNAL_FILE_FIRST_PARTS_H
 
 #include <quadrille/internal/file/cell_counts.h>
+#include <quadrille/internal/file/input_survey.h>
 #include <quadrille/internal/file/part_scatter.h>
 #include <quadrille/internal/file/part_tree.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/rows.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// From a file to the parts of the first phase. Reads vertices four times and faces once, all in
-/// the order of the file; vertices of a crowded surface some more times. Memory: two bytes for each
-/// vertex, six for each time that a vertex is in another part than it lies in, the cells, and
-/// `buffers`.
+/// From a file that has been surveyed to the parts of the first phase. Reads vertices three times
+/// and faces once, all in the order of the file; vertices of a crowded surface some more times.
+/// Memory: two bytes for each vertex, six for each time that a vertex is in another part than it
+/// lies in, the cells, and `buffers`.
 class FirstParts {
 public:
-  FirstParts(const PlyInput& input, InputFacts& facts) : input_(input), facts_(facts) {
-    facts_.vertices = input.vertices();
-    facts_.faces = input.faces();
-    facts_.has_doubles = input.has_doubles();
-  }
+  FirstParts(const PlyInput& input, const InputSurvey& survey)
+      : input_(input), survey_(survey), facts_(survey.facts()) {}
 
   /// Writes them to the folder. `tell(part)` is called with the part of the work that is done, from
   /// 0 to 1, and may throw.
@@ -39,13 +37,12 @@ public:
           tell(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count));
       };
     };
-    measure(from(0, 0.15, facts_.vertices));
-    const PartTree cut = count(part_vertices, from(0.15, 0.3, facts_.vertices));
-    const std::vector<PartNumber> homes = find_homes(cut, from(0.3, 0.4, facts_.vertices));
-    LabelTable labels(input_.labels());
+    const PartTree cut = count(part_vertices, from(0, 0.15, facts_.vertices));
+    const std::vector<PartNumber> homes = find_homes(cut, from(0.15, 0.3, facts_.vertices));
+    LabelTable labels = survey_.labels();
     PartScatter scatter(folder, 1, cut.size(), facts_.vertices, buffers, has_labels(), false);
-    give_faces(scatter, homes, labels, from(0.4, 0.7, facts_.faces));
-    give_vertices(scatter, homes, from(0.7, 1, facts_.vertices));
+    give_faces(scatter, homes, labels, from(0.3, 0.65, facts_.faces));
+    give_vertices(scatter, homes, from(0.65, 1, facts_.vertices));
     if (has_labels())
       label_table_ = labels.write(folder.label_table());
     return scatter;
@@ -58,26 +55,8 @@ private:
   bool has_labels() const { return !input_.labels().empty(); }
 
   template <class Tell>
-  void measure(Tell tell) {
-    checksum_ = input_.for_vertices(
-        [&](VertexId id, const Vector<3>& p, const std::vector<double>& scalars) {
-          tell(id);
-          if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-            fail_file(input_.file().path(), "vertex " + std::to_string(id) + " is not finite");
-          facts_.box.add(p);
-          for (std::size_t i = 0; i < scalars.size(); ++i)
-            if (!(std::abs(scalars[i]) < 0x1p170))
-              fail_file(input_.file().path(),
-                        "property " + input_.scalars().properties()[i].name + " of vertex " +
-                            std::to_string(id) +
-                            " is not finite, or too large; 'positions only' leaves it out");
-          facts_.ranges.add(scalars);
-        });
-  }
-
-  template <class Tell>
   PartTree count(std::uint64_t part_vertices, Tell tell) {
-    PartTree cut(facts_.box, facts_.vertices, part_vertices, 0.5, [&](auto take) {
+    PartTree cut(facts_.box, facts_.used_vertices, part_vertices, 0.5, [&](auto take) {
       for_vertices([&](VertexId id, const Vector<3>& p) {
         tell(id);
         take(p);
@@ -108,17 +87,18 @@ private:
   template <class Tell>
   void give_faces(PartScatter& scatter, const std::vector<PartNumber>& homes, LabelTable& labels,
                   Tell tell) {
-    input_.for_faces([&](std::uint64_t face, const FaceRow& corners, const LabelValues& values) {
-      tell(face);
-      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
-        return;
-      ++facts_.counted_faces;
-      scatter.add_face(corners, {homes[corners[0]], homes[corners[1]], homes[corners[2]]},
-                       has_labels() ? labels.number(values) : 0, FaceBound{},
-                       [&](std::size_t i, PartNumber part) {
-                         requests_.add({corners[i], part});
-                       });
-    });
+    const std::uint64_t checksum = input_.for_faces(
+        [&](std::uint64_t face, const FaceRow& corners, const LabelValues& values) {
+          tell(face);
+          if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+            return;
+          scatter.add_face(corners, {homes[corners[0]], homes[corners[1]], homes[corners[2]]},
+                           has_labels() ? labels.number(values) : 0, FaceBound{},
+                           [&](std::size_t i, PartNumber part) {
+                             requests_.add({corners[i], part});
+                           });
+        });
+    require_same(checksum, survey_.checksum_of_faces());
     requests_.sort();
     scatter.end_faces();
   }
@@ -134,16 +114,31 @@ private:
     scatter.end_vertices();
   }
 
-  // Once more, and all is as it was.
+  // Those that are used, once more, and all is as it was.
   template <class Take>
   void for_vertices(Take take) const {
-    if (input_.for_vertices(take) != checksum_)
+    const auto take_used = [&](VertexId id, const Vector<3>& p, const auto&... scalars) {
+      if (survey_.is_used(id))
+        take(id, p, scalars...);
+    };
+    std::uint64_t checksum = 0;
+    if constexpr (std::is_invocable_v<Take, VertexId, const Vector<3>&>)
+      checksum = input_.for_vertices([&](VertexId id, const Vector<3>& p) { take_used(id, p); });
+    else
+      checksum = input_.for_vertices(
+          [&](VertexId id, const Vector<3>& p, const std::vector<double>& scalars) {
+            take_used(id, p, scalars);
+          });
+    require_same(checksum, survey_.checksum_of_vertices());
+  }
+  void require_same(std::uint64_t checksum, std::uint64_t before) const {
+    if (checksum != before)
       fail_file(input_.file().path(), "has changed while it was read");
   }
 
   const PlyInput& input_;
-  InputFacts& facts_;
-  std::uint64_t checksum_ = 0;
+  const InputSurvey& survey_;
+  const InputFacts& facts_;
   Requests requests_;
   FileContent label_table_;
 };

@@ -28,6 +28,7 @@ public:
   explicit LabelTable(std::vector<PlyProperty> properties) : properties_(std::move(properties)) {}
 
   const std::vector<PlyProperty>& properties() const { return properties_; }
+  std::size_t size() const { return values_.size(); }
   const LabelValues& values(std::uint32_t label) const { return values_.at(label); }
 
   /// Throws std::length_error if there are too many: what differs from face to face is no label.

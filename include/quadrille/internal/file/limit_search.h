@@ -49,11 +49,10 @@ public:
 
   /// In the engine's unit. Throws std::logic_error if samples are missing.
   float limit() const {
-    const auto faces_of = [](const PartFiles& p) { return p.faces.size / sizeof(FaceRow); };
     const std::vector<PartFiles>& parts = job_.plan().parts;
     std::uint64_t faces = 0;
     for (const PartFiles& p : parts)
-      faces += faces_of(p);
+      faces += p.face_count();
     CostSamples all(faces);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const std::optional<std::vector<CostSample>> samples = read(i);
@@ -62,7 +61,7 @@ public:
                                " of phase " + std::to_string(job_.plan().phase) +
                                " has not been taken");
       for (const CostSample& sample : *samples)
-        all.add(faces_of(parts[parts_[i]]) / samples->size(), sample.free_faces, sample.costs);
+        all.add(parts[parts_[i]].face_count() / samples->size(), sample.free_faces, sample.costs);
     }
     return all.limit(job_.plan().faces_wanted);
   }

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/doubled_rows.h>
 #include <quadrille/internal/file/id_index.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/phase_plan.h>
@@ -53,6 +54,8 @@ struct LoadedPart {
       loaded.labels = read_rows<std::uint32_t>(folder.labels(plan.phase, part), files.labels);
     if (files.bounds.size > 0)
       loaded.bounds = read_rows<FaceBound>(folder.bounds(plan.phase, part), files.bounds);
+    if (files.doubled > 0)
+      remove_doubled(loaded.triangles, loaded.labels);
     loaded.take_borders(read_rows<std::uint64_t>(folder.borders(plan.phase), plan.borders), index);
     return loaded;
   }

@@ -65,7 +65,7 @@ public:
     const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
     auto piece = Pieces::piece(std::move(loaded), plan.input.box, locks_boundary_);
     const PieceChannels channels = job.channels(scalars);
-    auto result = plan.is_last || plan.is_exact
+    auto result = plan.is_last || plan.is_exact || plan.is_by_count
                       ? run(std::move(piece), job, channels, job.count(part), is_cancelled)
                       : run(std::move(piece), job, channels, limit(plan, plan.limit), is_cancelled);
     if (result.report.stop == StopReason::cancelled)

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/doubled_rows.h>
 #include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/part_cut.h>
@@ -120,6 +121,13 @@ public:
   const IdSet& shared() const { return shared_; }
   std::uint64_t shared_count() const { return IdRanks(shared_).size(); }
   const std::vector<PartFiles>& parts() const { return parts_; }
+  /// Counts faces that are there a second time in each part. Returns how many these are in all.
+  std::uint64_t count_doubled() {
+    std::uint64_t sum = 0;
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      sum += parts_[p].doubled = count_doubled_rows(folder_.faces(phase_, p));
+    return sum;
+  }
 
 private:
   std::vector<std::filesystem::path>

@@ -51,13 +51,14 @@ public:
       return FaceCount{static_cast<std::size_t>(target())};
     std::uint64_t all = 0, begin = 0;
     for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
-      const std::uint64_t faces = plan_.parts[p].faces.size / sizeof(FaceRow);
+      const std::uint64_t faces = plan_.parts[p].face_count();
       begin += p < part ? faces : 0;
       all += faces;
     }
-    const std::uint64_t own = plan_.parts[part].faces.size / sizeof(FaceRow);
+    const std::uint64_t own = plan_.parts[part].face_count();
+    const std::uint64_t aim = plan_.is_exact ? target() : plan_.faces_wanted;
     const std::uint64_t share =
-        Schedule::share(all - (std::min)(all, target()), begin, begin + own, all);
+        Schedule::share(all - (std::min)(all, aim), begin, begin + own, all);
     return FaceCount{static_cast<std::size_t>(own - share)};
   }
   Schedule schedule() const {
@@ -88,26 +89,30 @@ public:
     budget_.require_tables(input.vertices());
     if (input.faces() == 0 || input.vertices() == 0)
       fail_file(input.file().path(), "nothing to simplify: it has no faces");
+    const InputSurvey survey(input, [&](double part) { tell(0.4 * part); });
     folder_.remove_phases(); // of a run that was killed
     folder_.begin_phase(1);
     PhasePlan plan;
     plan.key = key_;
     plan.phase = 1;
+    plan.input = survey.facts();
     const bool is_whole = input.faces() <= (std::min)(budget_.part_faces(), budget_.whole_faces());
-    FirstParts parts(input, plan.input);
-    const PartScatter scatter = parts.write(
-        folder_, is_whole ? input.vertices() : part_vertices(input), budget_.buffers(), tell);
-    if (plan.input.counted_faces == 0)
-      fail_file(input.file().path(), "nothing to simplify: no face of three different vertices");
+    FirstParts parts(input, survey);
+    PartScatter scatter =
+        parts.write(folder_, is_whole ? plan.input.used_vertices : part_vertices(plan.input),
+                    budget_.buffers(), [&](double part) { tell(0.4 + 0.6 * part); });
+    plan.input.doubled_faces = scatter.count_doubled();
+    plan.input.counted_faces -= plan.input.doubled_faces;
     plan.is_last = is_whole || plan.input.counted_faces <= target_.faces(plan.input.counted_faces);
     plan.label_table = parts.label_table();
-    plan.bytes_read = 4 * 24 * plan.input.vertices + input.file().size();
+    plan.bytes_read = 3 * 24 * plan.input.vertices + 2 * input.file().size();
     begin(std::move(plan), scatter);
   }
 
   /// Parts of the phase end at that cost, in the engine's unit.
   void settle(float limit) {
     plan_.limit = static_cast<double>(limit);
+    plan_.is_by_count = !is_limit(plan_.limit);
     plan_.is_settled = true;
     plan_.write(folder_.plan(plan_.phase));
   }
@@ -115,7 +120,7 @@ public:
   /// Is that part simplified? Its file is read as a whole, so that it is sure.
   bool is_done(std::size_t part) const {
     const auto path = folder_.left(plan_.phase, part);
-    const auto header = Survivors::header(path, key_, plan_.phase, part);
+    const auto header = Survivors::header(path, part_key(), plan_.phase, part);
     if (!header)
       return false;
     try {
@@ -128,19 +133,24 @@ public:
 
   void write(std::size_t part, const Survivors& survivors, const PartTally& tally) const {
     SurvivorsHeader header;
-    header.key = key_;
+    header.key = part_key();
     header.phase = plan_.phase;
     header.part = part;
     header.tally = tally;
     survivors.write(folder_.left(plan_.phase, part), header);
   }
 
-  /// Ends a phase of which all parts are done, and begins the next one. False if it was the last.
+  /// Ends a phase of which all parts are done, and begins the next one; or, if it has left far too
+  /// little, the same again, which leaves more. False if it was the last.
   bool end_phase(AddMemory add) {
     NextParts next(folder_, plan_.phase, headers(), add);
+    if (has_taken_too_much(next.faces()))
+      return take_back(next.faces()), true;
     PhasePlan plan = plan_;
     ++plan.phase;
     ++plan.step;
+    plan.attempt = 0;
+    plan.is_by_count = false;
     plan.faces_after_phases.push_back(next.faces());
     tally(plan);
     const bool fits = next.faces() <= budget_.whole_faces();
@@ -168,6 +178,8 @@ public:
   /// What has been done in phases that are over.
   FileReport report() const {
     FileReport report;
+    report.doubled_faces = static_cast<std::size_t>(plan_.input.doubled_faces);
+    report.unused_not_finite = plan_.input.unused_not_finite;
     report.faces_before = static_cast<std::size_t>(plan_.input.faces);
     report.counted_faces = static_cast<std::size_t>(plan_.input.counted_faces);
     report.vertices_before = static_cast<std::size_t>(plan_.input.vertices);
@@ -197,7 +209,10 @@ public:
     report.faces_of_phases.push_back(left);
     report.is_count_exact = plan_.is_last || left == target();
     report.stop =
-        plan_.is_last ? static_cast<StopReason>(parts.front().tally.stop) : StopReason::target_met;
+        plan_.is_last ? static_cast<StopReason>(parts.front().tally.stop)
+        : left == target() || (left > target() && target_.is_limited()) ? StopReason::target_met
+        : left < target() && target() - left <= parts.size()            ? StopReason::target_passed
+                                                             : StopReason::target_unreachable;
   }
 
   /// What is left becomes a file.
@@ -213,7 +228,8 @@ public:
   std::vector<SurvivorsHeader> headers() const {
     std::vector<SurvivorsHeader> result;
     for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
-      const auto header = Survivors::header(folder_.left(plan_.phase, p), key_, plan_.phase, p);
+      const auto header =
+          Survivors::header(folder_.left(plan_.phase, p), part_key(), plan_.phase, p);
       if (!header)
         throw std::logic_error("quadrille::PartitionedSimplifier: part " + std::to_string(p) +
                                " of phase " + std::to_string(plan_.phase) +
@@ -234,12 +250,37 @@ private:
   }
 
   // As many as there are for faces that fit.
-  std::uint64_t part_vertices(const PlyInput& input) const {
+  std::uint64_t part_vertices(const InputFacts& input) const {
     const double per_face =
-        static_cast<double>(input.vertices()) / static_cast<double>(input.faces());
+        static_cast<double>(input.used_vertices) / static_cast<double>(input.counted_faces);
     const double count = static_cast<double>(budget_.part_faces()) * (std::min)(per_face, 1.0);
     return std::max<std::uint64_t>(static_cast<std::uint64_t>(count), 1);
   }
+
+  // What is left of parts belongs to an attempt.
+  std::uint64_t part_key() const { return key_ + plan_.attempt; }
+
+  // A limit is found from samples, which may have told less than there was to take.
+  bool has_taken_too_much(std::uint64_t left) const {
+    if (plan_.is_last || plan_.is_exact || plan_.is_by_count)
+      return false;
+    std::uint64_t before = 0;
+    for (const PartFiles& p : plan_.parts)
+      before += p.face_count();
+    const std::uint64_t aim = (std::min)(plan_.faces_wanted, before);
+    return left < (std::min)(target(), before) || left < aim - aim / 3;
+  }
+
+  // Costs are areas times squared distances, about as the count of faces to the power of -3. If
+  // that was no help, or costs are too small to be told apart, parts give their shares of a count.
+  void take_back(std::uint64_t left) {
+    const double ratio = static_cast<double>(left) / static_cast<double>(plan_.faces_wanted);
+    plan_.limit *= ratio * ratio * ratio;
+    plan_.is_by_count = plan_.attempt > 0 || !is_limit(plan_.limit);
+    ++plan_.attempt;
+    plan_.write(folder_.plan(plan_.phase));
+  }
+  static bool is_limit(double limit) { return limit > 0x1p-120 && limit < 0x1p120; }
 
   // What the phase that is over has done.
   void tally(PhasePlan& plan) const {
@@ -268,6 +309,7 @@ private:
     plan_ = plan;
     plan_.faces_wanted = schedule().wanted(plan.step, target());
     plan_.is_settled = plan.is_last || plan.is_exact;
+    plan_.is_by_count = false;
     plan_.write(folder_.plan(plan.phase));
     folder_.remove_welded();
   }

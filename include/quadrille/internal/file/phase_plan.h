@@ -4,6 +4,7 @@
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/rows.h>
 #include <quadrille/internal/file/vertex_scalars.h>
 #include <quadrille/report.h>
 
@@ -23,17 +24,23 @@ namespace quadrille::internal {
 /// What a part of a phase is read from.
 struct PartFiles {
   FileContent vertices, faces;
-  FileContent labels = {}; ///< of the faces; empty if there are none
-  FileContent bounds = {}; ///< of the faces; empty if nothing is known of their distances
+  FileContent labels = {};   ///< of the faces; empty if there are none
+  FileContent bounds = {};   ///< of the faces; empty if nothing is known of their distances
+  std::uint64_t doubled = 0; ///< faces that are there before, which do not count
+
+  std::uint64_t face_count() const { return faces.size / sizeof(FaceRow) - doubled; }
 };
 
 /// What the input is, and what has been found out about it.
 struct InputFacts {
   std::uint64_t vertices = 0, faces = 0; ///< of the file
-  std::uint64_t counted_faces = 0;       ///< those with three different corners
+  std::uint64_t counted_faces = 0;       ///< those with three different corners, once each
+  std::uint64_t doubled_faces = 0;       ///< those that are there before, the same way round
+  std::uint64_t used_vertices = 0;       ///< those of such faces
+  std::uint64_t unused_not_finite = 0;   ///< vertices
   bool has_doubles = false;
-  FileBox box;
-  ScalarRanges ranges;
+  FileBox box;         ///< of the used vertices
+  ScalarRanges ranges; ///< the same
 };
 
 /// A phase that may begin: each of its parts is there, and what becomes of it depends on nothing
@@ -43,9 +50,11 @@ struct PhasePlan {
   std::uint64_t key = 0;          ///< of the job: see JobKey
   unsigned phase = 0;             ///< from 1 on
   unsigned step = 0;              ///< of the schedule
+  unsigned attempt = 0;           ///< above 0: the phase had taken too much, and is done again
   bool is_last = false;           ///< one part, which is simplified to the target itself
   bool is_exact = false;          ///< each part gives its share of the faces that are too many
   bool is_settled = false;        ///< is it known where its parts end?
+  bool is_by_count = false;       ///< each gives its share of what is above `faces_wanted`
   double limit = 0;               ///< up to which cost, in the engine's unit, if it is not the last
   std::uint64_t faces_wanted = 0; ///< at which the limit is aimed
   InputFacts input;
@@ -124,13 +133,14 @@ private:
         pass_item(item);
     };
     const auto pass_content = [&](auto& file) { pass_all(file.size, file.checksum); };
-    pass_all(plan.key, plan.phase, plan.step, plan.is_last, plan.is_exact, plan.is_settled,
-             plan.limit, plan.faces_wanted, plan.first_parts, plan.first_shared, plan.bytes_read,
-             plan.bytes_written, plan.contractions, plan.error);
+    pass_all(plan.key, plan.phase, plan.step, plan.attempt, plan.is_last, plan.is_exact,
+             plan.is_settled, plan.is_by_count, plan.limit, plan.faces_wanted, plan.first_parts,
+             plan.first_shared, plan.bytes_read, plan.bytes_written, plan.contractions, plan.error);
     for (auto& number : plan.rejections)
       pass(number);
     auto& input = plan.input;
-    pass_all(input.vertices, input.faces, input.counted_faces, input.has_doubles);
+    pass_all(input.vertices, input.faces, input.counted_faces, input.doubled_faces,
+             input.used_vertices, input.unused_not_finite, input.has_doubles);
     for (std::size_t i = 0; i < 3; ++i)
       pass_all(input.box.low.coordinates[i], input.box.high.coordinates[i]);
     pass_list(input.ranges.low, pass);
@@ -142,6 +152,7 @@ private:
       pass_content(part.faces);
       pass_content(part.labels);
       pass_content(part.bounds);
+      pass(part.doubled);
     });
     pass_list(plan.faces_after_phases, pass);
   }

@@ -8,11 +8,14 @@
 #include <quadrille/internal/file/rows.h>
 #include <quadrille/internal/file/vertex_scalars.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -28,15 +31,19 @@ namespace quadrille::internal {
 class PlyInput {
 public:
   explicit PlyInput(const std::filesystem::path& path, bool positions_only = false)
-      : file_(path), header_(PlyHeaderReader::read(file_)) {
-    place_elements();
-    place_coordinates(positions_only);
-    place_corners();
+      : PlyInput(InputFile(path), positions_only) {}
+  /// One that was made of a soup, whose corners at one place are one vertex.
+  static std::unique_ptr<PlyInput> welded(const std::filesystem::path& path,
+                                          const std::filesystem::path& soup) {
+    std::unique_ptr<PlyInput> input(new PlyInput(InputFile(path, soup), false));
+    input->is_welded_ = true;
+    return input;
   }
   PlyInput(const PlyInput&) = delete;
   PlyInput& operator=(const PlyInput&) = delete;
 
   const InputFile& file() const { return file_; }
+  bool is_welded() const { return is_welded_; }
   std::uint64_t vertices() const { return vertices_->count; }
   std::uint64_t faces() const { return faces_->count; }
   bool has_doubles() const { return coordinates_[0].type.size == 8; }
@@ -46,6 +53,11 @@ public:
   const std::vector<PlyProperty>& labels() const { return labels_; }
   /// Properties and elements that are read over.
   const std::vector<std::string>& dropped() const { return dropped_; }
+
+  /// Is a property of faces a part of their colour?
+  static bool is_color(std::string_view name) {
+    return name == "red" || name == "green" || name == "blue" || name == "alpha";
+  }
 
   /// Calls take(id, position), or take(id, position, scalars), for each vertex in turn. Returns a
   /// checksum of all that was read, which is the same the next time if the file is.
@@ -61,6 +73,13 @@ public:
   }
 
 private:
+  PlyInput(InputFile file, bool positions_only)
+      : file_(std::move(file)), header_(PlyHeaderReader::read(file_)) {
+    place_elements();
+    place_coordinates(positions_only);
+    place_corners(positions_only);
+  }
+
   struct Placed {
     PlyType type;
     std::size_t offset = 0; // in the row
@@ -137,13 +156,13 @@ private:
         fail_file(file_.path(), "coordinates are not all floats, nor all doubles");
   }
 
-  void place_corners() {
+  void place_corners(bool positions_only) {
     std::size_t number = 0;
     corners_ = faces_->properties.size();
     for (const PlyProperty& p : faces_->properties) {
       if ((p.name == "vertex_indices" || p.name == "vertex_index") && p.is_list())
         corners_ = number;
-      else if (is_label(p))
+      else if (is_label(p) && !(positions_only && is_color(p.name)))
         labels_.push_back(p);
       else
         dropped_.push_back("property " + p.name + " of faces");
@@ -157,6 +176,38 @@ private:
 
   static bool is_label(const PlyProperty& p) {
     return !p.is_list() && p.type.is_integer && p.name != "flags";
+  }
+  bool takes_label(const PlyProperty& p) const {
+    return std::any_of(labels_.begin(), labels_.end(),
+                       [&](const PlyProperty& label) { return label.name == p.name; });
+  }
+
+  // What stands behind the faces is read over, and then the file is at its end.
+  template <bool is_swapped>
+  void require_end(ByteStream& stream) const {
+    for (const PlyElement* e = faces_ + 1; e < header_.elements.data() + header_.elements.size();
+         ++e)
+      for (std::uint64_t i = 0; e != vertices_ && i < e->count; ++i)
+        for (const PlyProperty& p : e->properties)
+          if (!skip<is_swapped>(stream, p))
+            fail_short(e->name.c_str(), i, *e);
+    if (vertices_ < faces_ && stream.offset() != file_.size())
+      fail_file(file_.path(), "goes on after the last element, from byte " +
+                                  std::to_string(stream.offset()) + " on");
+  }
+  template <bool is_swapped>
+  static bool skip(ByteStream& stream, const PlyProperty& p) {
+    double count = 1;
+    if (p.is_list()) {
+      const char* const bytes = stream.next(p.count_type->size);
+      if (!bytes)
+        return false;
+      count = ply_number<is_swapped>(*p.count_type, bytes);
+    }
+    for (; count > 0; --count)
+      if (!stream.next(p.type.size))
+        return false;
+    return true;
   }
 
   template <bool is_swapped, class Take>
@@ -195,6 +246,7 @@ private:
         read_property<is_swapped>(stream, f, p, corners, labels);
       take(f, corners, labels);
     }
+    require_end<is_swapped>(stream);
     return stream.checksum().value();
   }
 
@@ -217,7 +269,7 @@ private:
     if (number != corners_) {
       for (; count > 0; --count) {
         const char* const bytes = taken(stream, property.type.size, face);
-        if (is_label(property))
+        if (takes_label(property))
           labels.push_back(static_cast<std::int64_t>(ply_number<is_swapped>(property.type, bytes)));
       }
       return;
@@ -258,6 +310,7 @@ private:
   std::size_t corners_ = 0; // the place of the property
   std::vector<PlyProperty> labels_;
   std::vector<std::string> dropped_;
+  bool is_welded_ = false;
 };
 
 } // namespace quadrille::internal

@@ -66,7 +66,7 @@ public:
       sew_tiles(welded, folder, memory);
     else if (!is_welded(folder))
       StlWeld::run(paths_.front(), welded, folder.welding(), memory);
-    open(welded);
+    ply_ = PlyInput::welded(welded, paths_.front());
     return *ply_;
   }
 
