@@ -26,19 +26,52 @@ case $* in
   *.html*) command -v npm >/dev/null || npm=npm ;;
 esac
 
+# Standard error is kept as 3, for what is told of the first run while all else goes to the log.
+is_first=
+[ -x "$program" ] || is_first=1
+tell() {
+  [ -z "$is_first" ] || echo "$*" >&3
+}
+
 prepare() {
+  tell "1 of 3: installing what is missing of the Debian packages"
   sh "$root/.ci/install_packages.sh" \
     cmake g++ make libcgal-dev libcgal-demo libboost-dev libeigen3-dev libcli11-dev nlohmann-json3-dev \
     libzstd-dev libtbb-dev $npm &&
+  tell "2 of 3: configuring with CMake" &&
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DQUADRILLE_BUILD_TESTS=OFF &&
+  tell "3 of 3: building $target" &&
   cmake --build "$build" --target "$target" --parallel "$(nproc)"
 }
 
+# Tells the last line of the log now and then, where it is another one: a package, or a part in per cent.
+follow() {
+  told=
+  while sleep 20 >/dev/null 2>&1 3>&-; do
+    line=$(tail -n 1 "$log" | cut -c 1-100)
+    [ "$line" = "$told" ] || tell "        $line"
+    told=$line
+  done
+}
+
 mkdir -p "$build" || exit 3
-[ -x "$program" ] ||
-  echo "The first run installs what is missing and builds $program;" \
-    "this takes some minutes, up to 1.6 GB of memory for each core, and tells how far it is in $log" >&2
-if ! prepare >"$log" 2>&1; then
+exec 3>&2
+tell "The first run installs what is missing and builds $program;" \
+  "this takes some minutes, up to 1.6 GB of memory for each core. All that is said is in $log"
+: >"$log"
+follower=
+if [ -n "$is_first" ]; then
+  follow &
+  follower=$!
+  trap 'kill "$follower" 2>/dev/null' EXIT
+  trap 'exit 3' HUP INT TERM
+fi
+prepare >"$log" 2>&1
+status=$?
+[ -z "$follower" ] || kill "$follower" 2>/dev/null
+trap - EXIT HUP INT TERM
+exec 3>&-
+if [ "$status" -ne 0 ]; then
   cat "$log" >&2
   echo "The program $target could not be built; what is above is in $log" >&2
   exit 3
