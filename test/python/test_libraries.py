@@ -88,7 +88,9 @@ class OtherLibraries(Folder):
         with self.assertWarnsRegex(UserWarning, "^tuple: not kept: heat$"):
             self.warm.attributes.pop("rgb")
             self.warm.to_like((self.points, self.faces))
-        for given in ((self.points,), (self.points, self.faces, self.points), [[0, 0, 0], [1, 0, 0]]):
+        with self.assertRaisesRegex(TypeError, r"is a str, .*: read_mesh\(\) makes one of a file"):
+            quadrille.simplify("statue.obj")
+        for given in ((self.points,), (self.points, self.faces, self.points), [[0, 0, 0], [1, 0, 0]], []):
             with self.assertRaisesRegex((TypeError, ValueError), "not a Mesh, a pair|but no triangles"):
                 quadrille.simplify(given)
 

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
-from ._mesh import Channel, Mesh, as_mesh, read_channels
+from ._forms import Array
+from ._mesh import Channel, Mesh, ReadChannel, as_mesh, read_channels
 from ._words import in_our_words
 
 _HARDLY = 1 / 64  # numbers of vertices may be noise
@@ -87,7 +88,7 @@ def write_mesh(path: Union[str, os.PathLike[str]],
         warnings.warn(f"{os.fspath(path)}: not kept: {', '.join(lost)}", stacklevel=3)
 
 
-def _add(arrays, channel, faces, lost):
+def _add(arrays: _core.WrittenArrays, channel: ReadChannel, faces: Array, lost: List[str]) -> None:
     indices = faces if channel.indices is None else channel.indices
     if channel.name == "uv":
         arrays.uv = (channel.values, indices)

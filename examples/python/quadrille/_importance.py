@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional, Tuple, Union
+from typing import Any, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -52,7 +52,7 @@ def view_importance(points: Surface, triangles: Optional[ArrayLike] = None, /, *
     return _core.view_importance(vertices, faces, place.tolist(), float(turned_away), float(outline))
 
 
-def _surface(points, triangles):
+def _surface(points: Any, triangles: Any) -> Tuple[Array, Array]:
     if triangles is None:
         points, triangles = as_mesh(points)
     points = _arrays.real_rows("points", points, 3)

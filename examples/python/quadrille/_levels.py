@@ -8,8 +8,6 @@ import os
 import tempfile
 from typing import Any, Dict, List, Optional, Tuple, Union
 
-import numpy as np
-
 from . import _core
 from ._forms import Array
 from ._mesh import Mesh, set_channels
@@ -152,12 +150,12 @@ class Levels:
         levels._names = _names_in(comment)
         return levels
 
-    def _require_any(self):
+    def _require_any(self) -> None:
         if not self:
             raise ValueError("nothing has been recorded: pass levels= to simplify()")
 
 
-def _levels_of(content):
+def _levels_of(content: bytes) -> Levels:
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "levels.qlv")
         with open(path, "wb") as file:
@@ -165,7 +163,7 @@ def _levels_of(content):
         return Levels.load(path)
 
 
-def _names_in(comment):
+def _names_in(comment: str) -> List[str]:
     """Of channels; numbers where the file is of another program."""
     try:
         return [str(name) for name in json.loads(comment)["channels"]]
@@ -173,7 +171,7 @@ def _names_in(comment):
         return [str(i) for i in range(1000)]
 
 
-def _stop(**given):
+def _stop(**given: Optional[float]) -> Tuple[str, float]:
     stops = [(name, value) for name, value in given.items() if value is not None]
     if len(stops) != 1:
         raise ValueError(f"one of {', '.join(given)} says which level, not {len(stops)} of them")

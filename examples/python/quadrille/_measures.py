@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Callable, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
+from ._forms import Array
 from ._mesh import Mesh, as_mesh
 from ._options import function_of, read_number
 from ._words import in_our_words
@@ -141,22 +142,22 @@ def verify(mesh: Surface, result: Surface, *, distance: Optional[float] = None,
                    is_cancelled)
 
 
-def _surface(name, given):
+def _surface(name: str, given: Any) -> Tuple[Array, Array]:
     mesh = as_mesh(given)
     points = _arrays.real_rows(f"the points of {name}", mesh.points, 3)
     return points, _arrays.index_triples(f"the faces of {name}", mesh.faces, len(points), "points")
 
 
-def _count(name, number):
+def _count(name: str, number: Any) -> int:
     if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < 0:
         raise ValueError(f"{name} is {number!r}, not a whole number of at least 0")
     return int(number)
 
 
-def _images(given, count, new_count):
+def _images(given: Any, count: int, new_count: int) -> List[int]:
     if given is None:
         raise ValueError("normal_deviation needs image: of each point of the mesh, what it has become")
-    image = np.asarray(given)
+    image: Array = np.asarray(given)
     if image.shape != (count,) or image.dtype.kind not in "iu":
         raise ValueError(f"image has the shape {image.shape} and the type {image.dtype}, not ({count},) of integers")
     if count > 0 and not (-1 <= int(image.min()) and int(image.max()) < new_count):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 import warnings
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, TypeVar, Union
 
@@ -109,10 +110,12 @@ class Mesh:
         if isinstance(mesh, Mesh):
             raise TypeError(f"a {type(mesh).__name__} is no mesh of another library: this is one already")
         channels = {c.name: (np.asarray(c.channel.values), c.indices) for c in read_channels(self)}
-        if is_pair(mesh):
-            result, lost = type(mesh)((self.points, self.faces)), list(channels)
+        given: Any = mesh
+        result, lost = given, list(channels)
+        if is_pair(given):
+            result = type(given)((self.points, self.faces))
         else:
-            result, lost = _objects.like(self, channels, mesh)
+            result, lost = _objects.like(self, channels, given)
         if lost:
             warnings.warn(f"{type(mesh).__name__}: not kept: {', '.join(lost)}", stacklevel=2)
         return result
@@ -141,7 +144,7 @@ class Simplified(Mesh):
 class ReadChannel:
     """A channel of the user's on its way through the engine."""
 
-    def __init__(self, name, given, kind, mesh_counts):
+    def __init__(self, name: str, given: Any, kind: str, mesh_counts: Tuple[int, int]):
         point_count, faces = mesh_counts
         self.name, self.given = name, given
         self.channel = given if isinstance(given, Channel) else _channel_of(name, given)
@@ -165,7 +168,7 @@ class ReadChannel:
             raise ValueError(f"{name} has {len(self.values if self.indices is None else self.indices)} "
                              f"{'values' if self.indices is None else 'index triples'} for {count} {what}")
 
-    def arguments(self):
+    def arguments(self) -> _core.Channel:
         channel, options = self.channel, _core.ChannelOptions()
         options.importance = float(channel.importance)
         options.weights = [float(weight) for weight in (() if channel.weights is None else channel.weights)]
@@ -177,12 +180,12 @@ class ReadChannel:
         options.linear_light = bool(channel.linear_light)
         return (self.kind, self.values, self.indices, options)
 
-    def turn(self, against):
+    def turn(self, against: Array) -> None:
         """With faces that are turned."""
         if self.indices is not None:
             self.indices = turned(self.indices, against)
 
-    def result(self, values, indices):
+    def result(self, values: Array, indices: Array) -> Values:
         """In the form in which the channel was given."""
         if self.whole != 1:
             values = values * self.whole
@@ -251,6 +254,8 @@ def no_mesh(name: str, given: Any) -> TypeError:
     kind, hint = type(given).__name__, ""
     if isinstance(given, (tuple, list)):
         kind += f" of {len(given)}"
+    elif isinstance(given, (str, os.PathLike)):
+        hint = ": read_mesh() makes one of a file"
     elif hasattr(given, "to_legacy"):
         hint = ": its to_legacy() is one"
     elif hasattr(given, "extract_surface") or hasattr(given, "celltypes"):
@@ -269,7 +274,7 @@ def set_channels(mesh: Mesh, results: Dict[str, Values]) -> None:
             mesh.attributes[name] = values
 
 
-def _channel_of(name, given):
+def _channel_of(name: str, given: Any) -> Channel:
     if not isinstance(given, tuple):
         return Channel(given)
     if len(given) != 2:
@@ -277,9 +282,9 @@ def _channel_of(name, given):
     return Channel(*given)
 
 
-def _are_bytes_of_colors(values):
+def _are_bytes_of_colors(values: Array) -> bool:
     return values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4)
 
 
-def _whole_of_colors(dtype):
+def _whole_of_colors(dtype: Any) -> int:
     return np.iinfo(dtype).max if dtype in (np.uint8, np.uint16) else 1

@@ -72,7 +72,7 @@ class _TrimeshForm:
     def like(self, points: Array, faces: Array, channels: Channels, face_data: Dict[str, Array],
              input_faces: Optional[Array]) -> Tuple[Any, List[str]]:
         values, lost = at_points(channels)
-        visual = getattr(self.mesh, "visual", None)
+        visual: Any = getattr(self.mesh, "visual", None)
         arguments: Dict[str, Any] = {}
         if "uv" in values and hasattr(visual, "uv"):
             arguments["visual"] = type(visual)(uv=values.pop("uv"), material=visual.material)

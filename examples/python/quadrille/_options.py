@@ -98,7 +98,7 @@ def read_count(name: str, value: Any) -> int:
     return number
 
 
-def _of_parts(name, value):
+def _of_parts(name: str, value: Any) -> str:
     is_part = name == "faces" and isinstance(value, float) and 0 < value < 1
     return f": a part of the faces is ratio={value!r}" if is_part else ""
 
@@ -110,7 +110,7 @@ def read_number(name: str, value: Any) -> float:
         raise ValueError(f"{name} is {value!r}, not a number") from None
 
 
-def _ratio_left(target_reduction, **others):
+def _ratio_left(target_reduction: Any, **others: Any) -> float:
     given = [name for name, value in others.items() if value is not None]
     if given:
         raise ValueError(f"target_reduction is given beside {given[0]}: they are two targets")

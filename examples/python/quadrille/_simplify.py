@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _objects
 from ._choices import CostName, HullName, OrderName, PlacementName, TopologyName, WeightingName
+from ._forms import Array
 from ._levels import Levels
-from ._mesh import (Mesh, Simplified, Values, is_pair, no_mesh, read_attributes, read_channels, set_channels,
-                    turned)
+from ._mesh import (Mesh, ReadChannel, Simplified, Values, is_pair, no_mesh, read_attributes, read_channels,
+                    set_channels, turned)
 from ._missed import warn_if_missed
 from ._options import Functions, function_of, make_options, read_number
 from ._words import about_number, in_our_words, with_names_of_channels
@@ -182,7 +183,7 @@ def simplify(
     MemoryError.
     """
     mesh, of_library = _mesh_of(points, triangles)
-    given = dict(labels=labels, uv=uv, normals=normals, colors=colors)
+    given: Dict[str, Any] = dict(labels=labels, uv=uv, normals=normals, colors=colors)
     added = {} if attributes is None else read_attributes(attributes, of_library)
     mesh = Mesh(mesh.points, mesh.faces, attributes={**read_attributes(mesh.attributes), **added},
                 _source=mesh._source, _source_faces=mesh._source_faces,
@@ -221,7 +222,7 @@ def simplify(
     return result
 
 
-def _way_of(options, cost, hull, keep_volume, calibrated) -> _core.Way:
+def _way_of(options: _core.Options, cost: Any, hull: Any, keep_volume: bool, calibrated: bool) -> _core.Way:
     """By which engine, and what does not go with it."""
     if hull is not None and hull not in ("outer", "inner"):
         raise ValueError(f"hull is {hull!r}, neither 'outer' nor 'inner'")
@@ -244,7 +245,7 @@ def _way_of(options, cost, hull, keep_volume, calibrated) -> _core.Way:
     return _core.Way.outer_hull if hull == "outer" else _core.Way.inner_hull
 
 
-def _check_calibrated(options, levels):
+def _check_calibrated(options: _core.Options, levels: Optional[Levels]) -> None:
     if not options.both_ways or (options.error is None) == (options.relative_error is None):
         raise ValueError("calibrated is for one of error and relative_error, with both_ways=True")
     if options.tolerance:
@@ -253,7 +254,7 @@ def _check_calibrated(options, levels):
         raise ValueError("calibrated does not go with levels: it runs several times")
 
 
-def _mesh_of(points, triangles) -> Tuple[Mesh, Any]:
+def _mesh_of(points: Any, triangles: Any) -> Tuple[Mesh, Any]:
     """The surface, and the mesh of another library that it comes from, or None."""
     of_library = None if isinstance(points, Mesh) else _objects.read_object(points)
     if triangles is not None:
@@ -268,13 +269,14 @@ def _mesh_of(points, triangles) -> Tuple[Mesh, Any]:
         return Mesh(of_library.points, of_library.faces), of_library
     if is_pair(points):
         return Mesh(np.asarray(points[0]), np.asarray(points[1])), None
-    is_array = hasattr(points, "__array__") or isinstance(points, (list, tuple)) and np.ndim(points[0]) == 1
-    if not is_array:
+    is_list = isinstance(points, (list, tuple)) and (len(points) == 0 or np.ndim(points[0]) == 1)
+    if not is_list and not hasattr(points, "__array__"):
         raise no_mesh("the first argument", points)
     raise ValueError("there are points, but no triangles: simplify(points, triangles, ...)")
 
 
-def _simplified(mesh, options, levels, orient, way, functions):
+def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], orient: bool, way: _core.Way,
+                functions: Functions) -> Simplified:
     points = _arrays.real_rows("points", mesh.points, 3)
     faces = _arrays.index_triples("faces", mesh.faces, len(points), "points")
     labels, label_numbers, label_type = None, None, None
@@ -282,7 +284,7 @@ def _simplified(mesh, options, levels, orient, way, functions):
         label_type = np.asarray(mesh.labels).dtype
         labels, label_numbers = _numbered(mesh.labels, len(faces))
     channels = read_channels(mesh)
-    remarks = []
+    remarks: List[str] = []
     if orient:
         faces, remarks = _oriented(points, faces, channels, options.split_vertices)
     arguments = [c.arguments() for c in channels]
@@ -310,14 +312,15 @@ def _simplified(mesh, options, levels, orient, way, functions):
     return result
 
 
-def _oriented(points, faces, channels, split_vertices):
+def _oriented(points: Array, faces: Array, channels: List[ReadChannel],
+              split_vertices: bool) -> Tuple[Array, List[str]]:
     """The faces wound as their neighbours are, with the corners of channels, and remarks on that."""
     places = faces
     if split_vertices:
         numbers = np.unique(points, axis=0, return_inverse=True)[1].astype(np.uint32).reshape(-1)
         places = np.ascontiguousarray(numbers[faces])
     against, one_sided = _core.winding(places, len(points))
-    remarks = []
+    remarks: List[str] = []
     if against.any():
         faces = turned(faces, against)
         for channel in channels:
@@ -328,20 +331,20 @@ def _oriented(points, faces, channels, split_vertices):
     return faces, remarks
 
 
-def _numbered(labels, count):
+def _numbered(given: Any, count: int) -> Tuple[Array, Array]:
     """Different labels, and of each face the number of its own."""
-    labels = np.asarray(labels)
+    labels: Array = np.asarray(given)
     if labels.shape != (count,):
         raise ValueError(f"labels has the shape {labels.shape}, not ({count},): one for each face")
     different, numbers = np.unique(labels, return_inverse=True)
     return different, np.ascontiguousarray(numbers, dtype=np.uint32)
 
 
-def _float_type(array):
+def _float_type(array: Any) -> Any:
     dtype = np.asarray(array).dtype
     return dtype if dtype.kind == "f" else np.dtype(np.float64)
 
 
-def _index_type(array):
+def _index_type(array: Any) -> Any:
     dtype = np.asarray(array).dtype
     return dtype if dtype.kind in "iu" else np.dtype(np.uint32)
