@@ -9,6 +9,7 @@
 /// attributes as channels and their primitives as labels. All else of a document is passed on.
 /// Simplified copies may become levels of detail beside it.
 
+#include "gltf/checks.h"
 #include "gltf/document.h"
 #include "gltf/images.h"
 #include "gltf/json.h"
@@ -18,6 +19,7 @@
 #include "gltf/rewrite.h"
 #include "gltf/scene_surface.h"
 #include "gltf/surface.h"
+#include "gltf/twins.h"
 #include "mesh_io/replace_file.h"
 #include "mesh_io/text.h"
 
@@ -54,12 +56,27 @@ public:
   static GltfMeshes read(const std::filesystem::path& path,
                          const std::set<std::string>& labels = {}) {
     const Source source = read_source(path);
-    return with_errors_of(path,
-                          [&] { return GltfMeshes(GltfReader(source).read(), path, labels); });
+    return with_errors_of(path, [&] {
+      return GltfMeshes(GltfReader(source).read(), path, labels, GltfTwins::Firsts());
+    });
+  }
+
+  /// The same, but of meshes that share all that they have but their materials only the first is a
+  /// surface, which is where all of them are; the others get what becomes of it.
+  static GltfMeshes read_shared(const std::filesystem::path& path,
+                                const std::set<std::string>& labels = {}) {
+    const Source source = read_source(path);
+    return with_errors_of(path, [&] {
+      GltfDocument document = GltfReader(source).read();
+      GltfTwins::Firsts firsts = GltfTwins::of(document.json);
+      return GltfMeshes(std::move(document), path, labels, std::move(firsts));
+    });
   }
 
   std::vector<GltfSurface>& surfaces() { return surfaces_; }
   const GltfDocument& document() const { return document_; }
+  /// How many bytes its buffers have.
+  std::size_t size() const { return document_.size(); }
   /// Where all meshes of the document are, by their numbers.
   const std::vector<GltfPlacement>& placements() const { return placements_; }
 
@@ -75,7 +92,7 @@ public:
 
   /// The document with the surfaces as they are now.
   GltfDocument take() {
-    with_errors_of(path_, [&] { GltfRewriting::rewrite(document_, surfaces_); });
+    with_errors_of(path_, [&] { GltfRewriting::rewrite(document_, surfaces_, firsts_); });
     return std::move(document_);
   }
 
@@ -99,11 +116,13 @@ public:
 
 private:
   GltfMeshes(GltfDocument document, const std::filesystem::path& path,
-             const std::set<std::string>& labels)
-      : document_(std::move(document)), path_(path) {
+             const std::set<std::string>& labels, GltfTwins::Firsts firsts)
+      : document_(std::move(document)), path_(path), firsts_(std::move(firsts)) {
     require_sound_views();
     std::set<std::string> missing = labels;
     for (std::size_t i = 0; i < size_of(document_.json, "meshes"); ++i) {
+      if (firsts_.contains(i))
+        continue;
       std::vector<GltfPrimitive> primitives = read_primitives(i);
       for (GltfPrimitive& primitive : primitives)
         call_labels(primitive, labels, missing);
@@ -114,19 +133,14 @@ private:
       throw std::runtime_error("no attribute of integers has the name " +
                                in_quotes(*missing.begin()));
     placements_ = GltfPlacements::of(document_);
+    for (const auto& [twin, first] : firsts_)
+      GltfPlacements::add(placements_[twin], placements_[first]);
   }
 
-  /// Those of compressed bytes are not, nor are those that are not within their buffers.
+  /// Those that are not within their buffers are not.
   void require_sound_views() const {
-    for (std::size_t i = 0; i < size_of(document_.json, "bufferViews"); ++i) {
-      const Json* const extensions =
-          member(element_of(document_.json, "bufferViews", i), "extensions");
-      for (const char* const name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-        if (extensions && member(*extensions, name))
-          throw std::runtime_error(std::string("a document compressed by ") + name +
-                                   " is not simplified");
+    for (std::size_t i = 0; i < size_of(document_.json, "bufferViews"); ++i)
       bytes_of_view(document_, i);
-    }
   }
 
   static void call_labels(GltfPrimitive& primitive, const std::set<std::string>& labels,
@@ -149,6 +163,7 @@ private:
 
   GltfDocument document_;
   std::filesystem::path path_;
+  GltfTwins::Firsts firsts_;
   std::vector<GltfSurface> surfaces_;
   std::vector<GltfPlacement> placements_;
 };
@@ -167,6 +182,8 @@ inline std::vector<std::string> remarks_of(GltfMeshes& meshes, const std::filesy
   remark("triangles left out for having two equal corners, or the corners of another one, the same "
          "way round",
          left_out);
+  for (const std::string& one : GltfChecks::remarks(meshes.document(), meshes.surfaces(), in))
+    remarks.push_back(one);
   if (leaves_images && folder_of(in) != folder_of(out))
     remark("its images are files, which OUT names as it does, but from another folder",
            meshes.image_files().size());

@@ -104,15 +104,21 @@ struct ElementType {
   bool is_normalized = false; ///< integers that mean fractions
 };
 
-/// The bytes of a buffer view.
-inline std::string_view bytes_of_view(const GltfDocument& document, std::size_t index) {
-  const Json& view = element_of(document.json, "bufferViews", index);
+/// The bytes of a buffer that something names, as a buffer view does.
+inline std::string_view bytes_of_range(const GltfDocument& document, const Json& view,
+                                       const std::string& name) {
   const std::size_t buffer = count_of(view, "buffer");
   const std::size_t offset = count_of(view, "byteOffset", 0), length = count_of(view, "byteLength");
   if (buffer >= document.buffers.size() || offset > document.buffers[buffer].size() ||
       length > document.buffers[buffer].size() - offset)
-    throw std::runtime_error("buffer view " + std::to_string(index) + " is not within its buffer");
+    throw std::runtime_error(name + " is not within its buffer");
   return std::string_view(document.buffers[buffer]).substr(offset, length);
+}
+
+/// The bytes of a buffer view.
+inline std::string_view bytes_of_view(const GltfDocument& document, std::size_t index) {
+  return bytes_of_range(document, element_of(document.json, "bufferViews", index),
+                        "buffer view " + std::to_string(index));
 }
 
 /// `count` elements of `size` bytes, one behind the other, that a buffer view has at the
@@ -141,8 +147,8 @@ inline std::string packed_elements(const GltfDocument& document, const Json& pla
 /// The elements of an accessor.
 class Elements {
 public:
-  /// As many as `needed` says, if it says any: of an accessor that refers to no bytes the count
-  /// alone is no reason to believe it.
+  /// As many as `needed` says, if it says any. What an accessor without a buffer view has are
+  /// zeros, but for those that are sparse; there a large count alone is no reason to believe it.
   Elements(const GltfDocument& document, std::size_t index, std::size_t needed = 0)
       : Elements(document, element_of(document.json, "accessors", index), index, needed) {}
 
@@ -178,13 +184,16 @@ private:
       throw std::runtime_error(name() + " has " + std::to_string(count_) + " elements and not " +
                                std::to_string(needed));
     const bool has_view = member(accessor, "bufferView") != nullptr;
-    if (!has_view && needed == 0)
-      throw std::runtime_error(name() + " has no buffer view");
+    if (!has_view && needed == 0 && count_ > most_without_bytes)
+      throw std::runtime_error(name() + " has " + std::to_string(count_) +
+                               " elements and no buffer view");
     bytes_ = has_view ? packed_elements(document, accessor, type_.size(), count_)
                       : std::string(count_ * type_.size(), '\0');
     if (const Json* const sparse = member(accessor, "sparse"))
       overwrite(document, *sparse);
   }
+
+  static constexpr std::size_t most_without_bytes = std::size_t{1} << 24U;
 
   /// Puts the elements that a sparse accessor says in place of others.
   void overwrite(const GltfDocument& document, const Json& sparse) {

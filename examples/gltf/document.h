@@ -11,6 +11,7 @@
 #include "../mesh_io/little_endian.h"
 #include "../mesh_io/text.h"
 #include "base64.h"
+#include "decompression.h"
 #include "json.h"
 
 #include <array>
@@ -30,6 +31,14 @@ namespace quadrille_examples {
 struct GltfDocument {
   Json json;
   std::vector<std::string> buffers;
+
+  /// How many bytes the buffers have.
+  std::size_t size() const {
+    std::size_t sum = 0;
+    for (const std::string& buffer : buffers)
+      sum += buffer.size();
+    return sum;
+  }
 };
 
 /// The parts of a binary file, .glb.
@@ -102,7 +111,7 @@ inline std::string bytes_of_uri(const std::string& uri, const std::filesystem::p
   return decode_base64(std::string_view(uri).substr(comma + 1));
 }
 
-/// Reads documents, with the bytes of all buffers, wherever these are.
+/// Reads documents, with the bytes of all buffers, wherever these are, and uncompressed.
 class GltfReader {
 public:
   explicit GltfReader(const Source& source) : source_(source) {}
@@ -123,13 +132,23 @@ public:
     for_each_element(document.json, "buffers", [&](const Json& buffer) {
       document.buffers.push_back(bytes_of(buffer, chunks.binary, document.buffers.size()));
     });
+    decompress(document);
     return document;
   }
 
 private:
+  /// Do compressed buffer views say what it holds? Where only these do, nothing needs to tell so.
+  static bool is_filled_by_decoding(const Json& buffer) {
+    const Json* const extensions = member(buffer, "extensions");
+    return extensions && (member(*extensions, "EXT_meshopt_compression") ||
+                          member(*extensions, "KHR_meshopt_compression"));
+  }
+
   std::string bytes_of(const Json& buffer, std::string_view binary, std::size_t index) const {
     const std::string uri = text_of(buffer, "uri");
     const bool is_chunk = uri.empty() && index == 0 && binary.data();
+    if (uri.empty() && !is_chunk && is_filled_by_decoding(buffer))
+      return {};
     if (uri.empty() && !is_chunk)
       throw std::runtime_error("buffer " + std::to_string(index) + " has no bytes");
     std::string bytes = is_chunk ? std::string(binary) : bytes_of_uri(uri, source_.path);

@@ -56,7 +56,8 @@ public:
 
   /// Puts the images beside `source` into a document that goes to another file: of .glb as bytes
   /// of its buffer; of .gltf into the text, but not in the same folder, where it finds them.
-  /// Returns a remark for each that is not there, or is none; it stays as it is.
+  /// Those that are not there stay as they are, and those that are no images, of which a remark is
+  /// returned.
   static std::vector<std::string> take_in(GltfDocument& document,
                                           const std::filesystem::path& source,
                                           const std::filesystem::path& target,
@@ -70,12 +71,12 @@ public:
       if (!is_file(image))
         continue;
       const std::string uri = text_of(image, "uri");
-      try {
-        take_in(document, document.json["images"][i], bytes_of_uri(uri, source), is_binary);
-      } catch (const std::runtime_error&) {
+      const std::optional<std::string> bytes = bytes_of_file(uri, source);
+      if (bytes && gltf_image_type(*bytes))
+        take_in(document, document.json["images"][i], *bytes, is_binary);
+      else if (bytes)
         remarks.push_back("the image " + in_quotes(uri, 100) +
-                          " is not there, or is none: OUT names it as IN does");
-      }
+                          " is of no known type: OUT names it as IN does");
     }
     return remarks;
   }
@@ -97,6 +98,15 @@ public:
   }
 
 private:
+  static std::optional<std::string> bytes_of_file(const std::string& uri,
+                                                  const std::filesystem::path& source) {
+    try {
+      return bytes_of_uri(uri, source);
+    } catch (const std::runtime_error&) {
+      return std::nullopt;
+    }
+  }
+
   /// What must not stand in a URI is written as %20 and the like.
   static std::string encoded_uri(const std::string& file) {
     constexpr std::string_view digits = "0123456789ABCDEF", plain = "-._~/";

@@ -49,6 +49,15 @@ public:
     return placements;
   }
 
+  /// A mesh is also where another one is.
+  static void add(const GltfPlacement& from, GltfPlacement& to) {
+    to.instances.insert(to.instances.end(), from.instances.begin(), from.instances.end());
+    if (!to.skeleton)
+      to.skeleton = from.skeleton;
+    to.largest = to.inverse = Transform();
+    choose_largest(to);
+  }
+
 private:
   explicit GltfPlacements(const GltfDocument& document)
       : document_(document), parents_(size_of(document.json, "nodes"), none) {

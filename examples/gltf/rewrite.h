@@ -7,6 +7,7 @@
 #include "json.h"
 #include "primitive.h"
 #include "surface.h"
+#include "twins.h"
 #include "vertices.h"
 
 #include <algorithm>
@@ -31,11 +32,14 @@ using Numbers = std::set<std::size_t>;
 /// refers to, and further ones.
 class GltfRewriting {
 public:
-  static void rewrite(GltfDocument& document, const std::vector<GltfSurface>& surfaces) {
+  /// Twins of meshes, by their first ones, get what these have.
+  static void rewrite(GltfDocument& document, const std::vector<GltfSurface>& surfaces,
+                      const GltfTwins::Firsts& firsts = {}) {
     GltfRewriting rewriting(document);
-    rewriting.free_what_is_replaced(surfaces);
+    rewriting.free_what_is_replaced(surfaces, firsts);
     for (const GltfSurface& surface : surfaces)
       rewriting.write(surface);
+    rewriting.share(surfaces, firsts);
     rewriting.fill_gaps();
     BufferPacking::pack(document, rewriting.new_bytes_);
   }
@@ -45,15 +49,48 @@ private:
   enum Type : std::size_t { unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125 };
 
   explicit GltfRewriting(GltfDocument& document)
-      : json_(document.json), old_accessors_(json_["accessors"]) {}
+      : json_(document.json), old_accessors_(json_["accessors"]) {
+    if (document.buffers.empty()) { // all was zeros
+      document.buffers.emplace_back();
+      json_["buffers"].push_back(Json::object());
+    }
+  }
 
   // --- What is replaced --------------------------------------------------------------------------
 
-  void free_what_is_replaced(const std::vector<GltfSurface>& surfaces) {
-    std::set<std::pair<std::size_t, std::size_t>> replaced; // meshes, primitives
+  using PrimitiveNumbers = std::set<std::pair<std::size_t, std::size_t>>; // meshes, primitives
+
+  static PrimitiveNumbers primitives_of(const std::vector<GltfSurface>& surfaces) {
+    PrimitiveNumbers numbers;
     for (const GltfSurface& surface : surfaces)
       for (const GltfPrimitive& primitive : surface.primitives())
-        replaced.emplace(primitive.mesh, primitive.number);
+        numbers.emplace(primitive.mesh, primitive.number);
+    return numbers;
+  }
+
+  /// Calls visit(twin, first, number) for each primitive of a twin of which the first has one.
+  template <class Visit>
+  void for_each_twin(const PrimitiveNumbers& numbers, const GltfTwins::Firsts& firsts,
+                     Visit visit) const {
+    for (const auto& [twin, first] : firsts)
+      for (std::size_t i = 0; i < size_of(element_of(json_, "meshes", twin), "primitives"); ++i)
+        if (numbers.contains({first, i}))
+          visit(twin, first, i);
+  }
+
+  void share(const std::vector<GltfSurface>& surfaces, const GltfTwins::Firsts& firsts) {
+    for_each_twin(primitives_of(surfaces), firsts,
+                  [&](std::size_t twin, std::size_t first, std::size_t i) {
+                    GltfTwins::copy(json_["meshes"][first]["primitives"][i],
+                                    json_["meshes"][twin]["primitives"][i]);
+                  });
+  }
+
+  void free_what_is_replaced(const std::vector<GltfSurface>& surfaces,
+                             const GltfTwins::Firsts& firsts) {
+    PrimitiveNumbers replaced = primitives_of(surfaces);
+    for_each_twin(PrimitiveNumbers(replaced), firsts,
+                  [&](std::size_t twin, std::size_t, std::size_t i) { replaced.emplace(twin, i); });
     Numbers kept = accessors_of_animations_and_skins();
     for (std::size_t mesh = 0; mesh < size_of(json_, "meshes"); ++mesh) {
       const Json& primitives = element_of(json_, "meshes", mesh);

@@ -41,7 +41,6 @@ public:
 
 private:
   explicit GltfSceneMesh(GltfMeshes& meshes) : json_(meshes.document().json) {
-    mesh_.is_blank = false;
     mesh_.color_type = {.full = 1, .is_whole = false, .is_single = true, .has_alpha = false};
     for (const GltfSurface& surface : meshes.surfaces())
       for (const GltfPrimitive& primitive : surface.primitives())

@@ -39,7 +39,6 @@ public:
     mesh_.texture_comments = std::move(soup_.texture_comments);
     mesh_.stl_header = std::move(soup_.stl_header);
     mesh_.points = std::move(soup_.points);
-    mesh_.is_blank = mesh_.points.empty() && soup_.polygon_ends.empty();
     if (mesh_.points.size() > most_points)
       fail(path_, "more vertices than 32-bit indices can tell apart");
     require_finite_corners();

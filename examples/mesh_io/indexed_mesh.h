@@ -49,7 +49,6 @@ struct IndexedMesh {
   std::string stl_header;                    ///< of a binary STL file, if it names a colour
   std::vector<std::string> remarks;          ///< what reading left out or changed
   Losses losses;                             ///< what the file has besides
-  bool is_blank = true;                      ///< did the file hold neither a vertex nor a face?
 };
 
 /// Of each corner, the number of what a vertex has beside its place.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,17 +31,18 @@ public:
 
   /// The index, counted from 0, that `word` means where `defined` things are defined.
   std::uint32_t resolve(std::string_view word, std::size_t defined, const LineReader& lines) {
-    const std::optional<std::int64_t> index = parse_integer(word);
-    if (!index)
-      lines.fail(kind_ + " index " + in_quotes(word) + " is not an integer");
-    const auto count = static_cast<std::int64_t>(defined);
-    if (*index == 0 || *index < -count || *index > static_cast<std::int64_t>(most_points))
-      lines.fail(out_of_range(kind_, *index, defined));
-    if (*index > largest_) {
-      largest_ = *index;
-      line_of_largest_ = lines.line_number();
-    }
-    return static_cast<std::uint32_t>(*index < 0 ? count + *index : *index - 1);
+    const std::int64_t index = integer(word, lines);
+    if (is_wrong(index, defined))
+      lines.fail(out_of_range(kind_, index, defined));
+    return number(index, defined, lines);
+  }
+
+  /// The same of what a face may do without: `nothing` for what can never be defined.
+  static constexpr std::uint32_t nothing = static_cast<std::uint32_t>(most_points);
+  std::uint32_t resolve_if_any(std::string_view word, std::size_t defined,
+                               const LineReader& lines) {
+    const std::int64_t index = integer(word, lines);
+    return is_wrong(index, defined) ? nothing : number(index, defined, lines);
   }
 
   void require_defined(std::size_t defined, const LineReader& lines) const {
@@ -49,6 +51,27 @@ public:
   }
 
 private:
+  std::int64_t integer(std::string_view word, const LineReader& lines) const {
+    const std::optional<std::int64_t> index = parse_integer(word);
+    if (!index)
+      lines.fail(kind_ + " index " + in_quotes(word) + " is not an integer");
+    return *index;
+  }
+
+  static bool is_wrong(std::int64_t index, std::size_t defined) {
+    return index == 0 || index < -static_cast<std::int64_t>(defined) ||
+           index > static_cast<std::int64_t>(most_points);
+  }
+
+  std::uint32_t number(std::int64_t index, std::size_t defined, const LineReader& lines) {
+    const auto count = static_cast<std::int64_t>(defined);
+    if (index > largest_) {
+      largest_ = index;
+      line_of_largest_ = lines.line_number();
+    }
+    return static_cast<std::uint32_t>(index < 0 ? count + index : index - 1);
+  }
+
   std::string kind_;
   std::int64_t largest_ = 0;
   std::size_t line_of_largest_ = 0;
@@ -62,16 +85,43 @@ public:
     while (lines_.next_line())
       read_line(lines_.next_word());
     vertices_.require_defined(soup_.points.size(), lines_);
-    textures_.require_defined(soup_.texture_table.size(), lines_);
-    normals_.require_defined(soup_.normal_table.size(), lines_);
     if (!soup_.colors.empty())
       soup_.colors.resize(soup_.points.size(), unset);
     soup_.parts = parts_.take();
+    lose_missing(soup_.corner_textures, soup_.texture_table.size(), &FacePart::has_textures,
+                 "texture coordinate");
+    lose_missing(soup_.corner_normals, soup_.normal_table.size(), &FacePart::has_normals, "normal");
     return std::move(soup_);
   }
 
 private:
   static constexpr Color unset = {opaque, opaque, opaque, opaque};
+
+  /// Faces that name values that are not there do without.
+  void lose_missing(const std::vector<std::uint32_t>& indices, std::size_t defined,
+                    bool FacePart::*has, const std::string& what) {
+    std::map<std::uint32_t, std::uint32_t> without; // by parts
+    std::size_t faces = 0;
+    for (std::size_t face = 0; face < soup_.polygon_ends.size(); ++face) {
+      const auto begin = indices.begin() + static_cast<std::ptrdiff_t>(soup_.begin_of(face));
+      const auto end = indices.begin() + static_cast<std::ptrdiff_t>(soup_.polygon_ends[face]);
+      const std::uint32_t part = soup_.parts.of_faces[face];
+      if (!(soup_.parts.parts[part].*has) ||
+          std::all_of(begin, end, [&](std::uint32_t index) { return index < defined; }))
+        continue;
+      ++faces;
+      const auto next = static_cast<std::uint32_t>(soup_.parts.parts.size());
+      const auto [place, is_new] = without.try_emplace(part, next);
+      if (is_new) {
+        soup_.parts.parts.push_back(soup_.parts.parts[part]);
+        soup_.parts.parts.back().*has = false;
+      }
+      soup_.parts.of_faces[face] = place->second;
+    }
+    if (faces > 0)
+      soup_.remarks.push_back("faces with " + what + " indices that are out of range, read " +
+                              "without them: " + std::to_string(faces));
+  }
 
   void read_line(std::string_view keyword) {
     if (keyword == "v")
@@ -198,10 +248,10 @@ private:
     soup_.corners.push_back(vertices_.resolve(vertex, soup_.points.size(), lines_));
     soup_.corner_textures.push_back(
         texture.empty() ? PolygonSoup::no_value
-                        : textures_.resolve(texture, soup_.texture_table.size(), lines_));
+                        : textures_.resolve_if_any(texture, soup_.texture_table.size(), lines_));
     soup_.corner_normals.push_back(
         normal.empty() ? PolygonSoup::no_value
-                       : normals_.resolve(normal, soup_.normal_table.size(), lines_));
+                       : normals_.resolve_if_any(normal, soup_.normal_table.size(), lines_));
   }
 
   LineReader lines_;

@@ -39,7 +39,6 @@ private:
     shown_.has_linear_colors = true;
     shown_.looks.materials.clear();
     shown_.mesh.color_type = {.full = 1, .is_whole = false, .is_single = true};
-    shown_.mesh.is_blank = false;
     for (const GltfSurface& surface : meshes.surfaces())
       for (const GltfPrimitive& primitive : surface.primitives())
         for (const GltfAttribute& attribute : primitive.attributes) {

@@ -9,8 +9,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,12 +29,33 @@ CLI::Validator word_that(IsGood is_good, const std::string& what) {
   return {complaint, ""};
 }
 
+/// The count that a word with commas or a unit means, as 1,000 or 1.5k; nothing for others.
+inline std::optional<std::int64_t> meant_count(std::string word) {
+  std::erase_if(word, [](char c) { return c == ',' || c == '_' || c == '\''; });
+  double unit = 1;
+  const char last = word.empty() ? ' ' : word.back();
+  if (last == 'k' || last == 'K' || last == 'm' || last == 'M') {
+    unit = last == 'k' || last == 'K' ? 1e3 : 1e6;
+    word.pop_back();
+  }
+  const std::optional<double> number = parse_number(word);
+  if (!number || !(*number >= 0) || !(*number * unit < 1e15) ||
+      *number * unit != std::floor(*number * unit))
+    return std::nullopt;
+  return static_cast<std::int64_t>(*number * unit);
+}
+
 inline CLI::Validator count() {
-  const auto is_count = [](const std::string& word) {
+  const auto complaint = [](const std::string& word) -> std::string {
     const std::optional<std::int64_t> value = parse_integer(word);
-    return value && *value >= 0;
+    if (value && *value >= 0)
+      return "";
+    if (const std::optional<std::int64_t> meant = meant_count(word))
+      return in_quotes(word) + " is not a count in digits only: did you mean " +
+             std::to_string(*meant) + "?";
+    return in_quotes(word) + " is not a count; --keep takes a part of the faces";
   };
-  return word_that(is_count, "a count; --keep takes a part of the faces");
+  return {complaint, ""};
 }
 
 inline CLI::Validator amount(const std::string& what,
@@ -47,12 +71,28 @@ inline CLI::Validator distance() {
   return amount("a distance: a number in the units of IN, or 0.1% for a part of the diagonal");
 }
 
-/// One of several words.
-inline CLI::Option* take_one_of(CLI::Option* option, const std::vector<std::string>& words) {
-  std::string type;
-  for (const std::string& word : words)
+/// What the library, or Python, calls a word.
+using Synonyms = std::map<std::string, std::string>;
+
+/// One of several words, in any case of letters, or by another name.
+inline CLI::Option* take_one_of(CLI::Option* option, const std::vector<std::string>& words,
+                                const Synonyms& synonyms = {}) {
+  std::string type, list;
+  for (const std::string& word : words) {
     type += (type.empty() ? "" : "|") + word;
-  return option->check(CLI::IsMember(words).description(""))->type_name(type);
+    list += (list.empty() ? "" : ", ") + word;
+  }
+  const auto choose = [=](std::string& word) -> std::string {
+    std::string plain = CLI::detail::to_lower(word);
+    std::replace(plain.begin(), plain.end(), '_', '-');
+    if (const auto found = synonyms.find(plain); found != synonyms.end())
+      plain = found->second;
+    if (std::find(words.begin(), words.end(), plain) == words.end())
+      return in_quotes(word) + " is none of " + list;
+    word = plain;
+    return "";
+  };
+  return option->transform(CLI::Validator(choose, ""))->type_name(type);
 }
 
 /// A number, at least 0 and no percentage, of which `is_good` says that it is one.

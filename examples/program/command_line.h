@@ -77,7 +77,8 @@ inline void add_files(CLI::App& app, Options& options) {
   const std::string formats = " (.off .obj .ply .stl .ts .gltf .glb; - is standard ";
   app.add_option("IN", options.input, "the mesh to read" + formats + "input)")->required();
   app.add_option("OUT", options.output,
-                 "the mesh to write" + formats + "output), or a page that shows it (.html)");
+                 "the mesh to write" + formats +
+                     "output), or a page that shows it (.html); -i IN and -o OUT are the same");
   take_one_of(app.add_option("--format", options.format,
                              "the format of IN and OUT where their names end in none"),
               {"off", "obj", "ply", "stl", "ts", "gltf", "glb"})
@@ -98,6 +99,12 @@ inline void add_files(CLI::App& app, Options& options) {
          "wind faces as their neighbours are, in each piece of IN that hangs together by edges "
          "of two faces")
       ->group("Files");
+  app.add_option("--into", options.folder,
+                 "all words are files to read, each of which gets a result of its name in this "
+                 "folder, which is made if it is not there")
+      ->type_name("FOLDER")
+      ->group("Files")
+      ->excludes("--levels");
   app.add_flag("--external-images", options.leaves_images,
                "leave images of glTF and OBJ in their files, which OUT names; without this they go "
                "into OUT if it is .glb, or .gltf in another folder")
@@ -120,8 +127,8 @@ inline void add_figures(CLI::App& app, Options& options) {
                  "write what was done and measured to this file, as JSON")
       ->type_name("FILE")
       ->group("Figures");
-  app.add_flag("--quiet", options.is_quiet, "print errors only")->group("Figures");
-  app.add_flag("--verbose", options.is_verbose, "print all that is known of the run")
+  app.add_flag("--quiet,-q", options.is_quiet, "print errors only")->group("Figures");
+  app.add_flag("--verbose,-v", options.is_verbose, "print all that is known of the run")
       ->excludes("--quiet")
       ->group("Figures");
 }
@@ -146,7 +153,7 @@ inline void add_records(CLI::App& app, Options& options) {
       throw CLI::ValidationError("--from", "there is an OUT, but no IN");
     if (!options.from.empty())
       options.output = std::exchange(options.input, options.from);
-    if (options.output.empty())
+    if (options.output.empty() && options.folder.empty())
       throw CLI::RequiredError("OUT");
   });
 }
@@ -192,7 +199,7 @@ inline void require_consistency(const Options& options) {
 inline void add_options(CLI::App& app, Options& options) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("--help,-h", "print this and exit");
-  app.set_version_flag("--version", QUADRILLE_PROGRAM_VERSION, "print the version and exit");
+  app.set_version_flag("--version,-V", QUADRILLE_PROGRAM_VERSION, "print the version and exit");
   add_target(app, options);
   add_cost(app, options);
   add_boundary(app, options);

@@ -10,6 +10,7 @@
 #include "options.h"
 #include "progress_line.h"
 #include "runs.h"
+#include "several_files.h"
 #include "suggestion.h"
 #include "verification.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -42,22 +44,6 @@ unsigned threads_of(const Options& options) {
                              "more than one");
   return 1;
 #endif
-}
-
-/// The words of the command line, in which --weld has a value: the word behind it if that is an
-/// amount, else 0.
-std::vector<std::string> words_of(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) { // CLI11 takes them from the last to the first
-    const std::string word = argv[i];
-    if (word != "--weld")
-      words.push_back(word);
-    else if (!words.empty() && parse_amount(words.back()))
-      words.back() = "--weld=" + words.back();
-    else
-      words.emplace_back("--weld=0");
-  }
-  return words;
 }
 
 bool run(Options options, ProgressLine& progress) {
@@ -108,23 +94,10 @@ bool run(Options options, ProgressLine& progress) {
   return run_gltf(options, progress);
 }
 
-} // namespace
+enum ExitStatus { done, target_not_reached, failure, promise_broken };
 
-int main(int argc, char** argv) {
-  enum ExitStatus { done, target_not_reached, failure, promise_broken };
-  CLI::App app("Simplifies a triangle surface by contracting vertex pairs.", "quadrille");
-  Options options;
-  add_options(app, options);
-  try {
-    app.parse(words_of(argc, argv));
-  } catch (const CLI::ExtrasError&) {
-    std::cerr << complaint_of_unknown(app, app.remaining()) << '\n';
-    return failure;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : failure; // --help is an error to CLI11, but not here
-  }
-  Interruption::watch();
-  ProgressLine progress(!options.is_quiet && ::isatty(STDERR_FILENO) == 1);
+/// Runs, and tells what goes wrong. Returns the exit status.
+int run_or_complain(const Options& options, ProgressLine& progress) {
   const auto complain = [&](const std::string& complaint) {
     progress.clear();
     std::cerr << complaint << '\n';
@@ -145,4 +118,63 @@ int main(int argc, char** argv) {
     complain(error.what());
   }
   return failure;
+}
+
+/// Of several files, the worst exit status of all. An interruption ends them.
+int run_files(const Options& options, const std::vector<std::string>& others,
+              ProgressLine& progress) {
+  try {
+    const std::vector<Options> files = options_of_files(options, others);
+    std::filesystem::create_directories(options.folder);
+    int worst = done;
+    for (const Options& file : files) {
+      const int status = run_or_complain(file, progress);
+      if (status == Interruption::exit_status())
+        return status;
+      const auto rank = [](int s) { return s == failure ? 4 : s; };
+      worst = rank(status) > rank(worst) ? status : worst;
+    }
+    return worst;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return failure;
+  }
+}
+
+/// The words that CLI11 knows no use for.
+std::vector<std::string> further_words(const CLI::App& app) {
+  std::vector<std::string> words = app.remaining();
+  std::erase(words, "--");
+  return words;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Simplifies a triangle surface by contracting vertex pairs.", "quadrille");
+  Options options;
+  add_options(app, options);
+  app.allow_extras();
+  try {
+    app.parse(CommandWords::of(argc, argv));
+  } catch (const CLI::ParseError& error) {
+    if (const std::vector<std::string> words = further_words(app);
+        !words.empty() && error.get_exit_code() != 0) {
+      std::cerr << complaint_of_unknown(app, words) << '\n';
+      return failure;
+    }
+    return app.exit(error) == 0 ? done : failure; // --help is an error to CLI11, but not here
+  }
+  const std::vector<std::string> others = further_words(app);
+  const bool has_unknown = std::any_of(others.begin(), others.end(), [](const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+  });
+  if (!others.empty() && (has_unknown || options.folder.empty())) {
+    std::cerr << complaint_of_unknown(app, others) << '\n';
+    return failure;
+  }
+  Interruption::watch();
+  ProgressLine progress(!options.is_quiet && ::isatty(STDERR_FILENO) == 1);
+  return options.folder.empty() ? run_or_complain(options, progress)
+                                : run_files(options, others, progress);
 }

@@ -72,6 +72,7 @@ struct Options {
   bool is_quiet = false, is_verbose = false;
   std::function<bool(const quadrille::Status&)> proceed; // asked now and then; false: no further
   bool leaves_images = false;                            // of glTF and OBJ, as files that OUT names
+  std::string folder; // for the results of several files; empty: there is one
 
   bool has_lines_or_noise() const {
     return line_weight > 0 || normal_noise > 0 || position_noise.value > 0 || weighs_squared_area;
@@ -138,9 +139,12 @@ inline void require_fit(const Options& options, bool has_colors, bool has_textur
     throw std::runtime_error(options.input + ": no texture coordinates for --cost texture");
 }
 
-[[noreturn]] inline void refuse_without_faces(const Options& options, std::size_t vertices) {
+/// `others` is what else the file has.
+[[noreturn]] inline void refuse_without_faces(const Options& options, std::size_t vertices,
+                                              const std::string& others = "") {
   throw std::runtime_error(options.input + ": nothing to simplify: no face of three different " +
-                           "vertices, " + std::to_string(vertices) + " vertices");
+                           "vertices, " + std::to_string(vertices) + " vertices" +
+                           (others.empty() ? "" : ", but " + others));
 }
 
 } // namespace quadrille_examples

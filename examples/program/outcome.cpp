@@ -263,6 +263,9 @@ public:
     if (is_held_by_topology_alone())
       hints_.push_back("topology alone holds the " + with_commas(report_.faces_after) +
                        " faces that are left: none of their edges can go without changing it");
+    if (are_pairs_of_faces_left())
+      hints_.emplace_back(
+          "parts of two faces are left as they are: --faces or --keep asks for fewer");
     if (counts(Rejection::constraint) && options_.locks_boundaries)
       hints_.push_back("the boundary is locked (" + refused(Rejection::constraint) +
                        " contractions refused): --boundary WEIGHT lets it move");
@@ -286,6 +289,12 @@ private:
   bool is_held_by_topology_alone() const {
     return !is_free_ && report_.stop == quadrille::StopReason::all_pairs_rejected &&
            report_.rejected(Rejection::topology) == refusals_;
+  }
+
+  /// They are where no target is asked for, and there is nothing else.
+  bool are_pairs_of_faces_left() const {
+    return !outcome_.target.is_given() && report_.contractions == 0 &&
+           report_.rejected(Rejection::constraint) > 0 && !options_.locks_boundaries;
   }
 
   void add_parts() {

@@ -42,12 +42,21 @@ inline void add_cost(CLI::App& app, Options& options) {
                      "far, of the current faces, the same and of lost thin parts, with colours or "
                      "texture coordinates as further dimensions, or the shortest (default: "
                      "quadric, with all attributes of IN)"),
-      {"quadric", "memoryless", "thin-features", "color", "texture", "length"})
+      {"quadric", "memoryless", "thin-features", "color", "texture", "length"},
+      {{"memoryless-quadric", "memoryless"},
+       {"thin-feature-quadric", "thin-features"},
+       {"color-quadric", "color"},
+       {"colour", "color"},
+       {"texture-quadric", "texture"},
+       {"edge-length", "length"}})
       ->group("Policies");
   take_one_of(app.add_option("--placement", options.placement,
                              "where the vertex goes (default: optimal, or midpoint with --cost "
                              "length)"),
-              {"optimal", "endpoint", "midpoint"})
+              {"optimal", "endpoint", "midpoint"},
+              {{"optimal-placement", "optimal"},
+               {"endpoint-placement", "endpoint"},
+               {"midpoint-placement", "midpoint"}})
       ->group("Policies");
   const auto is_angle = [](double degrees) { return degrees <= 180; };
   app.add_option("--crease", options.crease_degrees,
@@ -150,16 +159,18 @@ inline void add_promises(CLI::App& app, Options& options) {
 
 inline void add_seams(CLI::App& app, Options& options) {
   using quadrille::Seams;
-  const std::vector<std::pair<std::string, Seams>> seams{{"kept", Seams::kept},
-                                                         {"held", Seams::held},
-                                                         {"priced", Seams::priced},
-                                                         {"free", Seams::free}};
-  app.add_option(
-         "--seams", options.seams,
-         "do charts of a texture stay, or may their seams vanish: for the price of all that this "
-         "shows (held), of the jump of the values (priced), or for none? (default: held)")
-      ->transform(CLI::CheckedTransformer(seams).description(""))
-      ->type_name("kept|held|priced|free")
+  const auto set_seams = [&](const std::string& word) {
+    options.seams = word == "kept"     ? Seams::kept
+                    : word == "priced" ? Seams::priced
+                    : word == "free"   ? Seams::free
+                                       : Seams::held;
+  };
+  take_one_of(app.add_option_function<std::string>(
+                  "--seams", set_seams,
+                  "do charts of a texture stay, or may their seams vanish: for the price of all "
+                  "that this shows (held), of the jump of the values (priced), or for none? "
+                  "(default: held)"),
+              {"kept", "held", "priced", "free"})
       ->group("Policies");
 }
 
@@ -169,7 +180,7 @@ inline void add_order(CLI::App& app, Options& options) {
                   "--order", set_order,
                   "one pair after the other by a queue, or faster, in passes of many (default: "
                   "greedy)"),
-              {"greedy", "relaxed"})
+              {"greedy", "relaxed"}, {{"greedy-order", "greedy"}, {"relaxed-order", "relaxed"}})
       ->group("Policies");
   app.add_option(
          "--threads", options.threads,

@@ -100,14 +100,19 @@ public:
 
   bool run() {
     progress_.show_stage("reading");
-    GltfMeshes meshes = GltfMeshes::read(options_.input, options_.labels);
+    GltfMeshes meshes = options_.levels.empty()
+                            ? GltfMeshes::read_shared(options_.input, options_.labels)
+                            : GltfMeshes::read(options_.input, options_.labels);
     progress_.clear();
     require_fit(options_, meshes.surfaces());
     print_remarks(options_, meshes);
     placements_ = meshes.placements();
     if (options_.levels.empty()) {
       simplify_to(options_.output, meshes.surfaces(), options_);
-      write(meshes.take());
+      const std::size_t before = meshes.size();
+      GltfDocument document = meshes.take();
+      print_remark_of_size(before, document.size());
+      write(std::move(document));
     } else {
       write(meshes.take_with(levels_of(meshes)));
     }
@@ -149,6 +154,13 @@ private:
                   options_of_level(options_, level));
     }
     return levels;
+  }
+
+  /// As where primitives shared vertices that are written for each of them.
+  void print_remark_of_size(std::size_t before, std::size_t after) const {
+    if (after > before)
+      print_remark(options_, "its buffers have " + with_commas(before) + " bytes, those of OUT " +
+                                 with_commas(after));
   }
 
   void write(GltfDocument document) {

@@ -31,8 +31,8 @@ namespace quadrille_examples {
 void require_fit(const Options& options, const IndexedMesh& mesh) {
   require_fit(options, !mesh.colors.empty(),
               !mesh.texture_coordinates.empty() || !mesh.corner_textures.empty());
-  if (mesh.triangles.empty() && !mesh.is_blank)
-    refuse_without_faces(options, mesh.points.size());
+  if (mesh.triangles.empty())
+    refuse_without_faces(options, mesh.points.size(), mesh.losses.text());
 }
 
 void take_scalars(Options& options, const IndexedMesh& mesh) {
@@ -51,9 +51,21 @@ void take_scalars(Options& options, const IndexedMesh& mesh) {
   }
 }
 
+namespace {
+
+bool is_of_broken_indices(const std::string& remark) {
+  return remark.find("indices that are out of range") != std::string::npos;
+}
+
+} // namespace
+
 void print_remarks(const Options& options, const IndexedMesh& mesh) {
   for (const std::string& remark : mesh.remarks)
-    print_remark(options, remark);
+    if (is_of_broken_indices(remark) &&
+        !options.is_quiet) // what OUT lacks is told with its figures
+      output_of_figures(options) << options.input << ": " << remark << '\n';
+    else
+      print_remark(options, remark);
   if (!mesh.losses.empty())
     print_remark(options, "not kept: " + mesh.losses.text());
 }

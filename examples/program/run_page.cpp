@@ -48,8 +48,6 @@ Outcome record(Options options, PageSource& source, ProgressLine& progress) {
   ShownMesh shown = read_shown(options);
   require_fit(options, shown.mesh);
   take_scalars(options, shown.mesh);
-  if (shown.mesh.triangles.empty())
-    refuse_without_faces(options, shown.mesh.points.size());
   progress.clear();
   print_remarks(options, shown.mesh);
   orient(options, shown.mesh);

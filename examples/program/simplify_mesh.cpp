@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrille_examples {
@@ -23,9 +24,10 @@ quadrille::SoupOptions::Cost cost(const Options& options) {
 
 /// Does a mesh take the way on which all of its attributes are channels? Attributes as further
 /// dimensions know neither passes nor creases, and what has no attributes goes the same way then.
-bool goes_by_channels(const IndexedMesh& mesh, const Options& options) {
+bool goes_by_channels(const IndexedMesh& mesh, const Options& options,
+                      const quadrille::SoupOptions& soup) {
   return options.is_relaxed || options.crease_degrees || options.has_lines_or_noise() ||
-         !options.importances.empty() || !options.selected.empty() || needs_channels(mesh);
+         !options.importances.empty() || !soup.selected.empty() || needs_channels(mesh);
 }
 
 /// Without attributes that vary.
@@ -53,6 +55,18 @@ std::vector<double> values_ahead(const IndexedMesh& mesh, const std::vector<doub
 }
 
 } // namespace
+
+std::string in_words_of_program(std::string message) {
+  constexpr std::string_view scope = "quadrille::", argument = " (the second argument of ";
+  if (message.starts_with(scope))
+    if (const std::size_t end = message.find(": "); end != std::string::npos)
+      message.erase(0, end + 2);
+  if (const std::size_t begin = message.find(argument); begin != std::string::npos)
+    message.erase(begin, message.find(')', begin) + 1 - begin);
+  for (std::size_t at = 0; (at = message.find(scope)) != std::string::npos;)
+    message.erase(at, scope.size());
+  return message;
+}
 
 std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& name,
                                   bool (*is_ahead)(double, double)) {
@@ -124,7 +138,7 @@ quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
                                 std::vector<std::size_t>* image) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;
-  if (goes_by_channels(mesh, options))
+  if (goes_by_channels(mesh, options, soup))
     return MeshChannels(mesh).simplify(soup, channel_choices(options), image);
   const MeshAttributes attributes(mesh, importance(options));
   if (attributes.size() > 0)

@@ -9,6 +9,7 @@
 #include "../mesh_channels.h"
 #include "../mesh_io.h"
 #include "options.h"
+#include "pairs_of_faces.h"
 
 #include <quadrille/compiled.h>
 #include <quadrille/report.h>
@@ -50,6 +51,8 @@ quadrille::SoupOptions soup_options(const Options& options, const auto& points,
     result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
   if (options.locks_boundaries)
     result.fixed = boundary_points(points.size(), triangles);
+  if (!options.target.is_given() && topology(options) == quadrille::Topology::kept)
+    leave_pairs_of_faces(points.size(), triangles, result);
   return result;
 }
 
@@ -60,13 +63,18 @@ ChannelChoices channel_choices(const Options& options);
 /// If one is asked for by name, the other hardly counts.
 Importance importance(const Options& options);
 
+/// A message of the library without names of C++.
+std::string in_words_of_program(std::string message);
+
 /// What is wrong with attributes that no weight makes comparable with positions is told of the
 /// file.
 quadrille::Report with_errors_of_file(const Options& options, const auto& simplify) {
   try {
     return simplify();
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(options.input + ": " + error.what());
+    throw std::runtime_error(options.input + ": " + in_words_of_program(error.what()));
+  } catch (const std::length_error& error) {
+    throw std::runtime_error(options.input + ": " + in_words_of_program(error.what()));
   }
 }
 

@@ -148,7 +148,6 @@ inline IndexedMesh mesh_of(const WrittenArrays& arrays) {
     const auto column = numbers(values);
     mesh.vertex_numbers.push_back({name, number_type(type), {column.begin(), column.end()}});
   }
-  mesh.is_blank = mesh.points.empty() && mesh.triangles.empty();
   return mesh;
 }
 

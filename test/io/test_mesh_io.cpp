@@ -285,12 +285,6 @@ TEST_CASE("Broken OBJ files are refused with their place", "[mesh_io]") {
       {"f 1 2 2.5\n", "a.obj:4: vertex index '2.5' is not an integer"},
       {"f a b c\n", "a.obj:4: vertex index 'a' is not an integer"},
       {"f 1 2 /3\n", "a.obj:4: vertex index '' is not an integer"},
-      {"f 1/1 2 3\n", "a.obj:4: texture coordinate index 1 is out of range: there are 0"},
-      {"vt 0 0\nf 1/1 2/1 3/-2\n",
-       "a.obj:5: texture coordinate index -2 is out of range: there are 1"},
-      {"f 1//1 2 3\n", "a.obj:4: normal index 1 is out of range: there are 0"},
-      {"vn 0 0 1\nf 1//1 2//2 3//1\n", "a.obj:5: normal index 2 is out of range: there are 1"},
-      {"vn 0 0 1\nf 1//-2 2//1 3//1\n", "a.obj:5: normal index -2 is out of range: there are 1"},
       {"vn 0 0 1\nf 1//x 2//1 3//1\n", "a.obj:5: normal index 'x' is not an integer"},
       {"vn 0 0\n", "a.obj:4: the line ends before the next normal"},
       {"vn 0 0 up\n", "a.obj:4: normal 'up' is not a number"},
@@ -353,6 +347,27 @@ TEST_CASE("An OBJ file with all there is reads back as it was written", "[mesh_i
   CHECK(parts.names[parts.of(1).smoothing] == "1");
   write_mesh(folder.path("b.obj"), mesh);
   CHECK(content_of(folder.path("b.obj")) == content);
+}
+
+TEST_CASE("Faces that name texture coordinates or normals that are not there do without",
+          "[mesh_io]") {
+  const IndexedMesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"
+                    "f 2/2/1 4/1/1 3/1/1\nf 2/-3 4/1 1/1\nf 1//0 2//1 4//1\nf 1//9 2//9 4//9\n");
+  CHECK(mesh.triangles.size() == 5);
+  CHECK(mesh.remarks ==
+        std::vector<std::string>{
+            "faces with texture coordinate indices that are out of range, read without them: 2",
+            "faces with normal indices that are out of range, read without them: 2"});
+  const auto has = [&](std::size_t face, bool FacePart::*what) {
+    return mesh.parts.of(face).*what;
+  };
+  CHECK(has(0, &FacePart::has_textures));
+  CHECK(!has(1, &FacePart::has_textures));
+  CHECK(has(1, &FacePart::has_normals));
+  CHECK(!has(2, &FacePart::has_textures));
+  CHECK(!has(3, &FacePart::has_normals));
+  CHECK(!has(4, &FacePart::has_normals));
 }
 
 TEST_CASE("Names in OBJ files may hold blanks and #, and end before a comment", "[mesh_io]") {
