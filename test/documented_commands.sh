@@ -33,11 +33,13 @@ write_scalar() {
     { print }' plain.off > "$2"
 }
 
-# Makes the first mesh that a command names, with a scalar that it asks for.
+# Makes the first mesh that a command names, with a scalar that it asks for; all with --into.
 make_input() {
   scalar=
   previous=
+  several=
   for word in "$@"; do
+    [ "$word" != --into ] || several=yes
     case $previous in --tolerance | --importance) scalar=$word ;; esac
     previous=$word
   done
@@ -46,7 +48,10 @@ make_input() {
     case $word in
     -*) ;;
     *.gltf | *.glb) [ -e "$word" ] || "$program" sheet.gltf "$word" --keep 100% --quiet; return 0 ;;
-    *.off | *.obj | *.ply | *.stl) [ -e "$word" ] || "$program" "$mesh" "$word" --keep 100% --quiet; return 0 ;;
+    *.off | *.obj | *.ply | *.stl)
+      [ -e "$word" ] || "$program" "$mesh" "$word" --keep 100% --quiet
+      [ -n "$several" ] || return 0
+      ;;
     esac
   done
 }
