@@ -6,7 +6,7 @@ int main() {
 #ifdef REMEDY
   auto& surface = mesh;
 #else
-  const auto& surface = mesh;
+  const CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3> surface;
 #endif
   simplify(surface); // mistake
 }

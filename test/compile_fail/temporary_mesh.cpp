@@ -9,8 +9,8 @@ int main() {
   simplify(mesh, FaceCount{10});
 #else
   simplify(std::move(mesh)); // mistake
-  simplify(std::move(mesh), FaceCount{10}); // mistake
-  simplify<Quadric, OptimalPlacement>(std::move(mesh)); // mistake
+  simplify(std::move(mesh), VertexCount{10}); // mistake
+  simplify<Quadric, EndpointPlacement>(std::move(mesh)); // mistake
   simplify(std::move(points), std::move(triangles), FaceCount{10}); // mistake
 #endif
 }

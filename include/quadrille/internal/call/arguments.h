@@ -162,7 +162,8 @@ constexpr void check_counts() {
   static_assert(count_of<Kind::pairs, Cost, Arguments...> <= 1,
                 "simplify takes one pair policy: pass only one.");
   static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
-                "simplify takes one stop policy: combine several with AnyOf or AllOf.");
+                "simplify takes one stop policy: combine several with AnyOf or AllOf. A lambda is "
+                "one, asked with a Status; a filter is a class with a member allows(contraction).");
   static_assert(count_of<Kind::order, Cost, Arguments...> <= 1,
                 "simplify takes one order: pass only one.");
   static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,

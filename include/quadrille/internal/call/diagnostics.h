@@ -13,7 +13,7 @@
 
 /// What a compiler says of a call of `simplify` that is wrong. `simplify` takes arguments of any
 /// type, so that it is told here, in a sentence and before all else, what is wrong with them; and
-/// it is declared, but deleted, for surfaces that cannot be changed.
+/// it is there, but does not compile, for surfaces that cannot be changed and for what is none.
 
 namespace quadrille {
 class Levels;
@@ -80,6 +80,22 @@ void refuse_argument() {
   }
 }
 
+/// Does not compile, for a surface that cannot be changed; each Call is refused anew. Where a
+/// function is deleted instead, a compiler lists all others of its name.
+template <class... Call>
+Report refuse_constant() {
+  static_assert(sizeof...(Call) == 0,
+                "What is constant or temporary cannot be simplified: simplify changes its surface, "
+                "which has to have a name and no const; simplified makes a new one.");
+  return {};
+}
+
+/// A container, but none of triangles, nor of their numbers one after the other.
+template <class Triangles, class Points>
+concept NoTriangles = std::ranges::random_access_range<Triangles> &&
+    (!TriangleContainer<std::remove_const_t<Triangles>>)&&(!BufferedSoup<Points, Triangles>)&&(
+        !ConstantBuffers<Points, Triangles>);
+
 /// Is the first argument no range, as triangles would be?
 template <class... Arguments>
 inline constexpr bool has_no_range_first = true;
@@ -112,11 +128,12 @@ Report refuse() {
 
 namespace quadrille {
 
+/// Does not compile, for a mesh that is constant or temporary.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
-requires internal::ReadableGraph<Mesh>
-void simplify(const Mesh&, // what is constant or temporary cannot be simplified
-              const Arguments&...) = delete;
+requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&, const Arguments&...) {
+  return internal::refuse_constant<Cost, Placement, Mesh, Arguments...>();
+}
 
 /// Does not compile, for a view of a mesh.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Graph,
@@ -152,22 +169,38 @@ requires internal::MatrixLike<Points> && internal::MatrixLike<Triangles> &&
   return {};
 }
 
-/// The same with nothing but defaults, lest it be taken by CGAL::simplify(x).
-template <class Mesh>
-requires internal::ReadableGraph<Mesh>
-void simplify(const Mesh&) = delete; // what is constant or temporary cannot be simplified
+/// Does not compile, for points beside a container of something else than triangles.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::PointContainer<Points> && internal::NoTriangles<Triangles, Points>
+    Report simplify(Points&, Triangles&, const Arguments&...) {
+  static_assert(internal::TriangleContainer<Triangles>,
+                "The triangles of a soup are three integers each, by index, as std::array<int, 3>: "
+                "what this container has is none.");
+  return {};
+}
 
+/// The same as for a mesh with arguments, lest it be taken by CGAL::simplify(x).
+template <class Mesh>
+requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&) {
+  return internal::refuse_constant<Mesh>();
+}
+
+/// Does not compile, for a soup that is constant or temporary.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
-void simplify(const Points&, const Triangles&, // what is constant or temporary cannot be simplified
-              const Arguments&...) = delete;
+    Report simplify(const Points&, const Triangles&, const Arguments&...) {
+  return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
+}
 
+/// The same for buffers.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::ConstantBuffers<Points, Triangles>
-void simplify(const Points&, const Triangles&, // what is constant or temporary cannot be simplified
-              const Arguments&...) = delete;
+    Report simplify(const Points&, const Triangles&, const Arguments&...) {
+  return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
+}
 
 } // namespace quadrille
 

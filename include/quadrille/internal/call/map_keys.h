@@ -36,26 +36,36 @@ constexpr bool take_key(Names<Tags...>) {
           ...);
 }
 
-/// Refuses to compile a call with a property map over something else than what it is read for.
+/// Refuses to compile a call with a property map over something else than what it is read for, and
+/// tells whether that is so, so that nobody asks the map.
 template <class Vertex, class Face, class Cost, class Carried, class NamedParameters>
-constexpr void check_keys() {
+constexpr bool check_keys() {
   namespace np = CGAL::internal_np;
   using OfVertices = Names<np::vertex_is_constrained_t, np::vertex_point_t, np::vertex_index_t,
                            decltype(attribute_name<Cost>()), parameters::vertex_tolerance_t,
                            parameters::vertex_importance_t, parameters::vertex_is_shared_t,
                            parameters::vertex_image_t, parameters::vertex_quadric_t>;
+  using OfFaces = Names<parameters::face_is_selected_t, np::face_patch_t>;
+  constexpr bool vertices_fit = take_key<Vertex, NamedParameters>(OfVertices());
+  constexpr bool faces_fit = take_key<Face, NamedParameters>(OfFaces());
+  constexpr bool labels_fit = [] {
+    if constexpr (Carried::has_labels)
+      return takes_key<decltype(Carried::Labels::map), Face>;
+    else
+      return true;
+  }();
   static_assert(
-      take_key<Vertex, NamedParameters>(OfVertices()),
+      vertices_fit,
       "A named parameter vertex_..._map is a map over something else: its keys have to be "
       "the vertices of the mesh, of a soup the indices of points.");
   static_assert(
-      take_key<Face, NamedParameters>(Names<parameters::face_is_selected_t, np::face_patch_t>()),
-      "face_is_selected_map or face_patch_map is a map over something else: its keys have to be "
-      "the faces of the mesh, of a soup the indices of triangles.");
-  if constexpr (Carried::has_labels)
-    static_assert(takes_key<decltype(Carried::Labels::map), Face>,
-                  "The map of Labels is over something else: its keys have to be the faces of the "
-                  "mesh, of a soup the indices of triangles.");
+      faces_fit,
+      "face_is_selected_map or face_patch_map is a map over something else: its keys have "
+      "to be the faces of the mesh, of a soup the indices of triangles.");
+  static_assert(labels_fit,
+                "The map of Labels is over something else: its keys have to be the faces of the "
+                "mesh, of a soup the indices of triangles.");
+  return vertices_fit && faces_fit && labels_fit;
 }
 
 /// Is a channel over such keys? `takes` is asked with an object of their type; a list of channels
@@ -74,32 +84,41 @@ constexpr bool have_keys(const std::tuple<Channel...>*, [[maybe_unused]] auto ta
 }
 
 template <class Mesh, class Cost, class Carried, class NamedParameters>
-constexpr void check_keys_of_mesh() {
+constexpr bool check_keys_of_mesh() {
   using Graph = boost::graph_traits<Mesh>;
   using Vertex = typename Graph::vertex_descriptor;
-  check_keys<Vertex, typename Graph::face_descriptor, Cost, Carried, NamedParameters>();
-  static_assert(take_key<typename Graph::edge_descriptor, NamedParameters>(
-                    Names<CGAL::internal_np::edge_is_constrained_t, parameters::edge_is_crease_t,
-                          parameters::edge_is_border_t>()),
+  using OfEdges = Names<CGAL::internal_np::edge_is_constrained_t, parameters::edge_is_crease_t,
+                        parameters::edge_is_border_t>;
+  constexpr bool others_fit =
+      check_keys<Vertex, typename Graph::face_descriptor, Cost, Carried, NamedParameters>();
+  constexpr bool edges_fit = take_key<typename Graph::edge_descriptor, NamedParameters>(OfEdges());
+  static_assert(edges_fit,
                 "A named parameter edge_..._map is a map over something else: its keys have to be "
                 "the edges of the mesh.");
   constexpr auto is_corner = []<class Key>(std::type_identity<Key>) {
     return std::same_as<Key, Vertex> || std::same_as<Key, typename Graph::halfedge_descriptor>;
   };
-  static_assert(have_keys(static_cast<typename Carried::Channels*>(nullptr), is_corner),
+  constexpr bool channels_fit =
+      have_keys(static_cast<typename Carried::Channels*>(nullptr), is_corner);
+  static_assert(channels_fit,
                 "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
                 "of a mesh are property maps over its vertices or over its halfedges.");
+  return others_fit && edges_fit && channels_fit;
 }
 
 template <class Cost, class Carried, class NamedParameters>
-constexpr void check_keys_of_soup() {
-  check_keys<std::size_t, std::size_t, Cost, Carried, NamedParameters>();
+constexpr bool check_keys_of_soup() {
+  constexpr bool others_fit =
+      check_keys<std::size_t, std::size_t, Cost, Carried, NamedParameters>();
   constexpr auto is_index = []<class Key>(std::type_identity<Key>) {
     return std::convertible_to<std::size_t, Key>;
   };
-  static_assert(have_keys(static_cast<typename Carried::Channels*>(nullptr), is_index),
+  constexpr bool channels_fit =
+      have_keys(static_cast<typename Carried::Channels*>(nullptr), is_index);
+  static_assert(channels_fit,
                 "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
                 "of a soup are property maps over the indices of its points.");
+  return others_fit && channels_fit;
 }
 
 } // namespace quadrille::internal

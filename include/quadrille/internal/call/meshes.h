@@ -140,19 +140,10 @@ void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
 }
 
 template <class Mesh, class Policies, class Carried, class NamedParameters>
-Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& carried,
-                           const NamedParameters& named) {
+Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carried& carried,
+                               const NamedParameters& named) {
   using CGAL::parameters::choose_parameter, CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
-  static_assert(!Carried::splits_vertices,
-                "quadrille::simplify: SplitVertices is for soups; a mesh has halfedges for maps.");
-  namespace np = CGAL::internal_np;
-  check_named<Cost, NamedParameters>(
-      Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
-            np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
-            parameters::edge_is_crease_t, parameters::edge_is_border_t, parameters::vertex_image_t,
-            parameters::duplicate_output_t>());
-  check_keys_of_mesh<Mesh, Cost, Carried, NamedParameters>();
   auto points = choose_parameter(get_parameter(named, CGAL::internal_np::vertex_point),
                                  CGAL::get_property_map(CGAL::vertex_point, mesh));
   check_points<typename boost::property_traits<decltype(points)>::value_type, NamedParameters>();
@@ -182,6 +173,24 @@ Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& 
   return run(adapter, policies, read, teller(named));
 }
 
+template <class Mesh, class Policies, class Carried, class NamedParameters>
+Report simplify_face_graph(Mesh& mesh, const Policies& policies, const Carried& carried,
+                           const NamedParameters& named) {
+  using Cost = typename Policies::Cost;
+  static_assert(!Carried::splits_vertices,
+                "quadrille::simplify: SplitVertices is for soups; a mesh has halfedges for maps.");
+  namespace np = CGAL::internal_np;
+  check_named<Cost, NamedParameters>(
+      Names<np::vertex_point_t, np::vertex_index_t, np::halfedge_index_t, np::edge_index_t,
+            np::face_index_t, np::face_patch_t, np::edge_is_constrained_t,
+            parameters::edge_is_crease_t, parameters::edge_is_border_t, parameters::vertex_image_t,
+            parameters::duplicate_output_t>());
+  if constexpr (check_keys_of_mesh<Mesh, Cost, Carried, NamedParameters>())
+    return simplify_mesh_with_maps(mesh, policies, carried, named);
+  else
+    return {};
+}
+
 /// The adapter of a soup, whose vertices may be split.
 template <class Points, class Triangles, class Map, class Attributes, class Carried>
 auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attributes,
@@ -200,24 +209,10 @@ auto soup_adapter(Points& points, Triangles& triangles, Map map, Attributes attr
 }
 
 template <class Points, class Triangles, class Policies, class Carried, class NamedParameters>
-Report simplify_soup(Points& points, Triangles& triangles, const Policies& policies,
-                     const Carried& carried, const NamedParameters& named) {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
+Report simplify_soup_with_maps(Points& points, Triangles& triangles, const Policies& policies,
+                               const Carried& carried, const NamedParameters& named) {
+  using CGAL::parameters::choose_parameter, CGAL::parameters::get_parameter;
   using Cost = typename Policies::Cost;
-  const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
-  const auto creases = get_parameter(named, parameters::edge_is_crease);
-  const auto borders = get_parameter(named, parameters::edge_is_border);
-  static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)> &&
-                    !is_given<decltype(borders)>,
-                "quadrille::simplify: a soup has no edges for a map: pass "
-                "vertex_is_constrained_map, or simplify a mesh; for borders pass border_edges");
-  namespace np = CGAL::internal_np;
-  check_named<Cost, NamedParameters>(
-      Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
-            parameters::edge_is_border_t, parameters::border_edges_t,
-            parameters::vertex_image_t>());
-  check_keys_of_soup<Cost, Carried, NamedParameters>();
   auto map = choose_parameter(get_parameter(named, CGAL::internal_np::point_map),
                               CGAL::Identity_property_map<ElementOf<Points>>());
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
@@ -240,6 +235,29 @@ Report simplify_soup(Points& points, Triangles& triangles, const Policies& polic
     return input;
   };
   return run(adapter, policies, read, teller(named));
+}
+
+template <class Points, class Triangles, class Policies, class Carried, class NamedParameters>
+Report simplify_soup(Points& points, Triangles& triangles, const Policies& policies,
+                     const Carried& carried, const NamedParameters& named) {
+  using CGAL::parameters::get_parameter;
+  using Cost = typename Policies::Cost;
+  const auto fixed_edges = get_parameter(named, CGAL::internal_np::edge_is_constrained);
+  const auto creases = get_parameter(named, parameters::edge_is_crease);
+  const auto borders = get_parameter(named, parameters::edge_is_border);
+  static_assert(!is_given<decltype(fixed_edges)> && !is_given<decltype(creases)> &&
+                    !is_given<decltype(borders)>,
+                "quadrille::simplify: a soup has no edges for a map: pass "
+                "vertex_is_constrained_map, or simplify a mesh; for borders pass border_edges");
+  namespace np = CGAL::internal_np;
+  check_named<Cost, NamedParameters>(
+      Names<np::point_t, np::face_patch_t, np::edge_is_constrained_t, parameters::edge_is_crease_t,
+            parameters::edge_is_border_t, parameters::border_edges_t,
+            parameters::vertex_image_t>());
+  if constexpr (check_keys_of_soup<Cost, Carried, NamedParameters>())
+    return simplify_soup_with_maps(points, triangles, policies, carried, named);
+  else
+    return {};
 }
 
 } // namespace quadrille::internal
