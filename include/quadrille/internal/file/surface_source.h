@@ -41,6 +41,8 @@ public:
     key_ = key.value();
     for (std::size_t i = paths_.size(); i-- > 0;) // the first one stays open
       require_readable(paths_[i]);
+    if (ply_)
+      dropped_ = ply_->dropped();
     if (keeps_tiles)
       tiles_in(""); // throws where names are the same
   }
@@ -49,9 +51,7 @@ public:
   /// What vertices have beside their places, and goes along.
   VertexScalars scalars() const { return ply_ ? ply_->scalars() : VertexScalars(); }
   /// What is read over.
-  std::vector<std::string> dropped() const {
-    return ply_ ? ply_->dropped() : std::vector<std::string>();
-  }
+  const std::vector<std::string>& dropped() const { return dropped_; }
 
   /// Is there a surface that has been made of a soup?
   bool is_welded(const JobFolder& folder) const {
@@ -127,6 +127,7 @@ private:
   bool positions_only_, keeps_tiles_, is_stl_ = false;
   std::uint64_t key_ = 0;
   std::unique_ptr<PlyInput> ply_;
+  std::vector<std::string> dropped_;
 };
 
 } // namespace quadrille::internal

@@ -72,37 +72,43 @@ private:
                                names_[0].string() + ", with which it is to be one surface");
   }
 
-  // Vertices at edges of one face of their tile.
-  static std::vector<bool> border_of(const PlyInput& tile) {
+  // What faces of a tile make of a vertex.
+  enum class Use : unsigned char { none, inner, border };
+
+  static std::vector<Use> uses_of(const PlyInput& tile) {
     std::vector<std::uint64_t> edges;
     edges.reserve(3 * static_cast<std::size_t>(tile.faces()));
+    std::vector<Use> uses(static_cast<std::size_t>(tile.vertices()), Use::none);
     tile.for_faces([&](std::uint64_t, const FaceRow& face, const LabelValues&) {
+      if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
+        return;
       for (std::size_t i = 0; i < 3; ++i) {
         const VertexId a = face[i], b = face[(i + 1) % 3];
-        if (a != b)
-          edges.push_back(std::uint64_t{(std::min)(a, b)} << 32 | (std::max)(a, b));
+        edges.push_back(std::uint64_t{(std::min)(a, b)} << 32 | (std::max)(a, b));
+        uses[a] = Use::inner;
       }
     });
     std::sort(edges.begin(), edges.end());
-    std::vector<bool> is_at_border(static_cast<std::size_t>(tile.vertices()));
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
       for (end = i + 1; end < edges.size() && edges[end] == edges[i];)
         ++end;
       if (end == i + 1)
-        is_at_border[edges[i] >> 32] = is_at_border[edges[i] & 0xFFFFFFFFU] = true;
+        uses[edges[i] >> 32] = uses[edges[i] & 0xFFFFFFFFU] = Use::border;
     }
-    return is_at_border;
+    return uses;
   }
 
   void add_border(std::size_t t, std::vector<BorderVertex>& border) const {
     const PlyInput tile = open(t);
-    const std::vector<bool> is_at_border = border_of(tile);
-    tile.for_vertices([&](VertexId v, const Vector<3>& p) {
-      if (!is_at_border[v])
+    const std::vector<Use> uses = uses_of(tile);
+    tile.for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
+      if (uses[v] == Use::none)
         return;
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-        fail_file(names_[t], "vertex " + std::to_string(v) + " is not finite");
-      border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, t, begins_[t] + v}); // no -0
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]) ||
+          !std::all_of(scalars.begin(), scalars.end(), [](double x) { return std::isfinite(x); }))
+        fail_file(names_[t], "vertex " + std::to_string(v) + " has a number that is not finite");
+      if (uses[v] == Use::border)
+        border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, t, begins_[t] + v}); // no -0
     });
   }
 
