@@ -144,6 +144,7 @@ void add_options(py::module_& m) {
       .def_readwrite("no_self_intersection", &SoupOptions::no_self_intersection)
       .def_readwrite("normal_deviation", &SoupOptions::normal_deviation)
       .def_readwrite("keep_solid", &SoupOptions::keep_solid)
+      .def_readwrite("coordinates_are_floats", &SoupOptions::coordinates_are_floats)
       .def_readwrite("fixed", &SoupOptions::fixed)
       .def_readwrite("importance", &SoupOptions::importance)
       .def_readwrite("selected", &SoupOptions::selected)

@@ -148,6 +148,8 @@ struct SoupOptions {
   std::vector<std::array<std::uint32_t, 2>> borders = {};
   /// In the scale of which the surface is simplified: see parameters::bounding_box.
   std::optional<SoupBox> bounding_box = {};
+  /// Will the points of the result become floats? See parameters::coordinates_are_floats.
+  bool coordinates_are_floats = false;
   /// Asked now and then; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 

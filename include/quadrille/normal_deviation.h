@@ -27,7 +27,7 @@ namespace quadrille {
 /// free, a contraction is refused that takes a face and leaves none at the edge that it becomes. A
 /// part that goes whole, with Topology::parts_may_vanish, leaves nothing to compare.
 ///
-/// For any order. Where all coordinates of the input are floats, it is kept of the result as
+/// For any order. Where points are of floats, or coordinates_are_floats, it is kept of the result as
 /// rounded to floats. 16 bytes a face, and about one microsecond a contraction.
 struct NormalDeviation {
   /// In (0, 180]; at 180 all are allowed, and it is as if this were not there.

@@ -39,6 +39,8 @@ enum edge_is_border_t { edge_is_border };
 enum border_edges_t { border_edges_tag };
 /// The tag of bounding_box().
 enum bounding_box_t { bounding_box_tag };
+/// The tag of coordinates_are_floats().
+enum coordinates_are_floats_t { coordinates_are_floats_tag };
 
 /// A chain of named parameters of which the last is one of ours: each of the functions below is a
 /// member too, which puts its parameter behind this one, and so are those of CGAL.
@@ -80,6 +82,10 @@ public:
   }
   /// bounding_box() after this.
   auto bounding_box(const CGAL::Bbox_3& box) const { return then<bounding_box_t>(box); }
+  /// coordinates_are_floats() after this.
+  auto coordinates_are_floats(bool are_floats = true) const {
+    return then<coordinates_are_floats_t>(are_floats);
+  }
   /// vertex_attribute_map() after this.
   template <class Map>
   auto vertex_attribute_map(const Map& map) const {
@@ -195,6 +201,15 @@ auto border_edges(const Edges& edges, const Before&... before) {
 template <class... Before>
 auto bounding_box(const CGAL::Bbox_3& box, const Before&... before) {
   return chain<bounding_box_t>(box, before...);
+}
+
+/// Will the coordinates of the result become floats, though the points that `simplify` is given
+/// are of doubles, since a file or an array has them so? Then what is promised of distances,
+/// normals, hulls, volumes and intersections holds of those floats: places are rounded before
+/// anything is decided about them, as they are where the points are of floats.
+template <class... Before>
+auto coordinates_are_floats(bool are_floats, const Before&... before) {
+  return chain<coordinates_are_floats_t>(are_floats, before...);
 }
 
 /// A property map from vertices (of a soup: from point indices) to N numbers, for

@@ -68,6 +68,7 @@ inline namespace QUADRILLE_THREADING {
 /// - vertex_importance_map: where more faces stay
 /// - vertex_is_shared_map: of a piece of a surface, vertices that another piece has as well, with
 ///   edge_is_border_map, of a soup border_edges(), for borders between them
+/// - coordinates_are_floats: places are rounded to floats before anything is decided about them
 /// - bounding_box: the box in the scale of which the surface is simplified, as other pieces are
 /// - face_is_selected_map: only such faces are simplified, and counted
 /// - edge_is_crease_map: creases, see Quadric

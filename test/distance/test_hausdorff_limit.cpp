@@ -15,6 +15,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -383,6 +384,25 @@ TEST_CASE("Only who asks is told of both ways") {
                     std::invalid_argument);
     CHECK_THROWS_AS(simplify(soup.points, soup.triangles, HausdorffLimit::relative(distance)),
                     std::invalid_argument);
+  }
+}
+
+TEST_CASE("A Hausdorff limit holds of floats as they are written, far from the origin") {
+  // A step of floats is a five hundredth of the diagonal there.
+  const test::Soup input = test::as_floats(
+      test::mapped(test::with_noise(test::torus(40, 20), 3, 0.01), [](const test::Position& p) {
+        return p + test::Position{{1e5, 1e5, 1e5}};
+      }));
+  for (const double limit : {0.004, 0.02, 0.1}) {
+    std::vector<std::array<float, 3>> points;
+    for (const test::Position& p : input.points)
+      points.push_back({float(p[0]), float(p[1]), float(p[2])});
+    Outcome outcome{{}, {{}, input.triangles}};
+    outcome.report = simplify(points, outcome.result.triangles, HausdorffLimit{limit});
+    for (const auto& p : points)
+      outcome.result.points.push_back({{double{p[0]}, double{p[1]}, double{p[2]}}});
+    CHECK(outcome.report.hausdorff_bound <= limit);
+    check_bounds(input, outcome);
   }
 }
 

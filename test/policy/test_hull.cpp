@@ -118,6 +118,7 @@ template <class Cost, class Placement>
 std::size_t contract_and_check(const Soup& soup, int sign, bool are_floats) {
   const auto policies = internal::pick_policies<Cost, Placement>();
   auto input = test::input_of(soup);
+  input.writes_floats = are_floats;
   const auto box = input.box();
   internal::WorkingSurface<std::remove_const_t<decltype(policies)>> surface(std::move(input), box,
                                                                             policies);

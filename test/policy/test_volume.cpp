@@ -1,6 +1,8 @@
 // VolumeKeeping keeps the volume beside any cost and placement, to the rounding of coordinates.
 #include "soups.h"
 
+#include <quadrille/parameters.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>
@@ -65,6 +67,17 @@ TEST_CASE("The volume stays the same, whatever the cost and the placement") {
   check<MemorylessQuadric, EndpointPlacement>(soup, 1e-12);
   check<ThinFeatureQuadric, OptimalPlacement>(soup, 1e-12);
   check<Quadric, OptimalPlacement>(soup, 1e-12, RelaxedOrder{});
+}
+
+TEST_CASE("Doubles that happen to be floats keep the volume as others do, beside other promises") {
+  const Soup soup = test::as_floats(noisy_torus(30));
+  using Kept = VolumeKeeping<OptimalPlacement>;
+  const Result apart = simplified<MemorylessQuadric, Kept>(soup, 0.2, NoSelfIntersection{});
+  CHECK(std::abs(apart.change) < 1e-12);
+  const Result floats = simplified<MemorylessQuadric, Kept>(
+      soup, 0.2, NoSelfIntersection{}, parameters::coordinates_are_floats(true));
+  CHECK(test::is_identical(floats.soup, test::as_floats(floats.soup)));
+  CHECK(std::abs(floats.change) < 1e-6);
 }
 
 TEST_CASE("Tens of thousands of contractions do not add up to more") {

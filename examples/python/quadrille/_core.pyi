@@ -90,6 +90,7 @@ class Options:
     normal_deviation: float
     no_self_intersection: bool
     keep_solid: bool
+    coordinates_are_floats: bool
     fixed: List[bool]
     importance: Sequence[float]
     selected: List[bool]

@@ -287,6 +287,7 @@ def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], or
     remarks: List[str] = []
     if orient:
         faces, remarks = _oriented(points, faces, channels, options.split_vertices)
+    options.coordinates_are_floats = _float_type(mesh.points).itemsize < 8
     arguments = [c.arguments() for c in channels]
     try:
         arrays = _core.simplify(points, faces, label_numbers, arguments, options,

@@ -161,6 +161,7 @@ inline KeepSolid intersection_of(const SoupOptions& options) {
 /// The named parameters that the options say.
 inline auto named_of(const SoupOptions& options, const SoupVisitor& visitor) {
   return parameters::chain<parameters::bounding_box_t>(bounding_box_of(options))
+      .coordinates_are_floats(options.coordinates_are_floats)
       .border_edges(std::span<const std::array<std::uint32_t, 2>>(options.borders))
       .vertex_is_shared_map(SoupValues{&options.shared})
       .vertex_importance_map(SoupValues{&options.importance})

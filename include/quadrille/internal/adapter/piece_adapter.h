@@ -6,6 +6,7 @@
 #include <quadrille/internal/adapter/soup_parts.h>
 #include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/cost_histogram.h>
+#include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/input/surface_input.h>
@@ -18,6 +19,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
@@ -129,6 +131,7 @@ public:
         input.share(v);
     input.borders = std::move(piece_.borders);
     input.given_box = piece_.box;
+    input.writes_floats = are_floats(input);
     if (!piece_.labels.empty())
       number_labels(input);
     if (channels_)
@@ -184,6 +187,14 @@ private:
       if (!result.is_moved(v))
         return piece_.positions[input];
     return result.position(v);
+  }
+
+  // A file of floats has no others.
+  static bool are_floats(const SurfaceInput<dimension>& input) {
+    const auto is_float = [](double x) { return static_cast<double>(to_number<float>(x)) == x; };
+    return std::all_of(input.positions.begin(), input.positions.end(), [&](const auto& p) {
+      return is_float(p[0]) && is_float(p[1]) && is_float(p[2]);
+    });
   }
 
   void read_channels(std::size_t points, SurfaceInput<dimension>& input) {

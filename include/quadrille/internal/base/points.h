@@ -46,6 +46,17 @@ Vector<3> position_of(const Point& p) {
     return {};
 }
 
+/// Are the coordinates of a point floats?
+template <class Point>
+constexpr bool has_float_coordinates() {
+  if constexpr (NamedPoint<Point>)
+    return std::same_as<std::remove_cvref_t<decltype(std::declval<const Point&>().x())>, float>;
+  else if constexpr (IndexedPoint<Point>)
+    return std::same_as<std::remove_cvref_t<decltype(std::declval<Point&>()[0])>, float>;
+  else
+    return false;
+}
+
 /// A finite number of type T: what lies beyond the greatest becomes that.
 template <class T>
 T to_number(double x) {

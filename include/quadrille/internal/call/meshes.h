@@ -139,6 +139,25 @@ void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
   }
 }
 
+/// Does a mesh keep floats, though its points are told as doubles? So do those of OpenMesh.
+template <class Mesh>
+constexpr bool keeps_floats() {
+  if constexpr (requires { typename Mesh::Scalar; })
+    return std::same_as<typename Mesh::Scalar, float>;
+  else
+    return false;
+}
+
+/// Tells whether coordinates are written as floats: those of points are, or somebody says so.
+template <class Point, class Mesh, class Input, class NamedParameters>
+void tell_floats(Input& input, const NamedParameters& named) {
+  const auto are_floats =
+      CGAL::parameters::get_parameter(named, parameters::coordinates_are_floats_tag);
+  input.writes_floats = has_float_coordinates<Point>() || keeps_floats<Mesh>();
+  if constexpr (is_given<decltype(are_floats)>)
+    input.writes_floats |= are_floats;
+}
+
 template <class Mesh, class Policies, class Carried, class NamedParameters>
 Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carried& carried,
                                const NamedParameters& named) {
@@ -157,6 +176,7 @@ Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carri
       adapter(mesh, points, indices, attributes, workspace, std::move(channels));
   const auto read = [&](auto& reader) {
     auto input = reader.read();
+    tell_floats<typename boost::property_traits<decltype(points)>::value_type, Mesh>(input, named);
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
     weigh_vertices(reader, input, named);
@@ -222,6 +242,7 @@ Report simplify_soup_with_maps(Points& points, Triangles& triangles, const Polic
   auto adapter = soup_adapter(points, triangles, map, attributes, carried, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
+    tell_floats<typename boost::property_traits<decltype(map)>::value_type, Points>(input, named);
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
     weigh_vertices(reader, input, named);

@@ -161,7 +161,8 @@ constexpr void check_named(Names<Read...>) {
   using Known = Names<np::all_default_t, np::geom_traits_t, np::visitor_t,
                       np::vertex_is_constrained_t, parameters::vertex_quadric_t,
                       parameters::face_is_selected_t, parameters::vertex_is_shared_t,
-                      parameters::bounding_box_t, parameters::vertex_importance_t,
+                      parameters::bounding_box_t, parameters::coordinates_are_floats_t,
+                      parameters::vertex_importance_t,
                       parameters::vertex_tolerance_t, decltype(attribute_name<Cost>()), Read...>;
   using Attributes = Names<np::vertex_color_map_t, np::vertex_texture_map_t,
                            np::vertex_normal_map_t, parameters::vertex_attribute_t>;

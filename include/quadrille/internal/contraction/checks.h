@@ -43,14 +43,16 @@ public:
       : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
         geometry_(geometry), shared_(shared), link_condition_(link_condition), seams_(seams),
         channels_(channels), is_topology_kept_(is_topology_kept),
-        optional_(policies, complex, geometry, is_topology_kept) {}
+        optional_(policies, complex, geometry, is_topology_kept),
+        goes_where_written_(optional_.is_any() ||
+                            (scale.writes_floats() && policies.stop.is_asking_for_distance())) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
   const OptionalChecks& optional() const { return optional_; }
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
-  /// that costs the same suits them, it goes there. Where faces are kept apart, or normals
-  /// bounded, it goes to a place that can be written as it is.
+  /// that costs the same suits them, it goes there. Where faces are kept apart, or normals or
+  /// distances bounded, it goes to a place that can be written as it is.
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
@@ -63,7 +65,7 @@ public:
       return Rejection::position;
     if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
-    if (optional_.is_any()) [[unlikely]]
+    if (goes_where_written_) [[unlikely]]
       contraction.move_to(scale_.as_written(contraction.target()));
     const std::optional<Rejection> cause = refusal(contraction, contraction.target());
     if (cause && !stays(star, a) && !stays(star, b) && finds_other_place(contraction, *cause))
@@ -120,7 +122,7 @@ private:
   QUADRILLE_NOINLINE bool finds_other_place(Contraction& contraction,
                                             [[maybe_unused]] Rejection cause) const { // seldom
     const auto takes = [&](const Position& place) {
-      const Position x = optional_.is_any() ? scale_.as_written(place) : place;
+      const Position x = goes_where_written_ ? scale_.as_written(place) : place;
       if (refusal(contraction, x))
         return false;
       contraction.move_to(x);
@@ -154,6 +156,7 @@ private:
   const ChannelsOf<Policies>& channels_;
   bool is_topology_kept_;
   OptionalChecks optional_;
+  bool goes_where_written_; // see rejection()
 };
 
 } // namespace quadrille::internal

@@ -28,24 +28,17 @@
 
 namespace quadrille::internal {
 
-/// Are all coordinates floats?
-template <class Positions>
-bool are_floats(const Positions& positions) {
-  return std::all_of(positions.begin(), positions.end(), [](const auto& p) {
-    return std::all_of(p.coordinates.begin(), p.coordinates.begin() + 3,
-                       [](double x) { return static_cast<double>(to_number<float>(x)) == x; });
-  });
-}
-
-/// The units of a surface in a box, with the weights that the cost gives its attributes.
+/// The units of a surface in a box, with the weights that the cost gives its attributes. Floats are
+/// written where something is promised that their rounding could break.
 template <class Policies, std::size_t N>
 Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policies& policies) {
   using Cost = typename Policies::Cost;
   const Cost& cost = policies.cost;
   Scale<N> scale(box, is_scale_free<Cost>);
-  if ((needs_closed_surface<typename Policies::Placement> ||
-       policies.optional.make_intersection_check || policies.optional.make_normal_check) &&
-      are_floats(input.positions))
+  if (input.writes_floats &&
+      (needs_closed_surface<typename Policies::Placement> ||
+       policies.optional.make_intersection_check || policies.optional.make_normal_check ||
+       policies.stop.is_asking_for_distance()))
     scale.write_floats();
   if constexpr (requires {
                   cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);

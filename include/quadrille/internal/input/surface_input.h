@@ -37,6 +37,8 @@ struct SurfaceInput {
   std::vector<std::array<Index, 2>> borders; ///< see SharedVertices
   /// What takes the place of the surface's own box where that decides about units. Empty: nothing.
   std::optional<Box<N>> given_box;
+  /// Are the coordinates of the result floats once they are written?
+  bool writes_floats = false;
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
   /// Of each input face: may it be changed? The corners of others are fixed. Empty if all may.
   std::vector<bool> is_selected;

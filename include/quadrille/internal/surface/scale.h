@@ -70,6 +70,7 @@ public:
 
   /// What is written is rounded to floats from now on, as far as as_written() tells.
   void write_floats() { writes_floats_ = true; }
+  bool writes_floats() const { return writes_floats_; }
 
   /// Where a position lies once it has been written to the user's mesh.
   Vector<N> as_written(Vector<N> p) const {
