@@ -5,6 +5,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <iostream>
 #include <quadrille/hull.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <string>
 
@@ -13,7 +14,9 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 template <class Hull>
 bool write_hull(Mesh mesh, const std::string& file) {
   using namespace quadrille;
-  std::cout << file << ": " << simplify<MemorylessQuadric, Hull>(mesh, FaceCount{400}) << '\n';
+  const Report report =
+      simplify<MemorylessQuadric, Hull>(mesh, FaceCount{400}, NoSelfIntersection{});
+  std::cout << file << ": " << report << '\n';
   return CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::stream_precision(17));
 }
 

@@ -58,7 +58,9 @@ SoupResult soup_placed_by(const Placement& placement, const SoupView& soup,
 } // namespace
 
 SoupResult hull_of_soup(const SoupView& soup, const SoupOptions& options, bool is_outer) {
-  return soup_placed_by(EitherHull(is_outer), soup, options);
+  SoupOptions apart = options; // what turns over does not lie inside
+  apart.no_self_intersection |= !is_outer;
+  return soup_placed_by(EitherHull(is_outer), soup, apart);
 }
 
 SoupResult soup_of_same_volume(const SoupView& soup, const SoupOptions& options) {

@@ -60,8 +60,12 @@ private:
 } // namespace internal
 
 /// Placement and filter in one: each contraction adds to what the surface encloses and takes
-/// nothing away, so that the result encloses the input. `OuterHull` is `Hull<Side::outer>`;
-/// `InnerHull` is the same the other way round, and its result is enclosed by the input.
+/// nothing away, so that the result encloses the input. `OuterHull` is `Hull<Side::outer>`.
+/// `InnerHull` is the same the other way round: no point has a greater winding number in the result
+/// than in the input. That alone does not keep it inside: where a wall is thinner than what
+/// contractions take away, it turns over, and points that neither enclosed have −1. Beside
+/// NoSelfIntersection it does not, so of an input that does not intersect itself the result lies
+/// inside; it ends where that leaves no pair. Pass both.
 ///
 /// The pair goes to the position of least cost on the outer side of the planes of all faces around
 /// it, those that vanish too. Each tetrahedron of such a face and the new vertex is then oriented
@@ -74,12 +78,13 @@ private:
 /// faces of the new vertex, a cone over the same border. S and C together bound the tetrahedra of
 /// the faces of S and the new vertex. If these are oriented positively, the winding number of every
 /// point grows by the number of tetrahedra in which it lies, and never falls. So each point of
-/// winding number 1 or more keeps one, even where the surface passes through itself.
+/// winding number 1 or more keeps one, even where the surface passes through itself. The other way
+/// round it never grows, and where the surface cannot turn over none becomes negative.
 ///
 /// The surface has to be closed and oriented: each edge has as many faces on one side as on the
 /// other, else std::invalid_argument says how many do not, as for a surface that is oriented
-/// inwards as a whole, and for topology that is free. Parts may lie inside of others. Coordinates
-/// are rounded to floats where all of the input's are floats.
+/// inwards as a whole, and for topology that is free. Parts may lie inside of others. Places are
+/// rounded to floats where the points of the mesh are of floats, or with coordinates_are_floats.
 ///
 /// With Quadric, MemorylessQuadric or ThinFeatureQuadric, and GreedyOrder. This header includes
 /// CGAL's kernel of exact predicates (LGPL).
@@ -238,7 +243,8 @@ private:
 };
 
 using OuterHull = Hull<Side::outer>; ///< its result encloses the input
-using InnerHull = Hull<Side::inner>; ///< its result is enclosed by the input
+/// Beside NoSelfIntersection its result is enclosed by the input.
+using InnerHull = Hull<Side::inner>;
 
 } // namespace quadrille
 

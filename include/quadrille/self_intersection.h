@@ -22,8 +22,9 @@ namespace quadrille {
 /// many are left. Faces without an area intersect none, and no face loses its area.
 ///
 /// What would make faces intersect is refused: Rejection::self_intersection. All is decided
-/// exactly, by CGAL's predicates, on the coordinates that will be written to the mesh: where all
-/// coordinates of the input are floats, those of the result are, too.
+/// exactly, by CGAL's predicates, on the coordinates that will be written to the mesh: as floats
+/// where its points are of floats, or with parameters::coordinates_are_floats. Where faces are in
+/// the way of the place of least cost, the vertex goes to an end of its pair.
 ///
 /// For GreedyOrder only. O(log n) for each contraction, as a rule, and 36 bytes a face: all takes
 /// three to five times as long.

@@ -5,6 +5,7 @@
 #include <quadrille/internal/intersection/face_sides.h>
 #include <quadrille/internal/intersection/flat_fan.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
+#include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
@@ -288,6 +289,21 @@ TEST_CASE("Nested surfaces stay nested") {
   check_apart<MemorylessQuadric>(shell(0.03), 0.05);
 }
 
+TEST_CASE("Shells close together are simplified as far as by endpoints") {
+  Soup shells;
+  for (const double radius : {1.0, 0.98, 0.96})
+    shells =
+        test::joined(std::move(shells),
+                     test::mapped(test::sphere(3), [&](const Position& p) { return radius * p; }));
+  const auto faces_left = [&](auto placement) {
+    Soup soup = shells;
+    simplify_soup_of<Quadric, decltype(placement)>(soup, FaceCount{4}, NoSelfIntersection{});
+    CHECK(intersections(mesh_of<Kernel::Point_3>(soup)) == 0);
+    return soup.triangles.size();
+  };
+  CHECK(2 * faces_left(OptimalPlacement{}) <= 3 * faces_left(EndpointPlacement{}));
+}
+
 TEST_CASE("What is written does not intersect, in floats, far from the origin") {
   Soup soup = shell(0.01);
   for (Position& p : soup.points)
@@ -306,8 +322,12 @@ TEST_CASE("What is written does not intersect, in floats, far from the origin") 
 
 TEST_CASE("A target is rounded as it will be written before it is looked at") {
   Soup soup = test::as_floats(shell(0.03));
-  simplify_soup_of(soup, FaceRatio{0.2}, NoSelfIntersection{});
+  Soup doubles = soup;
+  simplify_soup_of(soup, FaceRatio{0.2}, NoSelfIntersection{},
+                   parameters::coordinates_are_floats(true));
   CHECK(test::is_identical(soup, test::as_floats(soup)));
+  simplify_soup_of(doubles, FaceRatio{0.2}, NoSelfIntersection{}); // that happen to be floats
+  CHECK_FALSE(test::is_identical(doubles, test::as_floats(doubles)));
 }
 
 TEST_CASE("Faces around a vertex do not fold upon each other") {

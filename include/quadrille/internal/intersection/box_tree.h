@@ -92,8 +92,16 @@ public:
   /// Calls visit(slot, box) for each box that meets another one, by slots.
   template <class Visit>
   void for_each_meeting(const FloatBox& box, Visit visit) const {
-    if (!levels_.empty())
-      descend(levels_.size() - 1, 0, box, visit);
+    any_meeting(box, [&](std::size_t slot, const FloatBox& other) {
+      visit(slot, other);
+      return false;
+    });
+  }
+
+  /// The same until a call says true; did one?
+  template <class Visit>
+  bool any_meeting(const FloatBox& box, Visit visit) const {
+    return !levels_.empty() && descend(levels_.size() - 1, 0, box, visit);
   }
 
 private:
@@ -135,18 +143,17 @@ private:
   };
 
   template <class Visit>
-  void descend(std::size_t level, std::size_t block, const FloatBox& box, Visit& visit) const {
+  bool descend(std::size_t level, std::size_t block, const FloatBox& box, Visit& visit) const {
     const Block& boxes = levels_[level][block];
     const std::array<std::int32_t, width> meets = boxes.meets(box);
     for (std::size_t lane = 0; lane < width; ++lane) {
       if (!meets[lane])
         continue;
       const std::size_t slot = block * width + lane;
-      if (level == 0)
-        visit(slot, boxes.box(lane));
-      else
-        descend(level - 1, slot, box, visit);
+      if (level == 0 ? visit(slot, boxes.box(lane)) : descend(level - 1, slot, box, visit))
+        return true;
     }
+    return false;
   }
 
   std::vector<std::vector<Block>> levels_; // from the boxes themselves to one around them all

@@ -43,16 +43,17 @@ public:
 
   bool makes_intersection(const PairStar& star, Index first, Index second,
                           const Vector<3>& target) override {
-    gather(star, first, second, target);
-    const auto meets_near = [this](const PlacedFace& changed) {
-      const FaceSides sides(changed.corners);
-      return std::any_of(near_.begin(), near_.end(), [&](const PlacedFace& other) {
-        return changed.box.meets(other.box) && !sides.separate(other.corners) &&
-               begin_to_meet(changed, other);
+    const FloatBox around = gather(star, first, target);
+    if (!fan_.is(changed_) && (meets_itself() || turns_inside_out(star, first, second)))
+      return true;
+    const auto is_beside = [&](Index face) {
+      const auto& v = complex_.vertices(face);
+      return !complex_.is_removed(face) && std::none_of(v.begin(), v.end(), [&](Index w) {
+        return w != star.hub && (w == first || w == second);
       });
     };
-    return (!fan_.is(changed_) && (meets_itself() || turns_inside_out(star, first, second))) ||
-           std::any_of(changed_.begin(), changed_.end(), meets_near) || passes_over_near();
+    return (is_beside(last_met_) && is_met(last_met_)) || meets_near(around, is_beside) ||
+           passes_over_near();
   }
 
   void follow(const PairStar& star, Index first) override {
@@ -165,12 +166,12 @@ private:
       visit(f);
   }
 
-  // The faces that a contraction would change, where they would be, and those that are near them.
-  void gather(const PairStar& star, Index first, Index second, const Vector<3>& target) {
+  // The faces that a contraction would change, where they would be; the box around them, now and
+  // then.
+  FloatBox gather(const PairStar& star, Index first, const Vector<3>& target) {
     changed_.clear();
-    near_.clear();
-    swept_.begin(target);
     old_.clear();
+    target_ = target;
     FloatBox around = FloatBox::empty();
     const Index kept = star.hub == none ? first : star.hub;
     for_each_changed(star, first, [&](const StarFace& f) {
@@ -184,27 +185,53 @@ private:
     });
     for (const StarFace& f : star.shared)
       sweep(f.face, around);
-    const auto is_changed = [&](Index face) {
-      const auto& v = complex_.vertices(face);
-      return std::any_of(v.begin(), v.end(),
-                         [&](Index w) { return w != star.hub && (w == first || w == second); });
-    };
-    boxes_.for_each_meeting(around, [&](std::size_t slot, const FloatBox& box) {
-      if (const Index face = faces_[slot]; !complex_.is_removed(face) && !is_changed(face))
-        near_.push_back({face, box, corners_of(face)});
+    return around;
+  }
+
+  // Would a changed face meet one beside them? Where none does, those that are near are known then.
+  template <class IsBeside>
+  bool meets_near(const FloatBox& around, IsBeside is_beside) {
+    near_.clear();
+    sides_.clear();
+    for (const PlacedFace& face : changed_)
+      sides_.emplace_back(face.corners);
+    return boxes_.any_meeting(around, [&](std::size_t slot, const FloatBox& box) {
+      const Index face = faces_[slot];
+      if (!is_beside(face))
+        return false;
+      near_.push_back({face, box, corners_of(face)});
+      for (std::size_t i = 0; i < changed_.size(); ++i)
+        if (changed_[i].box.meets(box) && !sides_[i].separate(near_.back().corners) &&
+            begin_to_meet(changed_[i], near_.back())) {
+          last_met_ = face;
+          return true;
+        }
+      return false;
+    });
+  }
+
+  // Another place of the same pair often meets the same face, or one beside it.
+  bool is_met(Index face) const {
+    const PlacedFace other{face, box_of(face), corners_of(face)};
+    return std::any_of(changed_.begin(), changed_.end(), [&](const PlacedFace& changed) {
+      return changed.box.meets(other.box) && !FaceSides(changed.corners).separate(other.corners) &&
+             begin_to_meet(changed, other);
     });
   }
 
   void sweep(Index face, FloatBox& around) {
-    const FaceCorners corners = corners_of(face);
-    swept_.add(corners.points);
     old_.push_back(face);
-    around.add(box_of(corners));
+    around.add(box_of(face));
   }
 
   // Does the surface pass over one of the faces near it? Of one that meets it neither before nor
   // afterwards a point tells, which lies on no line that is likely to be a side of something.
-  bool passes_over_near() const {
+  bool passes_over_near() {
+    if (near_.empty())
+      return false;
+    swept_.begin(target_);
+    for (const Index face : old_)
+      swept_.add(corners_of(face).points);
     return std::any_of(near_.begin(), near_.end(), [this](const PlacedFace& face) {
       const auto& [a, b, c] = face.corners.points;
       return swept_.has(0.4142 * a + 0.3183 * b + 0.2675 * c) && !is_degenerate(face.corners) &&
@@ -281,9 +308,12 @@ private:
   std::vector<Index> slots_; // of each face
   BoxTree boxes_;
   std::size_t left_ = 0;
-  std::vector<PlacedFace> changed_, near_; // see gather()
-  std::vector<Index> old_;                 // faces that a contraction would change, or take away
-  SweptSpace swept_;                       // by these
+  std::vector<PlacedFace> changed_, near_; // see gather() and meets_near()
+  std::vector<FaceSides> sides_;           // of those that change
+  Index last_met_ = 0;
+  std::vector<Index> old_; // faces that a contraction would change, or take away
+  Vector<3> target_{};                     // of the last contraction
+  SweptSpace swept_;                       // by old_ on the way there
   FlatFan fan_;
 };
 

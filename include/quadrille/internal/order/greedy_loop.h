@@ -64,6 +64,7 @@ private:
   static constexpr Index vertices_between_visits = 1 << 16;
   static constexpr std::size_t pairs_between_visits = 256;
   static constexpr float tolerated_rise_at_hub = 1.25f;
+  static constexpr double part_that_pays = 0.95; // of the faces left since the last look for a way
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
   StopReason contract_pairs() {
@@ -84,8 +85,8 @@ private:
       if (is_put_off(candidate, contraction.star(), *next))
         continue;
       std::optional<Rejection> cause = refusal(contraction);
-      if (cause && tries_ends_ && moves_to_end(contraction)) {
-        if (goes_back(contraction.candidate(), *next))
+      if (cause && moves_to_end(contraction, *cause)) {
+        if (goes_back(contraction.candidate(), *next, true))
           continue;
         cause.reset();
       }
@@ -133,8 +134,13 @@ private:
            may_have_way();
   }
 
-  bool moves_to_end(Contraction& contraction) {
-    return internal::moves_to_end(surface_.evaluator(), contraction,
+  // To an end, where faces are in the way of the place of least cost, which ends seldom are: shells
+  // and walls close together would soon hold each other. And around a hub: see may_try_ends().
+  bool moves_to_end(Contraction& contraction, Rejection cause) {
+    const bool is_in_the_way =
+        !looks_at_star<typename Policies::Placement> && cause == Rejection::self_intersection;
+    return (is_in_the_way || tries_ends_) &&
+           internal::moves_to_end(surface_.evaluator(), contraction,
                                   [this](Contraction& c) { return refusal(c); });
   }
 
@@ -150,11 +156,12 @@ private:
   }
 
   // Once no pair is left, faces may have gone from where others were refused for meeting them: that
-  // need not be near the pairs.
+  // need not be near the pairs. As long as looking at all of them again pays.
   QUADRILLE_NOINLINE bool may_have_way() {
-    if (!has_met_intersection_ || has_looked_for_way_)
+    const auto faces = static_cast<double>(surface_.status().faces);
+    if (!has_met_intersection_ || faces > part_that_pays * faces_before_way_)
       return false;
-    has_looked_for_way_ = true;
+    faces_before_way_ = faces;
     waiting_.release_all(push_again());
     return true;
   }
@@ -206,13 +213,13 @@ private:
     });
   }
 
-  // Into the queue, if it has become more costly; by more than a little at a hub, where each
-  // contraction makes all pairs so.
-  bool goes_back(const Candidate& candidate, const QueuedPair& pair) {
+  // Into the queue, if it has become more costly, or been moved to where it is; by more than a
+  // little at a hub, where each contraction makes all pairs so.
+  bool goes_back(const Candidate& candidate, const QueuedPair& pair, bool has_moved = false) {
     surface_.progress().announce(candidate.error);
     constexpr bool may_rise = has_local_terms<Cost> || looks_at_star<typename Policies::Placement>;
     const bool is_at_hub = surface_.complex().hubs().of_pair(pair.first, pair.second) != none;
-    if (!may_rise && !is_at_hub && !tries_ends_)
+    if (!may_rise && !is_at_hub && !tries_ends_ && !has_moved)
       return false;
     const auto key = static_cast<float>(candidate.key);
     const float tolerated =
@@ -291,7 +298,7 @@ private:
   bool tries_ends_ = false;     // see may_try_ends()
   std::size_t pairs_seen_ = 0;
   bool has_met_distance_ = false, has_met_destruction_ = false, has_met_intersection_ = false;
-  bool has_looked_for_way_ = false; // see may_have_way()
+  double faces_before_way_ = no_limit; // see may_have_way()
 };
 
 } // namespace quadrille::internal
