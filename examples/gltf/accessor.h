@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -53,6 +54,15 @@ struct ElementType {
     components = static_cast<std::size_t>(found - names.begin()) + 1;
     const Json* const normalized = member(accessor, "normalized");
     is_normalized = normalized && *normalized == Json(true) && !component.is_float;
+  }
+
+  /// The same numbers of single precision, which mean themselves.
+  ElementType as_floats() const {
+    ElementType type = *this;
+    type.component = *std::find_if(std::begin(component_types), std::end(component_types),
+                                   [](const ComponentType& t) { return t.is_float; });
+    type.is_normalized = false;
+    return type;
   }
 
   std::size_t size() const { return components * component.size; }

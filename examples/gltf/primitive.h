@@ -36,6 +36,7 @@ struct GltfAttribute {
   std::optional<std::size_t> target;
   AttributeKind kind;
   Elements elements;
+  ElementType written; ///< how new ones are stored; as the old ones, unless somebody says otherwise
   bool is_label = false; ///< do faces of different values lie in different regions, which stay?
 };
 
@@ -132,7 +133,8 @@ private:
     elements.require_finite();
     const AttributeKind kind =
         target ? AttributeKind::number : attribute_kind(name, elements.type());
-    attributes_.push_back({name, target, kind, std::move(elements)});
+    const ElementType type = elements.type();
+    attributes_.push_back({name, target, kind, std::move(elements), type});
   }
 
   /// 0 as long as there are no positions.

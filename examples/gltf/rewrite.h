@@ -179,7 +179,7 @@ private:
   std::size_t add_attribute(const GltfAttribute& attribute, const GltfVertices& vertices,
                             std::size_t number, std::size_t buffer) {
     const std::size_t old = attribute.elements.index();
-    const ElementType& type = attribute.elements.type();
+    const ElementType& type = attribute.written;
     const std::string& bytes = vertices.column(number);
     const std::size_t stride = vertices.stride(number);
     Json view = new_view(buffer_of(old, buffer), of_vertices);
@@ -188,6 +188,10 @@ private:
     Json accessor = old_accessors_[old];
     for (const char* const key : {"sparse", "byteOffset"})
       accessor.erase(key);
+    if (type.component.code != attribute.elements.type().component.code) {
+      accessor["componentType"] = type.component.code;
+      accessor.erase("normalized");
+    }
     accessor["bufferView"] = add_view(std::move(view), bytes);
     accessor["count"] = vertices.size();
     if (attribute.kind == AttributeKind::position || member(accessor, "min") ||

@@ -55,6 +55,12 @@ public:
   }
 
   const std::vector<GltfPrimitive>& primitives() const { return primitives_; }
+  /// Positions that are whole numbers, as of KHR_mesh_quantization, become floats: new places are
+  /// not among those that the numbers can tell.
+  void write_positions_as_floats() {
+    for (GltfPrimitive& primitive : primitives_)
+      primitive.attributes.front().written = primitive.attributes.front().written.as_floats();
+  }
   bool has(AttributeKind kind) const { return channels_.has(kind); }
 
   /// The number of the mesh of which the surface is.

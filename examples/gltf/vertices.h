@@ -43,7 +43,7 @@ public:
 
 private:
   const ElementType& type(std::size_t attribute) const {
-    return primitive_.attributes[attribute].elements.type();
+    return primitive_.attributes[attribute].written;
   }
 
   void add_corner(const std::vector<Element>& elements) {

@@ -184,8 +184,7 @@ inline void require_consistency(const Options& options) {
             "--drop-parts");
   refuse_if(options.target.is_calibrated && !options.record.empty(),
             "--calibrated does not go with --record: it runs several times");
-  refuse_if(options.verifies && !options.target.is_limited() && !options.forbids_intersections &&
-                !options.keeps_solid && options.normal_degrees == 180,
+  refuse_if(options.verifies && !options.promises(),
             "--verify needs something that is promised: --error, --tolerance, "
             "--no-self-intersection, --solid or --normals");
   refuse_if(options.threads > 0 && !options.is_relaxed && options.scratch.empty(),

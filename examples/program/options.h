@@ -78,6 +78,10 @@ struct Options {
     return line_weight > 0 || normal_noise > 0 || position_noise.value > 0 || weighs_squared_area;
   }
   bool joins_pairs() const { return pairs.value > 0; }
+  /// Is anything asked for that OUT is to keep?
+  bool promises() const {
+    return target.is_limited() || forbids_intersections || keeps_solid || normal_degrees < 180;
+  }
 };
 
 inline quadrille::Topology topology(const Options& options) {
@@ -112,6 +116,10 @@ inline std::string extension_of(const std::string& file, const Options& options)
 inline std::string output_extension(const Options& options) {
   return options.output_format.empty() ? extension_of(options.output, options)
                                        : "." + options.output_format;
+}
+/// Are coordinates of OUT floats, whatever IN has? So they are in STL.
+inline bool writes_floats(const Options& options) {
+  return equal_ignoring_case(output_extension(options), ".stl");
 }
 
 /// The format that the name of a file ends in, else that of --format.

@@ -33,6 +33,14 @@ void require_fit(const Options& options, const Surfaces& surfaces) {
     refuse_without_faces(options, vertices);
 }
 
+/// Where no mesh is placed by its nodes, the scene is of the floats of the file.
+bool are_floats(const quadrille::SoupPoints& points) {
+  return std::all_of(points.begin(), points.end(), [](const auto& p) {
+    return std::all_of(p.begin(), p.end(),
+                       [](double x) { return double{static_cast<float>(x)} == x; });
+  });
+}
+
 void print_remarks(const Options& options, GltfMeshes& meshes) {
   for (const std::string& remark :
        remarks_of(meshes, options.input, options.output, options.leaves_images))
@@ -125,9 +133,13 @@ private:
     GltfSceneSurface scene(surfaces, placements_);
     const double diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
     const quadrille::Report report = with_errors_of_file(options, [&] {
-      return scene.simplify(soup_options(options, scene.points(), scene.triangles()),
-                            channel_choices(options));
+      quadrille::SoupOptions soup = soup_options(options, scene.points(), scene.triangles());
+      soup.coordinates_are_floats = are_floats(scene.points());
+      return scene.simplify(soup, channel_choices(options));
     });
+    if (options.promises())
+      for (GltfSurface& surface : surfaces)
+        surface.write_positions_as_floats();
     require_not_interrupted(options);
     outcomes_.push_back({name, options.target, report, diagonal});
     outcomes_.back().has_labels = scene.has_labels();
@@ -135,10 +147,19 @@ private:
       progress_.show_stage("measuring");
     if (options.measures)
       outcomes_.back().measured = measure(input, surfaces, placements_);
-    if (options.verifies) // the scene, as the soup that has been simplified
-      outcomes_.back().verdict = verify(options, report, mesh_of(scene.points(), scene.triangles()),
-                                        mesh_of(scene.result().points, scene.result().triangles),
-                                        scene.result().image, progress_);
+    if (options.verifies)
+      outcomes_.back().verdict = verified(options, report, scene, surfaces);
+  }
+
+  /// The scene, as the soup that has been simplified, and as the numbers of the file have it.
+  quadrille::Verdict verified(const Options& options, const quadrille::Report& report,
+                              const GltfSceneSurface& scene, Surfaces surfaces) {
+    const IndexedMesh input = mesh_of(scene.points(), scene.triangles());
+    const GltfSceneSurface written(surfaces, placements_);
+    return verify(options, report,
+                  {input, input, mesh_of(scene.result().points, scene.result().triangles),
+                   mesh_of(written.points(), written.triangles())},
+                  scene.result().image, progress_);
   }
 
   std::vector<Surfaces> levels_of(GltfMeshes& meshes) {

@@ -4,6 +4,7 @@
 #include "../gltf/scene_mesh.h"
 #include "../mesh_io.h"
 #include "../mesh_io/replace_file.h"
+#include "../mesh_io/text.h"
 #include "../mesh_io/winding.h"
 #include "calibration.h"
 #include "figures.h"
@@ -115,10 +116,17 @@ const MeshFormat& format_of_output(const Options& options) {
   return is_gltf(output_extension(options)) ? gltf_format : output_format(options);
 }
 
-IndexedMesh read(const Options& options) {
+/// The content of IN, but of glTF, which is read by itself.
+Source source_of(const Options& options) {
+  if (is_gltf(extension_of(options.input, options)))
+    return {};
+  return read_source(options.input);
+}
+
+IndexedMesh read(const Options& options, const Source& source) {
   if (is_gltf(extension_of(options.input, options)))
     return GltfSceneMesh::read(options.input);
-  return read_mesh(options.input, format_of(options.input, options),
+  return read_mesh(source, format_of(options.input, options),
                    options.weld ? Weld::places : Weld::surfaces, options.weld.value_or(Amount{}));
 }
 
@@ -146,6 +154,24 @@ void require_recordable(const Options& options) {
   require_replaceable(options.record, options.is_forced);
 }
 
+/// Rounds what is to be written so; had any point other coordinates?
+bool round_to_floats(IndexedMesh& mesh) {
+  bool has_changed = false;
+  for (auto& p : mesh.points) {
+    const auto nearest = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+    const Point rounded(nearest(p.x()), nearest(p.y()), nearest(p.z()));
+    has_changed |= rounded != p;
+    p = rounded;
+  }
+  return has_changed;
+}
+
+std::string text_of_length(double length) {
+  std::ostringstream text;
+  text << length;
+  return std::move(text).str();
+}
+
 std::string encoded_levels(const quadrille::Levels& levels) {
   std::ostringstream file;
   quadrille::write_levels(file, levels);
@@ -165,7 +191,8 @@ public:
   bool run() {
     print_remark_of_memory(options_);
     progress_.show_stage("reading");
-    IndexedMesh mesh = read(options_);
+    const Source source = source_of(options_);
+    IndexedMesh mesh = read(options_, source);
     require_fit(options_, mesh);
     take_scalars(options_, mesh); // OUT may not hold them
     fit_to_format(mesh, format_);
@@ -175,6 +202,7 @@ public:
     if (!is_standard_output(options_.output) && !writes_gltf())
       print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);
+    compare_with_file(source, mesh);
     if (!options_.levels.empty())
       simplify_to_levels(mesh);
     else if (!options_.record.empty())
@@ -206,35 +234,78 @@ private:
     });
   }
 
+  /// Where something is promised: what is simplified is as OUT can hold it, and how far it is then
+  /// from what IN is, without any welding, counts.
+  void compare_with_file(const Source& source, IndexedMesh& mesh) {
+    if (!options_.promises() || is_gltf(extension_of(options_.input, options_)))
+      return;
+    const bool is_rounded = writes_floats(options_) && round_to_floats(mesh);
+    if (!is_rounded && options_.weld.value_or(Amount{}).value == 0)
+      return;
+    if (!options_.tolerances.empty())
+      throw std::runtime_error(options_.input + ": --weld, or an OUT of floats, moves points, " +
+                               "which --tolerance does not count: make a file of what is welded, " +
+                               "and simplify that into a format of doubles");
+    file_ = read_mesh(source, format_of(options_.input, options_));
+    progress_.show_stage("measuring");
+    moved_ = distance_between(*file_, mesh, progress_);
+  }
+
+  /// What is left of a limit of distance for the simplification, so that OUT is within it of IN.
+  Options with_rest_of_limit(Options options) const {
+    if (!file_ || !options.target.error)
+      return options;
+    const double limit =
+        length_of(*options.target.error, diagonal(file_->points, file_->triangles));
+    if (!(moved_ < limit))
+      throw std::runtime_error(
+          options.input + ": before anything is simplified, it is up to " + text_of_length(moved_) +
+          " from the file, by --weld or by the numbers of OUT, and --error allows " +
+          text_of_length(limit));
+    options.target.error = Amount{limit - moved_, false};
+    return options;
+  }
+
   /// A run to one target; `simplify` is what simplifies a mesh, and tells what points become.
-  void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options,
+  void simplify_to(const std::string& file, IndexedMesh mesh, const Options& asked_options,
                    const Simplify& simplify) {
+    const Options options = with_rest_of_limit(asked_options);
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
     std::vector<std::size_t> images;
     std::vector<std::size_t>* const asked = options.verifies ? &images : nullptr;
     const bool has_labels = !FaceRegions(mesh).labels().empty();
-    const quadrille::Report report = with_errors_of_file(options, [&] {
+    quadrille::Report report = with_errors_of_file(options, [&] {
       return options.target.is_calibrated ? simplify_calibrated(mesh, options, asked, simplify)
                                           : simplify(mesh, options, asked);
     });
     require_not_interrupted(options);
-    outcomes_.push_back({file, options.target, report, diagonal_});
+    report.distance_bound += moved_;
+    report.hausdorff_bound += moved_;
+    outcomes_.push_back({file, asked_options.target, report, diagonal_});
     outcomes_.back().has_labels = has_labels;
+    contents_.push_back(content(file, mesh));
     if (input)
       progress_.show_stage("measuring");
     if (options.measures)
       outcomes_.back().measured = measure(*input, mesh);
     if (options.verifies)
       outcomes_.back().verdict =
-          verify(options, report, *input, mesh, std::move(images), progress_);
-    contents_.push_back(content(file, mesh));
+          verify(options, report, {file_ ? *file_ : *input, *input, mesh, read_back(mesh)},
+                 std::move(images), progress_);
   }
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& options) {
     simplify_to(file, std::move(mesh), options,
                 [](IndexedMesh& m, const Options& o, std::vector<std::size_t>* image) {
                   return simplify_mesh(m, o, {}, image);
                 });
+  }
+
+  /// The last result, as it will be read from its file.
+  IndexedMesh read_back(const IndexedMesh& mesh) const {
+    return writes_gltf() || mesh.triangles.empty()
+               ? mesh
+               : read_mesh(Source{options_.output, contents_.back()}, format_);
   }
 
   /// Each with all that the mesh has, as a run of its own.
@@ -281,6 +352,8 @@ private:
   const MeshFormat& format_;
   std::vector<std::string> files_, contents_;
   double diagonal_ = 0;
+  std::optional<IndexedMesh> file_; // what IN is, where that has been moved; by so much at most
+  double moved_ = 0;
   std::vector<Outcome> outcomes_;
 };
 

@@ -107,6 +107,7 @@ quadrille::SoupOptions soup_options(const Options& options) {
   result.topology = topology(options);
   result.no_self_intersection = options.forbids_intersections;
   result.keep_solid = options.keeps_solid;
+  result.coordinates_are_floats = writes_floats(options);
   result.normal_deviation = options.normal_degrees;
   result.proceed = options.proceed;
   return result;
