@@ -390,10 +390,10 @@ TEST_CASE("Only who asks is told of both ways") {
 TEST_CASE("A Hausdorff limit holds of floats as they are written, far from the origin") {
   // A step of floats is a five hundredth of the diagonal there.
   const test::Soup input = test::as_floats(
-      test::mapped(test::with_noise(test::torus(40, 20), 3, 0.01), [](const test::Position& p) {
+      test::mapped(test::with_noise(test::torus(24, 12), 3, 0.01), [](const test::Position& p) {
         return p + test::Position{{1e5, 1e5, 1e5}};
       }));
-  for (const double limit : {0.004, 0.02, 0.1}) {
+  for (const double limit : {0.004, 0.1}) {
     std::vector<std::array<float, 3>> points;
     for (const test::Position& p : input.points)
       points.push_back({float(p[0]), float(p[1]), float(p[2])});
