@@ -98,8 +98,12 @@ private:
     if (is_standard_input(options_.input) || is_standard_output(options_.output))
       throw std::runtime_error(
           "--out-of-core reads and writes files, not standard input or output");
-    if (!keeps_tiles(options_))
-      require_replaceable(options_.output, options_.is_forced);
+    if (options_.memory < 128'000'000)
+      throw std::runtime_error("--memory: that is too little; it has to be at least 128M");
+    if (keeps_tiles(options_))
+      return;
+    require_replaceable(options_.output, options_.is_forced);
+    quadrille::internal::require_writable(options_.output);
   }
 
   bool run_cost() {

@@ -219,6 +219,8 @@ public:
   /// All of it. If OutOfCore::proceed says so, it ends before: StopReason::cancelled.
   FileReport operator()(const std::filesystem::path& output) {
     const auto begin = std::chrono::steady_clock::now();
+    if (!options_.keeps_tiles)
+      internal::require_writable(output);
     try {
       partition();
       do
@@ -274,7 +276,7 @@ private:
   void cut_file() {
     const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
     tell(0);
-    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2), tell);
+    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2, [&] { tell(0); }), tell);
   }
 
   void find_limit() {
@@ -325,8 +327,9 @@ private:
 /// flight, nor on interruptions. Topology is kept as `simplify` keeps it. What else the file has,
 /// lists and other elements, is refused, but with OutOfCore::positions_only.
 ///
-/// Time O(n log n) for n faces, reading the file five times; memory as told, with two bytes for
-/// each vertex at least; on disk about 28 bytes for each face. Throws as PartitionedSimplifier.
+/// Time O(n log n) for n faces, reading its faces twice and its vertices four times; memory as
+/// told, with two bytes for each vertex at least; on disk about 60 bytes for each face. Throws as
+/// PartitionedSimplifier.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
 FileReport simplify_file(const SurfaceFiles& input, const std::filesystem::path& output,
                          const Stop& stop, const OutOfCore& options, Cost cost = {},

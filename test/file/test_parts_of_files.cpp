@@ -184,7 +184,7 @@ TEST_CASE("Corners that lie at one place are made one, in whatever memory") {
   with_minus[with_minus.find(zero) + 3] = '\x80'; // −0 at one of its corners
   const auto stl = folder.file("in.stl", with_minus);
   for (const std::uint64_t memory : {1'000'000U, 4'000U}) { // in one run, and in many
-    StlWeld::run(stl, folder.path("out.ply"), folder.path("scratch"), memory);
+    StlWeld::run(stl, folder.path("out.ply"), folder.path("scratch"), memory, false, [] {});
     const Soup welded = test::read_ply(folder.path("out.ply"));
     const auto topology = test::topology_of(welded);
     CHECK(topology.is_closed());

@@ -13,6 +13,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 /// \file
@@ -174,6 +175,19 @@ private:
   std::uint64_t written_ = 0;
   bool is_done_ = false;
 };
+
+/// Throws, with the name of the file, if it could not be written; at the end of hours is too late.
+inline void require_writable(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    fail_file(path, std::string("cannot be written: ") + std::strerror(EISDIR));
+  const auto beside = path.string() + ".unfinished-" + std::to_string(std::random_device{}());
+  const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    fail_file(path, std::string("cannot be written: ") + std::strerror(errno));
+  ::close(descriptor);
+  ::unlink(beside.c_str());
+}
 
 } // namespace quadrille::internal
 

@@ -139,6 +139,10 @@ public:
     remove_job_files(
         phase(k), {"plan", "vertices", "faces", "labels", "bounds", "borders", "sample", "left"});
   }
+  /// What the parts of a phase were, when all are simplified.
+  void remove_parts(unsigned k) const {
+    remove_job_files(phase(k), {"vertices", "faces", "labels", "bounds", "borders", "sample"});
+  }
   void remove_phases() const {
     for (const unsigned k : phases())
       remove_phase(k);

@@ -166,6 +166,7 @@ public:
     plan.is_exact = !fits && is_enough;
     plan.is_last = fits && (plan.step >= schedule().size() || next.faces() <= target() || is_held ||
                             (target_.is_limited() && next.faces() <= budget_.part_faces()));
+    folder_.remove_parts(plan_.phase); // what is left of them is there
     folder_.begin_phase(plan.phase);
     const std::uint64_t most = plan.is_last ? next.vertices() : budget_.part_vertices();
     const PartScatter scatter = next.write(plan.input.box, plan.input.vertices, most,

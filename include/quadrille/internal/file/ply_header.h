@@ -109,7 +109,8 @@ struct PlyElement {
 struct PlyHeader {
   bool is_big_endian = false;
   std::vector<PlyElement> elements;
-  std::uint64_t size = 0; ///< of the header, in bytes
+  std::vector<std::string> textures; ///< comments that name one: "TextureFile wall.png"
+  std::uint64_t size = 0;            ///< of the header, in bytes
 
   bool is_swapped() const { return is_big_endian != (std::endian::native == std::endian::big); }
 };
@@ -156,9 +157,17 @@ private:
       read_element(words);
     else if (keyword == "property")
       read_property(words);
-    else if (keyword != "comment" && keyword != "obj_info" && keyword != "end_header")
+    else if (keyword == "comment")
+      read_comment(line.substr(line.find(keyword) + keyword.size()));
+    else if (keyword != "obj_info" && keyword != "end_header")
       fail("unknown keyword '" + keyword + "' in the header");
     return keyword != "end_header";
+  }
+
+  void read_comment(const std::string& text) {
+    const std::size_t begin = text.find_first_not_of(' ');
+    if (begin != std::string::npos && text.compare(begin, 12, "TextureFile ") == 0)
+      header_.textures.push_back(text.substr(begin));
   }
 
   void read_format(std::istream& words) {

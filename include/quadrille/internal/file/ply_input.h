@@ -144,6 +144,10 @@ private:
       offset += p.type.size;
     }
     scalars_ = VertexScalars(std::move(scalars));
+    if (!positions_only)
+      scalars_.set_textures(header_.textures);
+    else
+      dropped_.insert(dropped_.end(), header_.textures.begin(), header_.textures.end());
     if (scalars_.channels() > VertexScalars::most_channels)
       fail_file(file_.path(), "its vertices have " + std::to_string(scalars_.channels()) +
                                   " different attributes; no more than " +

@@ -31,16 +31,20 @@ namespace quadrille::internal {
 /// the piece of the file that the corner is in. Time O(n log n); five times the file on the disk.
 class StlWeld {
 public:
-  /// `folder` is for files that are gone at the end; `memory` in bytes.
+  /// `folder` is for files that are gone at the end; `memory` in bytes. Colours of faces, in the
+  /// bytes behind each, are refused unless only positions are wanted. `ask()` is called at least
+  /// once a second or so, and may throw.
+  template <class Ask>
   static void run(const std::filesystem::path& input, const std::filesystem::path& output,
-                  const std::filesystem::path& folder, std::uint64_t memory) {
+                  const std::filesystem::path& folder, std::uint64_t memory, bool positions_only,
+                  const Ask& ask) {
     remove_files(folder);
     std::filesystem::create_directories(folder);
     StlWeld weld(input, folder, memory);
-    weld.sort_runs();
+    weld.sort_runs(positions_only, ask);
     WholeFile file(output);
-    weld.merge_runs(file);
-    weld.write_faces(file);
+    weld.merge_runs(file, ask);
+    weld.write_faces(file, ask);
     file.finish();
     remove_files(folder);
   }
@@ -50,8 +54,15 @@ public:
   }
 
   /// Throws std::runtime_error for a file that has not the size that its count of faces says.
-  static void require_readable(const std::filesystem::path& input) {
-    count_faces(InputFile(input));
+  /// Or that names a colour in its header, unless only positions are wanted.
+  static void require_readable(const std::filesystem::path& input, bool positions_only) {
+    const InputFile file(input);
+    if (count_faces(file) == 0)
+      fail_file(input, "nothing to simplify: it has no faces");
+    std::string header(80, '\0');
+    file.read(0, header.data(), header.size());
+    if (!positions_only && header.find("COLOR=") != std::string::npos)
+      fail_colors(input);
   }
 
 private:
@@ -89,20 +100,33 @@ private:
                                      std::to_string(84 + 50 * faces));
   }
 
+  [[noreturn]] static void fail_colors(const std::filesystem::path& path) {
+    fail_file(path, "has colours of faces, which can't go along in parts; 'positions only' leaves "
+                    "them out");
+  }
+
   static std::uint32_t swapped(std::uint32_t x) {
     return x >> 24 | (x >> 8 & 0xFF00U) | (x << 8 & 0xFF0000U) | x << 24;
   }
 
-  void sort_runs() {
+  // Steps between two calls of `ask`.
+  static constexpr std::uint64_t often = 1 << 16;
+
+  template <class Ask>
+  void sort_runs(bool positions_only, const Ask& ask) {
     std::vector<Corner> run;
-    const auto most =
-        static_cast<std::size_t>(std::max<std::uint64_t>(memory_ / 2 / sizeof(Corner), 1000));
+    const auto most = static_cast<std::size_t>(
+        std::clamp<std::uint64_t>(memory_ / 2 / sizeof(Corner), 1000, most_sorted));
     run.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, 3 * faces_)));
     ByteStream stream(file_, 84);
     for (std::uint64_t face = 0; face < faces_; ++face) {
       const char* const row = stream.next(50);
       if (!row)
         fail_file(file_.path(), "ends within face " + std::to_string(face));
+      if (face % often == 0)
+        ask();
+      if (!positions_only && (row[49] & 0x80) != 0) // bit 15 of the attribute
+        fail_colors(file_.path());
       for (std::uint64_t i = 0; i < 3; ++i)
         run.push_back(corner(row + 12 + 12 * i, 3 * face + i));
       if (run.size() + 3 > most)
@@ -182,12 +206,15 @@ private:
   }
 
   // Corners of a piece of the file, a multiple of three.
-  std::uint64_t piece() const { return std::max<std::uint64_t>(memory_ / 4 / 12, 100) * 3; }
+  std::uint64_t piece() const {
+    return std::clamp<std::uint64_t>(memory_ / 4 / 12, 100, most_sorted / 3) * 3;
+  }
   std::filesystem::path piece_path(std::size_t i) const {
     return folder_ / ("corners-" + std::to_string(i));
   }
 
-  void merge_runs(WholeFile& file) {
+  template <class Ask>
+  void merge_runs(WholeFile& file, const Ask& ask) {
     std::vector<std::filesystem::path> paths;
     for (std::uint64_t begin = 0; begin < 3 * faces_; begin += piece())
       paths.push_back(piece_path(paths.size()));
@@ -196,7 +223,10 @@ private:
     file.write(text.data(), text.size());
     std::vector<char> buffer;
     std::array<std::uint32_t, 3> last{};
+    std::uint64_t corners = 0;
     for_sorted([&](const Corner& c) {
+      if (corners++ % often == 0)
+        ask();
       if (vertices_ == 0 || c.place != last)
         put_vertex(buffer, c);
       last = c.place;
@@ -238,9 +268,11 @@ private:
            std::to_string(faces_) + "\nproperty list uchar uint vertex_indices\nend_header\n";
   }
 
-  void write_faces(WholeFile& file) const {
+  template <class Ask>
+  void write_faces(WholeFile& file, const Ask& ask) const {
     std::vector<char> buffer;
     for (std::size_t i = 0; i < contents_.size(); ++i) {
+      ask();
       const auto named = read_rows<Named>(piece_path(i), contents_[i]);
       std::vector<VertexId> vertices(named.size());
       for (const Named& n : named)
@@ -258,6 +290,7 @@ private:
   }
 
   static constexpr std::uint32_t sign = 0x80000000U;
+  static constexpr std::uint64_t most_sorted = 9'000'000; // corners, which takes about a second
 
   InputFile file_;
   std::filesystem::path folder_;

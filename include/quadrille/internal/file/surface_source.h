@@ -58,14 +58,16 @@ public:
     return (is_stl_ || is_tiled()) && std::filesystem::exists(folder.welded(key_));
   }
   /// The surface. Where it has to be welded, that is done now, if it has not been.
-  const PlyInput& surface(const JobFolder& folder, std::uint64_t memory) {
+  /// `ask()` is called now and then, and may throw.
+  template <class Ask>
+  const PlyInput& surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
     if (!is_stl_ && !is_tiled())
       return *ply_;
     const std::filesystem::path welded = folder.welded(key_);
     if (!is_welded(folder) && is_tiled())
-      sew_tiles(welded, folder, memory);
+      sew_tiles(welded, folder, memory, ask);
     else if (!is_welded(folder))
-      StlWeld::run(paths_.front(), welded, folder.welding(), memory);
+      StlWeld::run(paths_.front(), welded, folder.welding(), memory, positions_only_, ask);
     ply_ = PlyInput::welded(welded, paths_.front());
     return *ply_;
   }
@@ -92,17 +94,21 @@ private:
       fail_file(path, "is no tile of a surface with " + paths_.front().string() +
                           ": all have to be PLY, or all STL");
     if (is_stl_)
-      StlWeld::require_readable(path);
+      StlWeld::require_readable(path, positions_only_);
     else
       open(path);
+    if (is_tiled() && ply_ && !ply_->scalars().textures().empty())
+      fail_file(path, "names a texture, which can't go along with tiles; 'positions only' leaves "
+                      "it out");
   }
 
-  void sew_tiles(const std::filesystem::path& welded, const JobFolder& folder,
-                 std::uint64_t memory) const {
+  template <class Ask>
+  void sew_tiles(const std::filesystem::path& welded, const JobFolder& folder, std::uint64_t memory,
+                 const Ask& ask) const {
     std::vector<std::filesystem::path> tiles;
     for (std::size_t i = 0; is_stl_ && i < paths_.size(); ++i) {
       tiles.push_back(folder.welded_tile(i));
-      StlWeld::run(paths_[i], tiles[i], folder.welding(), memory);
+      StlWeld::run(paths_[i], tiles[i], folder.welding(), memory, positions_only_, ask);
     }
     TileSewing::run(is_stl_ ? tiles : paths_, paths_, positions_only_, keeps_tiles_, welded);
     for (const std::filesystem::path& tile : tiles)

@@ -57,6 +57,9 @@ public:
   std::size_t size() const { return properties_.size(); }
   std::size_t channels() const { return channels_.size(); }
   const std::vector<PlyProperty>& properties() const { return properties_; }
+  /// Comments of the file that name the pictures of texture coordinates.
+  const std::vector<std::string>& textures() const { return textures_; }
+  void set_textures(std::vector<std::string> textures) { textures_ = std::move(textures); }
 
   /// As the engine takes them, of rows of size() values. `diagonal` is that of the whole surface:
   /// with the ranges it decides how a channel counts, so that it counts alike in all pieces.
@@ -149,6 +152,7 @@ private:
 
   std::vector<PlyProperty> properties_;
   std::vector<Channel> channels_;
+  std::vector<std::string> textures_;
 };
 
 } // namespace quadrille::internal
