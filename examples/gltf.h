@@ -193,10 +193,8 @@ inline std::vector<std::string> remarks_of(GltfMeshes& meshes, const std::filesy
 /// Writes a document of such an extension: all of it, or, throwing `std::runtime_error`, nothing.
 inline void write_gltf(const std::filesystem::path& path, GltfDocument document,
                        const std::string& extension, bool is_forced = false) {
-  const bool is_binary = equal_ignoring_case(extension, ".glb");
   with_errors_of(path, [&] {
-    FileReplacement(path, is_forced)
-        .write(is_binary ? encode_glb(std::move(document)) : encode_gltf(std::move(document)));
+    FileReplacement(path, is_forced).write(encode_document(std::move(document), extension));
   });
 }
 

@@ -714,6 +714,13 @@ expect_faces out.off 2
 expect stderr '^out.off: parts of two faces are left as they are: --faces or --keep asks for fewer$'
 run 0 quad.off out.off --faces 1
 expect_faces out.off 1
+printf 'v 9 9 0\nv 10 9 0\nv 10 10 0\nv 9 10 0\n' >quad_and_box.obj
+printf 'f 1 2 3 4\n' >>quad_and_box.obj
+awk 'NR == 2 { n = $1; next } NR > 2 && NR <= 2 + n { print "v", $1, $2, $3 } NR > 2 + n { print "f", $2 + 5, $3 + 5, $4 + 5 }' \
+  halves.off >>quad_and_box.obj
+run 0 quad_and_box.obj out.obj
+expect stdout ': 722 -> 362 faces \(50 % of the 720 that count\)'
+grep -cE '^v (9|10) (9|10) 0$' out.obj | grep -q '^4$' || fail "a part of two faces is not as it was"
 
 # Nothing to simplify
 cp plain.off out.off
@@ -1212,6 +1219,7 @@ sed -e 's/"meshes": \[{\(.*\)}\],$/"meshes": [{\1}, {"name": "twin", \1}, {"prim
 run 0 twins.gltf out.gltf
 expect stdout '^twins.gltf: 128 -> 6[34] faces'
 expect out.gltf '"meshes":\[{("primitives":\[{"attributes":{"POSITION":[0-9]+},"indices":[0-9]+,"material":0}\])},{"name":"twin",\1}'
+grep -q '{"componentType":5126,"type":"VEC3","count":3,"min":\[0.0,0.0,0.0\],"max":\[0.0,0.0,0.0\]}' out.gltf || fail "zeros have bytes"
 if [ -n "${QUADRILLE_CASES-}" ]; then # read, or a sentence that says what decodes it
   for file in draco_ball meshopt_ball meshopt_vase; do
     "$program" "$QUADRILLE_CASES/files/$file.glb" out.glb >stdout 2>stderr

@@ -226,6 +226,12 @@ inline std::string encode_glb(GltfDocument document) {
   return std::string(glb_magic) + number(2) + number(glb_header_size + chunks.size()) + chunks;
 }
 
+/// As a file of an extension.
+inline std::string encode_document(GltfDocument document, const std::string& extension) {
+  return equal_ignoring_case(extension, ".glb") ? encode_glb(std::move(document))
+                                                : encode_gltf(std::move(document));
+}
+
 } // namespace quadrille_examples
 
 #endif

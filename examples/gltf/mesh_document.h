@@ -3,6 +3,7 @@
 
 #include "../linear_light.h"
 #include "../material_library.h"
+#include "../mesh_io/format.h"
 #include "../mesh_io/indexed_mesh.h"
 #include "../mesh_io/little_endian.h"
 #include "../mesh_io/text.h"
@@ -25,6 +26,9 @@
 #include <vector>
 
 namespace quadrille_examples {
+
+/// What a document can hold of a mesh, which is made another way than files of formats.
+inline constexpr MeshFormat gltf_format{".glb", nullptr, nullptr, true, true, true, false, false};
 
 /// Makes a document of a mesh of another format: a node for each object, of one mesh, with a
 /// primitive for each material, and what its corners have. Materials show both sides of their

@@ -23,7 +23,7 @@
 namespace quadrille_examples {
 
 /// Numbers of elements of a document.
-using Numbers = std::set<std::size_t>;
+using NumberSet = std::set<std::size_t>;
 
 /// Puts surfaces in place of the primitives from which they stem.
 ///
@@ -91,7 +91,7 @@ private:
     PrimitiveNumbers replaced = primitives_of(surfaces);
     for_each_twin(PrimitiveNumbers(replaced), firsts,
                   [&](std::size_t twin, std::size_t, std::size_t i) { replaced.emplace(twin, i); });
-    Numbers kept = accessors_of_animations_and_skins();
+    NumberSet kept = accessors_of_animations_and_skins();
     for (std::size_t mesh = 0; mesh < size_of(json_, "meshes"); ++mesh) {
       const Json& primitives = element_of(json_, "meshes", mesh);
       for (std::size_t i = 0; i < size_of(primitives, "primitives"); ++i)
@@ -102,7 +102,7 @@ private:
       free_accessors_.erase(accessor);
     for (const std::size_t accessor : free_accessors_)
       add_views(std::exchange(json_["accessors"][accessor], Json()), free_views_);
-    Numbers kept_views;
+    NumberSet kept_views;
     add_views(json_, kept_views);
     for (const std::size_t view : kept_views)
       free_views_.erase(view);
@@ -110,7 +110,7 @@ private:
       json_["bufferViews"][view] = Json();
   }
 
-  static void add_accessors(const Json& primitive, Numbers& accessors) {
+  static void add_accessors(const Json& primitive, NumberSet& accessors) {
     const auto add_all = [&](const Json& attributes) {
       for (const auto& [name, index] : attributes.items())
         accessors.insert(count_of(attributes, name.c_str()));
@@ -122,8 +122,8 @@ private:
       accessors.insert(count_of(primitive, "indices"));
   }
 
-  Numbers accessors_of_animations_and_skins() const {
-    Numbers accessors;
+  NumberSet accessors_of_animations_and_skins() const {
+    NumberSet accessors;
     const auto add = [&](const Json& user, const char* key) {
       if (member(user, key))
         accessors.insert(count_of(user, key));
@@ -139,7 +139,7 @@ private:
   }
 
   /// Of all members of that name, wherever they are, extensions included.
-  static void add_views(const Json& json, Numbers& views) {
+  static void add_views(const Json& json, NumberSet& views) {
     if (member(json, "bufferView"))
       views.insert(count_of(json, "bufferView"));
     for (const Json& part : json)
@@ -186,13 +186,16 @@ private:
     if (stride != type.size())
       view["byteStride"] = stride;
     Json accessor = old_accessors_[old];
+    const bool are_unsaid = !member(accessor, "bufferView") && !member(accessor, "sparse") &&
+                            bytes.find_first_not_of('\0') == std::string::npos;
     for (const char* const key : {"sparse", "byteOffset"})
       accessor.erase(key);
     if (type.component.code != attribute.elements.type().component.code) {
       accessor["componentType"] = type.component.code;
       accessor.erase("normalized");
     }
-    accessor["bufferView"] = add_view(std::move(view), bytes);
+    if (!are_unsaid) // zeros need no bytes, and normals that are none are none then as well
+      accessor["bufferView"] = add_view(std::move(view), bytes);
     accessor["count"] = vertices.size();
     if (attribute.kind == AttributeKind::position || member(accessor, "min") ||
         member(accessor, "max"))
@@ -258,7 +261,8 @@ private:
   }
 
   /// Puts an element where one is free, there where the old one was if it is; else at the end.
-  static std::size_t put(Json& array, Json element, Numbers& free, std::optional<std::size_t> old) {
+  static std::size_t put(Json& array, Json element, NumberSet& free,
+                         std::optional<std::size_t> old) {
     if (free.empty()) {
       array.push_back(std::move(element));
       return array.size() - 1;
@@ -278,7 +282,7 @@ private:
     fill_gaps(json_["bufferViews"], free_views_,
               {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 1}});
   }
-  static void fill_gaps(Json& array, Numbers& free, const Json& filling) {
+  static void fill_gaps(Json& array, NumberSet& free, const Json& filling) {
     for (; free.contains(array.size() - 1); array.erase(array.size() - 1))
       free.erase(array.size() - 1);
     for (const std::size_t number : free)
@@ -288,7 +292,7 @@ private:
   Json& json_;
   const Json old_accessors_;
   std::vector<std::size_t> old_buffers_ = buffers_of_views(); // of the old buffer views
-  Numbers free_accessors_, free_views_;
+  NumberSet free_accessors_, free_views_;
   NewViewBytes new_bytes_;
 
   std::vector<std::size_t> buffers_of_views() const {

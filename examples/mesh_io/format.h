@@ -27,6 +27,9 @@ struct MeshFormat {
 /// The format of an extension, in any case of letters; nothing if there is none.
 const MeshFormat* find_format(const std::string& extension);
 
+/// Is it the extension of glTF, which is no such format? It goes to meshes and back by gltf/.
+bool is_gltf(const std::string& extension);
+
 /// The format that the extension of a path names. Throws if it names none; the message lists all,
 /// and others that a caller knows.
 const MeshFormat& mesh_format(const std::filesystem::path& path, const char* others = "");

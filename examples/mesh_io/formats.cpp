@@ -84,6 +84,10 @@ const MeshFormat* find_format(const std::string& extension) {
   return nullptr;
 }
 
+bool is_gltf(const std::string& extension) {
+  return equal_ignoring_case(extension, ".gltf") || equal_ignoring_case(extension, ".glb");
+}
+
 const MeshFormat& mesh_format(const std::filesystem::path& path, const char* others) {
   const std::string extension = path.extension().string();
   if (const MeshFormat* format = find_format(extension))

@@ -99,10 +99,6 @@ inline std::ostream& output_of_figures(const Options& options) {
 
 // --- Formats -------------------------------------------------------------------------------------
 
-inline bool is_gltf(const std::string& extension) {
-  return equal_ignoring_case(extension, ".gltf") || equal_ignoring_case(extension, ".glb");
-}
-
 inline bool is_page(const std::string& extension) {
   return equal_ignoring_case(extension, ".html");
 }

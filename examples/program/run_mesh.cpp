@@ -109,9 +109,6 @@ bool has_attributes(const IndexedMesh& mesh) {
          !mesh.vertex_numbers.empty() || !mesh.face_numbers.empty();
 }
 
-/// What a document can hold of a mesh; it is made another way.
-constexpr MeshFormat gltf_format{".glb", nullptr, nullptr, true, true, true, false, false};
-
 const MeshFormat& format_of_output(const Options& options) {
   return is_gltf(output_extension(options)) ? gltf_format : output_format(options);
 }
@@ -228,9 +225,7 @@ private:
       for (const std::string& remark : remarks)
         if (is_first)
           print_remark(options_, remark);
-      return equal_ignoring_case(output_extension(options_), ".glb")
-                 ? encode_glb(std::move(document))
-                 : encode_gltf(std::move(document));
+      return encode_document(std::move(document), output_extension(options_));
     });
   }
 

@@ -1,6 +1,8 @@
 #include "gltf.h"
 
 #include "../gltf.h"
+#include "../gltf/mesh_document.h"
+#include "../gltf/scene_mesh.h"
 #include "callbacks.h"
 #include "interruptible.h"
 
@@ -49,6 +51,23 @@ simplify_gltf(const std::filesystem::path& in, const std::filesystem::path& out,
 }
 
 } // namespace
+
+const MeshFormat& format_of_gltf() {
+  return gltf_format;
+}
+
+IndexedMesh read_gltf_mesh(const std::filesystem::path& path) {
+  return GltfSceneMesh::read(path);
+}
+
+void write_gltf_mesh(const std::filesystem::path& path, IndexedMesh& mesh) {
+  std::vector<std::string> remarks;
+  GltfDocument document =
+      with_errors_of(path, [&] { return GltfMeshDocument::of(mesh, path, false, remarks); });
+  write_gltf(path, std::move(document), path.extension().string());
+  for (const std::string& remark : remarks)
+    mesh.losses.add(remark);
+}
 
 void add_gltf(py::module_& m) {
   m.def("simplify_gltf", simplify_gltf);

@@ -214,7 +214,9 @@ void add_channels(py::module_& m) {
 std::string write_arrays(const std::filesystem::path& path, const WrittenArrays& arrays,
                          const IndexedMesh* source,
                          const std::optional<Numbers<std::uint32_t>>& faces) {
-  const MeshFormat& format = mesh_format(path);
+  const std::string extension = path.extension().string();
+  const MeshFormat& format =
+      is_gltf(extension) ? format_of_gltf() : mesh_format(path, " .gltf .glb");
   IndexedMesh mesh = mesh_of(arrays);
   if (source && faces)
     set_faces(mesh, *source, *faces);
@@ -222,7 +224,11 @@ std::string write_arrays(const std::filesystem::path& path, const WrittenArrays&
     set_one_part(mesh);
   fit_to_format(mesh, format);
   const py::gil_scoped_release unlocked;
-  write_mesh(path, mesh, format);
+  if (is_gltf(extension)) {
+    write_gltf_mesh(path, mesh);
+  } else {
+    write_mesh(path, mesh, format);
+  }
   return mesh.losses.text();
 }
 
@@ -294,7 +300,10 @@ void add_files(py::module_& m) {
   m.def(
       "read_mesh",
       [](const std::filesystem::path& path, bool welds) {
-        return with_vertices_of_values(read_mesh(path, welds ? Weld::places : Weld::surfaces));
+        if (is_gltf(path.extension().string()))
+          return with_vertices_of_values(read_gltf_mesh(path));
+        return with_vertices_of_values(read_mesh(path, mesh_format(path, " .gltf .glb"),
+                                                 welds ? Weld::places : Weld::surfaces));
       },
       py::call_guard<py::gil_scoped_release>());
   m.def("write_mesh", write_arrays);

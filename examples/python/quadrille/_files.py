@@ -19,7 +19,8 @@ _HARDLY = 1 / 64  # numbers of vertices may be noise
 
 @in_our_words
 def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh:
-    """Reads a Mesh from a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension.
+    """Reads a Mesh from a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension; of glTF (.gltf,
+    .glb) the geometry of the scene, each mesh where it is shown (simplify_gltf keeps documents whole).
 
     Polygons are cut into triangles. Of OBJ and PLY, uv and normals are pairs (values, indices) of
     corners; materials, groups and objects of OBJ, and integers of the faces of PLY, are labels, and
@@ -58,7 +59,7 @@ def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh
 @in_our_words
 def write_mesh(path: Union[str, os.PathLike[str]],
                mesh: Union[Mesh, Tuple[ArrayLike, ArrayLike], _objects.MeshLike]) -> None:
-    """Writes a Mesh to a file: OFF, OBJ, PLY, STL or GOCAD (.ts), told by the extension. A pair (points,
+    """Writes a Mesh to a file: OFF, OBJ, PLY, STL, GOCAD (.ts) or glTF (.gltf, .glb), told by the extension. A pair (points,
     faces) is written as well, or these of a mesh of trimesh, Open3D, PyVista, VTK or meshio.
 
     All of it or nothing: a file that is there stays if something goes wrong. A mesh of read_mesh(),
