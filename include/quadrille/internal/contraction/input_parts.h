@@ -26,7 +26,7 @@ public:
   InputParts(const TriangleComplex& complex, const Geometry<N>& geometry, const Scale<N>& scale,
              const InputIndices& vertices)
       : part_(complex.workspace()) {
-    const Parts<N> parts(complex, geometry, scale);
+    const Parts<N> parts(complex, geometry, scale, scale.diagonal());
     for (Index part = 0; part < parts.size(); ++part) {
       sizes_.push_back(parts[part].size);
       radii_.push_back(parts[part].radius);

@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
@@ -21,11 +22,12 @@ namespace quadrille::internal {
 /// around the centre of its bounding box.
 template <std::size_t N>
 struct Part {
-  Vector<N> low, high;
+  Box<N> box = Box<N>::none();
   Vector<N> centre{};
   double squared_radius = 0; ///< in all dimensions, in the engine's unit
   double radius = 0;         ///< in space, in the mesh's unit
-  double size = 0;           ///< the diagonal of the box in space, in the mesh's unit
+  double size = 0;           ///< the diagonal of its box in space, in the mesh's unit
+  bool is_large = false;     ///< beside the whole surface: it does not vanish
   bool is_fixed = false;     ///< is any of its vertices?
 };
 
@@ -35,20 +37,18 @@ class Parts {
 public:
   Parts() = default;
   /// In linear time. Parts are numbered in the order of their first vertices.
-  Parts(const TriangleComplex& complex, const Geometry<N>& geometry, const Scale<N>& scale)
+  Parts(const TriangleComplex& complex, const Geometry<N>& geometry, const Scale<N>& scale,
+        double diagonal)
       : part_(component_roots(complex)) {
     number(complex);
     for_each_vertex([&](Part<N>& part, Index v) {
-      for (std::size_t i = 0; i < N; ++i) {
-        part.low[i] = (std::min)(part.low[i], geometry.position(v)[i]);
-        part.high[i] = (std::max)(part.high[i], geometry.position(v)[i]);
-      }
+      part.box.add(geometry.position(v));
       part.is_fixed |= geometry.is_fixed(v);
     });
     for (Part<N>& part : parts_) {
-      part.centre = 0.5 * part.low + 0.5 * part.high;
-      part.size =
-          scale.length_of_mesh(std::sqrt(squared_distance(space(part.low), space(part.high))));
+      part.centre = 0.5 * part.box.low + 0.5 * part.box.high;
+      part.size = scale.length_of_mesh(part.box.diagonal());
+      part.is_large = part.size >= least_large * diagonal;
     }
     for_each_vertex([&](Part<N>& part, Index v) {
       const Vector<N>& p = geometry.position(v);
@@ -64,7 +64,11 @@ public:
   /// The part of a vertex; `none` where it had no faces.
   Index of(Index v) const { return part_[v]; }
   /// Is it certain that the part of a vertex stays?
-  bool stays(Index v) const { return parts_.empty() || parts_[part_[v]].is_fixed; }
+  bool stays(Index v) const { return parts_.empty() || stays(parts_[part_[v]]); }
+  static bool stays(const Part<N>& part) { return part.is_fixed || part.is_large; }
+
+  /// From which part of the diagonal of the whole surface a part is large.
+  static constexpr double least_large = 1. / 20;
 
   static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.part_); }
@@ -73,9 +77,6 @@ private:
   // From the vertices that stand for parts to numbers.
   void number(const TriangleComplex& complex) {
     Array<Index> number(part_.size(), none);
-    Part<N> empty;
-    empty.low.coordinates.fill((std::numeric_limits<double>::max)());
-    empty.high.coordinates.fill(std::numeric_limits<double>::lowest());
     for (Index v = 0; v < part_.size(); ++v) {
       const Index root = part_[v];
       part_[v] = none;
@@ -83,7 +84,7 @@ private:
         continue;
       if (number[root] == none) {
         number[root] = static_cast<Index>(parts_.size());
-        parts_.push_back(empty);
+        parts_.emplace_back();
       }
       part_[v] = number[root];
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace quadrille::internal {
 
@@ -55,6 +56,7 @@ public:
     total_.vanished_parts += tally.vanished_parts;
     total_.error = (std::max)(total_.error, tally.error);
     total_.vanished_size = (std::max)(total_.vanished_size, tally.vanished_size);
+    total_.moved += tally.moved;
     total_.loses_points |= tally.loses_points;
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
       total_.rejections[cause] += tally.rejections[cause];
@@ -70,6 +72,14 @@ public:
   void announce_distance_back(double distance) { status_.next_distance_back = distance; }
   /// And of the part of its tolerance that a point will have used.
   void announce_tolerance(double part) { status_.next_tolerance = part; }
+  /// What contractions have moved until now: see Displacement.
+  std::uint64_t moved() const { return total_.moved; }
+  /// The greatest error of any of them.
+  double error() const { return total_.error; }
+  /// How many were refused for one cause.
+  std::size_t rejected(Rejection cause) const {
+    return total_.rejections[static_cast<std::size_t>(cause)];
+  }
   /// Is each point of the input still known to have some place on the surface?
   bool has_all_points() const { return !total_.loses_points; }
   /// Does the stop policy stop?

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/star_face.h>
+#include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -12,8 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quadrille::internal {
+
+inline constexpr double coarse_error = 1. / 50; // of the diagonal: see is_measured()
 
 /// From a place that an end of a contraction leaves to the nearest face around it; to the target
 /// where there is none.
@@ -40,6 +43,44 @@ QUADRILLE_NOINLINE double way_where_thin(const Contraction<Cost>& contraction,
                     of_end(contraction.second(), contraction.pair().second));
 }
 
+/// How far the faces that a contraction leaves lie from those that it changes: measured in the
+/// middles of the faces and of their edges. The planes that a vertex remembers say nothing of faces
+/// that come to span a hole.
+template <class Cost>
+QUADRILLE_NOINLINE double deviation_of(const Contraction<Cost>& contraction,
+                                       const Geometry<Cost::dimension>& geometry) {
+  const Vector<3> target = space(contraction.target());
+  const PairStar& star = contraction.star();
+  const auto at = [&](Index v) { return space(geometry.position(v)); };
+  const auto squared_from_star = [&](const Vector<3>& place) {
+    double squared = std::numeric_limits<double>::infinity();
+    const auto look_at = [&](const AppendBuffer<StarFace>& faces, Index end) {
+      for (const StarFace& f : faces)
+        squared = (std::min)(
+            squared, squared_distance_to_triangle(place, at(end), at(f.second), at(f.third)));
+    };
+    look_at(star.first, contraction.first());
+    look_at(star.shared, contraction.first());
+    look_at(star.second, contraction.second());
+    return squared;
+  };
+  double greatest = squared_from_star(target);
+  star.for_each_changed([&](const StarFace& f) {
+    const Vector<3> second = at(f.second), third = at(f.third);
+    for (const Vector<3>& place :
+         {0.5 * (target + second), 0.5 * (target + third), 1. / 3 * (target + second + third)})
+      greatest = (std::max)(greatest, squared_from_star(place));
+  });
+  return std::sqrt(greatest);
+}
+
+/// Is the error of a contraction so great, beside the whole surface, that it is measured what it
+/// does? A mean over planes is no measure of such coarse faces.
+template <class Cost>
+bool is_measured(const Contraction<Cost>& contraction, const Scale<Cost::dimension>& scale) {
+  return contraction.error() > coarse_error * scale.diagonal();
+}
+
 /// How far places that have been contracted to the ends of a contraction will be from the faces
 /// around it, at most: the sum of the ways that these have receded. Measured where the surface is
 /// or was thin, else 0.
@@ -50,10 +91,12 @@ template <class Cost>
 QUADRILLE_ALWAYS_INLINE inline Recession recession_of(const Contraction<Cost>& contraction,
                                                       const Geometry<Cost::dimension>& geometry,
                                                       const Scale<Cost::dimension>& scale) {
-  if (!geometry.is_thin(contraction.first()) && !geometry.is_thin(contraction.second())) [[likely]]
-    return {0, contraction.error()};
-  const double way = way_where_thin(contraction, geometry);
-  return {way, (std::max)(contraction.error(), scale.length_of_mesh(way))};
+  double way = 0, error = contraction.error();
+  if (geometry.is_thin(contraction.first()) || geometry.is_thin(contraction.second())) [[unlikely]]
+    way = way_where_thin(contraction, geometry);
+  if (is_measured(contraction, scale)) [[unlikely]]
+    error = (std::max)(error, scale.length_of_mesh(deviation_of(contraction, geometry)));
+  return {way, (std::max)(error, scale.length_of_mesh(way))};
 }
 
 } // namespace quadrille::internal

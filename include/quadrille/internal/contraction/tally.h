@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace quadrille::internal {
 
@@ -21,12 +22,14 @@ struct Tally {
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0;          // the greatest
   double vanished_size = 0;  // the same of parts
+  std::uint64_t moved = 0;   // see Displacement
   bool loses_points = false; // of the input, which BackDeviation finds no face for
 
-  void count_contraction(double its_error) {
+  void count_contraction(double its_error, std::uint64_t its_displacement) {
     ++contractions;
     ++vertices;
     error = (std::max)(error, its_error);
+    moved += its_displacement;
   }
   void count_part(const PartEvent& part, std::size_t its_faces) {
     faces += its_faces;

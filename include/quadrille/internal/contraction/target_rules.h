@@ -53,13 +53,13 @@ public:
     return is_passed ? StopReason::target_passed : StopReason::target_met;
   }
 
-  /// Would the contraction spoil the shape of what is around it: is its error more than a tenth of
-  /// the distance to the farthest neighbour? An edge of a cube of twelve faces is, a corner of a
-  /// sheet of two. Only a cost that tells its error as a distance to the surface can say so.
-  bool is_destructive(const Contraction& contraction) const {
-    const auto& pair = contraction.pair();
-    if constexpr (requires { policies_.cost.squared_error(pair, 0.0); })
-      return contraction.error() > 0.1 * scale_.length_of_mesh(std::sqrt(pair.squared_reach));
+  /// Is the error of the contraction more than a tenth of the distance to the farthest neighbour?
+  /// An edge of a cube of twelve faces is, a corner of a sheet of two. Only a cost that tells its
+  /// error as a distance to the surface can say so.
+  bool is_coarse(const Contraction& contraction) const {
+    if constexpr (knows_errors<Cost>)
+      return contraction.error() >
+             0.1 * scale_.length_of_mesh(std::sqrt(contraction.pair().squared_reach));
     else
       return false;
   }

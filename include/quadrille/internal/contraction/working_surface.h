@@ -13,6 +13,7 @@
 #include <quadrille/internal/contraction/contraction_count.h>
 #include <quadrille/internal/contraction/counted_costs.h>
 #include <quadrille/internal/contraction/counted_edges.h>
+#include <quadrille/internal/contraction/displacement.h>
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
@@ -25,6 +26,7 @@
 #include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/contraction/setup.h>
+#include <quadrille/internal/contraction/shape_check.h>
 #include <quadrille/internal/contraction/target_rules.h>
 #include <quadrille/internal/contraction/unselected.h>
 #include <quadrille/internal/cost/local_terms.h>
@@ -44,6 +46,7 @@
 #include <quadrille/report.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -86,15 +89,17 @@ public:
                 appearance_.seams(), appearance_.channels(), is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
+        displacement_(scale_.diagonal(), scale_.length_from_mesh(scale_.diagonal())),
         target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
                       is_topology_kept_),
+        shape_check_(scale_, complex_, geometry_, parts_, appearance_.seams()),
         costs_(policies.optional.costs, complex_),
         edges_(policies.stop.is_asking_for_edges(), complex_, scratch()), progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally,
                                             policies.threads);
     if (policies.topology == Topology::parts_may_vanish)
-      parts_ = Parts<dimension>(complex_, geometry_, scale_);
+      measure_parts();
     appearance_.read(input.labels, input.channels, numbering_, scale_, pairs_.are_edges());
     progress_.start({complex_.count_faces(), complex_.count_vertices()},
                     count_unselected(complex_, numbering_.faces, input.is_selected),
@@ -137,13 +142,19 @@ public:
   std::vector<Scratch>& scratches() { return scratches_; }
   Scratch& scratch() { return scratches_.front(); }
 
-  const Parts<dimension>& parts() const { return parts_; } ///< none where they may not vanish
+  const Parts<dimension>& parts() const { return parts_; } ///< none before they are measured
+  /// In linear time, the first time.
+  void measure_parts() {
+    if (parts_.size() == 0)
+      parts_ = Parts<dimension>(complex_, geometry_, scale_, scale_.diagonal());
+  }
   const Array<Index>& labels() const { return appearance_.seams().labels(); }
   PairFinder<Policies>& pairs() { return pairs_; }
   const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
   const Checks<Policies>& checks() const { return checks_; }
   const DistanceCheck<Policies>& distance_check() const { return distance_check_; }
   TargetRules<Policies>& target_rules() { return target_rules_; }
+  ShapeCheck<Cost>& shape_check() { return shape_check_; }
   Progress<Policies>& progress() { return progress_; }
   const Status& status() const { return progress_.status(); }
 
@@ -173,8 +184,14 @@ public:
     tell_all_before(observers, event);
     change_faces(event);
     tell_all_after(observers, event);
-    contraction.scratch().tally.count_contraction(event.recession.error);
+    contraction.scratch().tally.count_contraction(
+        event.recession.error, displacement_of(contraction, event.recession.error));
     return kept;
+  }
+
+  /// How much a contraction of this error would move.
+  std::uint64_t displacement_of(const Contraction& contraction, double error) const {
+    return displacement_(error, contraction.pair().squared_reach, contraction.cost());
   }
 
   /// Of a vertex that is a hub or was one: see LocalTerms::sum_up().
@@ -316,7 +333,9 @@ private:
   PairEvaluator<Policies> evaluator_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;
+  Displacement displacement_;
   TargetRules<Policies> target_rules_;
+  ShapeCheck<Cost> shape_check_;
   CountedCosts costs_;
   CountedEdges edges_;
   Progress<Policies> progress_;

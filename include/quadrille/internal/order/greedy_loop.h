@@ -9,6 +9,7 @@
 #include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
+#include <quadrille/internal/order/end_of_run.h>
 #include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
@@ -45,7 +46,7 @@ public:
                    surface.complex().vertex_capacity()),
                surface.complex().workspace()),
         waiting_(surface.complex()), distance_stop_(surface), cost_stop_(surface), parts_(surface),
-        hold_(surface), updates_(surface, queue_, waiting_) {
+        end_of_run_(surface), updates_(surface, queue_, waiting_) {
     fill_queue();
   }
 
@@ -66,6 +67,7 @@ private:
   static constexpr float tolerated_rise_at_hub = 1.25f;
   static constexpr double part_that_pays = 0.95; // of the faces left since the last look for a way
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
+  static constexpr double dearness_of_parts = 0x1p20; // of what spoils them, beside all else
 
   StopReason contract_pairs() {
     if (!surface_.progress().begin_contracting())
@@ -95,8 +97,10 @@ private:
       else if (cost_stop_.is_enough_at(contraction.key())) {
         if (!others_may_cost_less(contraction, *next))
           return surface_.target_rules().reason_of_stop(surface_.status());
-      } else if (destroys(contraction))
+      } else if (end_of_run_.is_destroyed_by(contraction, waiting_.held()))
         refuse(*next, Rejection::destruction);
+      else if (!is_last_resort_ && spoils_shape(contraction, *next))
+        continue;
       else if (!is_last_resort_ && misses_target(contraction))
         deferred_.defer(*next, contraction.key());
       else
@@ -241,11 +245,23 @@ private:
     return false;
   }
 
-  // Is what is left free being destroyed, since most of the surface is held? A bound of the
-  // distance or the cost is rule enough where the stop policy asks for one.
-  bool destroys(const Contraction& contraction) {
-    return surface_.target_rules().is_destructive(contraction) && !distance_stop_.is_asking() &&
-           !cost_stop_.is_asking() && hold_.is_of_most(waiting_.held());
+  // Would it spoil the shape of a large part or region, while others may meet the target? It goes
+  // behind these.
+  bool spoils_shape(const Contraction& contraction, const QueuedPair& pair) {
+    if (contraction.error() <= least_spoiling_) [[likely]]
+      return false;
+    return goes_behind_others(contraction, pair);
+  }
+  QUADRILLE_NOINLINE bool goes_behind_others(const Contraction& contraction,
+                                             const QueuedPair& pair) {
+    surface_.measure_parts();
+    if (!surface_.shape_check().has_any())
+      least_spoiling_ = no_limit;
+    const auto key = static_cast<float>(dearness_of_parts * contraction.key());
+    if (!(key > pair.cost) || !surface_.shape_check().spoils(contraction))
+      return false;
+    queue_.push(pair.first, pair.second, key);
+    return true;
   }
 
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
@@ -271,7 +287,7 @@ private:
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
     has_met_intersection_ |= cause == Rejection::self_intersection;
-    waiting_.add(pair, hold_.is_by(cause));
+    waiting_.add(pair, Hold<Policies>::is_by(cause));
   }
 
   void contract(const Contraction& contraction) {
@@ -292,8 +308,11 @@ private:
   DistanceStop<Policies> distance_stop_;
   CostStop<Policies> cost_stop_;
   VanishingParts<Policies> parts_;
-  Hold<Policies> hold_;
+  EndOfRun<Policies> end_of_run_;
   PairUpdates<Policies> updates_;
+  // Errors up to this one spoil no part. Where the stop policy stops at no count nothing does.
+  double least_spoiling_ =
+      end_of_run_.has_count() ? surface_.shape_check().least_error() : no_limit;
   bool is_last_resort_ = false; // has one of the deferred pairs its turn?
   bool tries_ends_ = false;     // see may_try_ends()
   std::size_t pairs_seen_ = 0;

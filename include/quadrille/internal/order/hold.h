@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_ORDER_HOLD_H
 
 #include <quadrille/internal/complex/edge_sides.h>
-#include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -41,13 +40,17 @@ public:
     }
   }
 
-  /// Is more than half of the edges held? They are looked at if enough pairs wait that have been
-  /// refused for it, and once more when a tenth of the faces is gone: in linear time in all.
-  bool is_of_most(std::size_t waiting) {
+  /// Do enough pairs wait that have been refused for it?
+  bool is_awake(std::size_t waiting) const {
     const Status& status = surface_.status();
-    if (least_part * waiting < surface_.pairs().count(status.faces, status.vertices))
-      return false;
-    if (10 * status.faces < 9 * faces_counted_) {
+    return least_part * waiting >= surface_.pairs().count(status.faces, status.vertices);
+  }
+
+  /// Is more than half of the edges held? Once it is so, it is taken to stay so; before, they are
+  /// looked at once more when a tenth of the faces is gone: in linear time in all.
+  bool is_of_most() {
+    const Status& status = surface_.status();
+    if (!is_of_most_ && 10 * status.faces < 9 * faces_counted_) {
       faces_counted_ = status.faces;
       is_of_most_ = counts_most();
     }
@@ -58,9 +61,6 @@ private:
   static constexpr std::size_t least_part = 8; // of the pairs wait
 
   bool counts_most() {
-    // One part alone may go as far as it can, and so may one beside parts that may vanish.
-    counts_topology_ = surface_.policies().topology != Topology::parts_may_vanish &&
-                       count_components(surface_.complex()) > 1;
     if (!scratch_)
       scratch_.emplace(surface_.complex().vertex_capacity());
     const auto& geometry = surface_.evaluator().geometry();
@@ -83,13 +83,18 @@ private:
         return false;
     Contraction<typename Policies::Cost> contraction(candidate, star);
     const auto cause = surface_.checks().rejection(contraction);
-    return cause && is_by(*cause) && (counts_topology_ || *cause != Rejection::topology);
+    return cause && is_by(*cause) && (*cause != Rejection::topology || stays(v));
+  }
+
+  // The topology of what may vanish is no reason to.
+  bool stays(Index v) const {
+    return surface_.policies().topology != Topology::parts_may_vanish || surface_.parts().stays(v);
   }
 
   WorkingSurface<Policies>& surface_;
   std::optional<Scratch> scratch_; // that of the surface holds the contraction at hand
   std::size_t faces_counted_ = ~std::size_t{0} / 16;
-  bool is_of_most_ = false, counts_topology_ = false;
+  bool is_of_most_ = false;
 };
 
 } // namespace quadrille::internal

@@ -272,8 +272,8 @@ private:
   bool is_left_to_greedy_order(Contraction& contraction) {
     TargetRules<Policies>& rules = surface_.target_rules();
     return is_stop_in_pass(surface_, contraction) ||
-           rules.overshoots(contraction, surface_.status()) || rules.is_destructive(contraction) ||
-           cuts_off_touched(contraction);
+           rules.overshoots(contraction, surface_.status()) || rules.is_coarse(contraction) ||
+           surface_.shape_check().spoils_part(contraction) || cuts_off_touched(contraction);
   }
 
   bool cuts_off_touched(const Contraction& contraction) const {

@@ -13,6 +13,7 @@
 #include <quadrille/internal/order/part_lists.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
+#include <quadrille/topology.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,11 +38,11 @@ public:
   explicit VanishingParts(WorkingSurface<Policies>& surface)
       : surface_(surface), price_(surface.evaluator()), distance_stop_(surface),
         cost_stop_(surface) {
-    if (parts().size() < 2)
+    if (surface.policies().topology != Topology::parts_may_vanish || parts().size() < 2)
       return;
     lists_ = PartLists(surface.complex(), parts(), surface.labels());
     for (Index part = 0; part < parts().size(); ++part)
-      if (!parts()[part].is_fixed && !vertices(part).empty())
+      if (!parts().stays(parts()[part]) && !vertices(part).empty())
         heap_.push_back({price(part), part});
     std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
   }

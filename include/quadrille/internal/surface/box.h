@@ -41,6 +41,20 @@ struct Box {
       low = least, high = greatest;
   }
 
+  /// A box of nothing, to which positions are added.
+  static Box none() {
+    Box box;
+    box.low.coordinates.fill((std::numeric_limits<double>::max)());
+    box.high.coordinates.fill(std::numeric_limits<double>::lowest());
+    return box;
+  }
+  void add(const Vector<N>& position) {
+    for (std::size_t i = 0; i < N; ++i) {
+      low[i] = (std::min)(low[i], position[i]);
+      high[i] = (std::max)(high[i], position[i]);
+    }
+  }
+
   /// Half of the extent: the difference of the halves can't overflow.
   double half_extent(std::size_t i) const { return 0.5 * high[i] - 0.5 * low[i]; }
   /// At most the greatest double.

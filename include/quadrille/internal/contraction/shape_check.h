@@ -1,0 +1,166 @@
+#ifndef QUADRILLE_INTERNAL_CONTRACTION_SHAPE_CHECK_H
+#define QUADRILLE_INTERNAL_CONTRACTION_SHAPE_CHECK_H
+
+#include <quadrille/internal/appearance/seam_graph.h>
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/parts.h>
+#include <quadrille/internal/contraction/recession.h>
+#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Does a cost tell its error as a distance to the surface? Only such a one can say what spoils a
+/// shape.
+template <class Cost>
+concept knows_errors = requires(const Cost& cost, const PairOf<Cost>& pair) {
+  cost.squared_error(pair, 0.0);
+};
+
+/// Of each face, one that stands for the region in which it is: faces of one label that vertices
+/// connect.
+inline std::vector<Index> regions_of(const TriangleComplex& complex, const Array<Index>& labels) {
+  std::vector<Index> parent(complex.face_capacity());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index face) {
+    while (parent[face] != face)
+      face = parent[face] = parent[parent[face]];
+    return face;
+  };
+  std::vector<Index> seen; // at a vertex, one face of each label
+  for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+    seen.clear();
+    complex.for_each_corner(v, [&](Index face, Index) {
+      const auto like = std::find_if(seen.begin(), seen.end(),
+                                     [&](Index other) { return labels[other] == labels[face]; });
+      if (like == seen.end())
+        seen.push_back(face);
+      else
+        parent[root(face)] = root(*like);
+    });
+  }
+  for (Index face = 0; face < parent.size(); ++face)
+    parent[face] = root(face);
+  return parent;
+}
+
+/// Measures what contractions of great error do to the shape of large parts of a surface, and of
+/// large regions of labels: those from a twentieth of its diagonal.
+template <class Cost>
+class ShapeCheck {
+public:
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Contraction = internal::Contraction<Cost>;
+
+  ShapeCheck(const Scale<dimension>& scale, const TriangleComplex& complex,
+             const Geometry<dimension>& geometry, const Parts<dimension>& parts,
+             const SeamGraph& seams)
+      : scale_(scale), complex_(complex), geometry_(geometry), parts_(parts), seams_(seams) {}
+
+  /// No contraction of a lesser error spoils a part.
+  double least_error() const {
+    return spoiling_part * measured * Parts<dimension>::least_large * scale_.diagonal();
+  }
+
+  /// Is there anything that a contraction could spoil? Parts have to be measured before.
+  bool has_any() const { return parts_.size() > 1 || !seams_.labels().empty(); }
+
+  /// Would the contraction spoil the shape of a large part or region?
+  bool spoils(const Contraction& contraction) {
+    return spoils_part(contraction) || spoils_region(contraction);
+  }
+
+  /// Would the contraction spoil the shape of a large part of a surface of several, by its error or
+  /// by what is measured? Parts have to be measured before.
+  bool spoils_part(const Contraction& contraction) const {
+    if constexpr (knows_errors<Cost>) {
+      const Part<dimension>* const part = large_part(contraction.first());
+      return part && is_beyond(contraction, spoiling_part * part->size);
+    } else {
+      return false;
+    }
+  }
+
+  /// The same of the smallest large region of labels around it, by the error.
+  bool spoils_region(const Contraction& contraction) {
+    if constexpr (knows_errors<Cost>)
+      return !seams_.labels().empty() &&
+             contraction.error() > greatest_error_of_regions(contraction);
+    else
+      return false;
+  }
+
+private:
+  double deviation(const Contraction& contraction) const {
+    return scale_.length_of_mesh(deviation_of(contraction, geometry_));
+  }
+
+  bool is_beyond(const Contraction& contraction, double limit) const {
+    return contraction.error() > limit ||
+           (contraction.error() > measured * limit && deviation(contraction) > limit);
+  }
+
+  const Part<dimension>* large_part(Index v) const {
+    if (parts_.size() < 2)
+      return nullptr;
+    const Part<dimension>& part = parts_[parts_.of(v)];
+    return part.is_large ? &part : nullptr;
+  }
+
+  double greatest_error_of_regions(const Contraction& contraction) {
+    if (regions_.empty())
+      measure_regions();
+    double size = std::numeric_limits<double>::infinity();
+    const PairStar& star = contraction.star();
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
+      for (const StarFace& f : *faces)
+        size = (std::min)(size, sizes_of_regions_[regions_[f.face]]);
+    return spoiling_region * size;
+  }
+
+  // Once. That of a small region is infinite.
+  QUADRILLE_NOINLINE void measure_regions() {
+    regions_ = regions_of(complex_, seams_.labels());
+    std::vector<Box<3>> boxes(regions_.size(), Box<3>::none());
+    for (Index face = 0; face < complex_.face_capacity(); ++face)
+      if (!complex_.is_removed(face))
+        for (Index v : complex_.vertices(face))
+          boxes[regions_[face]].add(space(geometry_.position(v)));
+    for (const Box<3>& box : boxes) {
+      const double size = scale_.length_of_mesh(box.diagonal());
+      sizes_of_regions_.push_back(size >= Parts<dimension>::least_large * scale_.diagonal()
+                                      ? size
+                                      : std::numeric_limits<double>::infinity());
+    }
+  }
+
+  static constexpr double spoiling_part = 1. / 100;  // of the size of a part
+  static constexpr double spoiling_region = 1. / 16; // of that of a region of labels
+  static constexpr double measured = 1. / 4;         // of an error that spoils
+
+  const Scale<dimension>& scale_;
+  const TriangleComplex& complex_;
+  const Geometry<dimension>& geometry_;
+  const Parts<dimension>& parts_;
+  const SeamGraph& seams_;
+  std::vector<Index> regions_; // of each face
+  std::vector<double> sizes_of_regions_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CONTRACTION_SHAPE_CHECK_H
