@@ -166,8 +166,8 @@ struct Report {
 
   StopReason stop = StopReason::no_pair_left; ///< why it has ended
 
-  /// The largest error of any contraction, as a distance in the mesh's units; or the radius of a
-  /// part that vanished, if that is larger.
+  /// The largest error of any contraction, as a distance in the mesh's units; or how far a part that
+  /// vanished lies from what is left, with its radius, if that is larger.
   ///
   /// For a quadric it is √(Q(x)/w): the root mean square distance from the new vertex x to the
   /// planes that it remembers, weighted as the quadric weights them (w is their sum). It is an

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/distance_to_rest.h>
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -29,7 +30,7 @@ public:
     const Parts<N> parts(complex, geometry, scale, scale.diagonal());
     for (Index part = 0; part < parts.size(); ++part) {
       sizes_.push_back(parts[part].size);
-      radii_.push_back(parts[part].radius);
+      traces_.push_back(trace_of(parts[part], scale));
     }
     if (sizes_.size() < 2)
       return;
@@ -42,18 +43,23 @@ public:
 
   /// Tells those of which no vertex is left, nor has become part of one that is. Merges are told by
   /// input indices from then on.
-  void tell(const TriangleComplex& complex, Numbering& numbering, Report& report) const {
+  template <std::size_t N>
+  void tell(const TriangleComplex& complex, const Geometry<N>& geometry, const Scale<N>& scale,
+            Numbering& numbering, Report& report) const {
     if (part_.empty())
       return;
     numbering.use_input_indices();
     const std::vector<bool> is_left = left_parts(complex, numbering);
+    std::vector<Trace> gone;
     for (std::size_t part = 0; part < is_left.size(); ++part) {
       if (is_left[part])
         continue;
       ++report.vanished_parts;
       report.largest_vanished_part = (std::max)(report.largest_vanished_part, sizes_[part]);
-      report.error = (std::max)(report.error, radii_[part]);
+      gone.push_back(traces_[part]);
     }
+    report.error =
+        (std::max)(report.error, scale.length_of_mesh(distance_of(gone, complex, geometry)));
   }
 
 private:
@@ -68,8 +74,9 @@ private:
     return is_left;
   }
 
-  std::vector<double> sizes_, radii_; // of each part: see Part
-  Array<Index> part_;                 // of each input vertex; empty if there is only one
+  std::vector<double> sizes_; // of each part: see Part
+  std::vector<Trace> traces_;
+  Array<Index> part_; // of each input vertex; empty if there is only one
 };
 
 } // namespace quadrille::internal

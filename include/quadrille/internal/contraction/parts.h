@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/contraction/distance_to_rest.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -30,6 +31,11 @@ struct Part {
   bool is_large = false;     ///< beside the whole surface: it does not vanish
   bool is_fixed = false;     ///< is any of its vertices?
 };
+
+template <std::size_t N>
+Trace trace_of(const Part<N>& part, const Scale<N>& scale) {
+  return {space(part.centre), scale.length_from_mesh(part.radius)};
+}
 
 /// Which vertices belong to which part. Contractions of edges keep that.
 template <std::size_t N>
@@ -69,6 +75,19 @@ public:
 
   /// From which part of the diagonal of the whole surface a part is large.
   static constexpr double least_large = 1. / 20;
+
+  /// Those of which no vertex has faces.
+  std::vector<Trace> gone(const TriangleComplex& complex, const Scale<N>& scale) const {
+    std::vector<bool> is_left(parts_.size());
+    for (Index v = 0; v < part_.size(); ++v)
+      if (part_[v] != none && complex.has_faces(v))
+        is_left[part_[v]] = true;
+    std::vector<Trace> gone;
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+      if (!is_left[part])
+        gone.push_back(trace_of(parts_[part], scale));
+    return gone;
+  }
 
   static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.part_); }

@@ -79,39 +79,38 @@ public:
   /// Is there anything that a contraction could spoil? Parts have to be measured before.
   bool has_any() const { return parts_.size() > 1 || !seams_.labels().empty(); }
 
-  /// Would the contraction spoil the shape of a large part or region?
-  bool spoils(const Contraction& contraction) {
-    return spoils_part(contraction) || spoils_region(contraction);
+  /// How far the contraction goes beyond what a large part or region bears: more than 1 if it
+  /// spoils the shape of one. A part is looked at where there are several, by the error and by what
+  /// is measured; a region of labels by the error.
+  double strain(const Contraction& contraction) {
+    return (std::max)(strain_of_part(contraction), strain_of_region(contraction));
   }
-
-  /// Would the contraction spoil the shape of a large part of a surface of several, by its error or
-  /// by what is measured? Parts have to be measured before.
-  bool spoils_part(const Contraction& contraction) const {
-    if constexpr (knows_errors<Cost>) {
-      const Part<dimension>* const part = large_part(contraction.first());
-      return part && is_beyond(contraction, spoiling_part * part->size);
-    } else {
-      return false;
-    }
-  }
-
-  /// The same of the smallest large region of labels around it, by the error.
-  bool spoils_region(const Contraction& contraction) {
-    if constexpr (knows_errors<Cost>)
-      return !seams_.labels().empty() &&
-             contraction.error() > greatest_error_of_regions(contraction);
-    else
-      return false;
-  }
+  bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
+  /// The same of parts alone, which several threads may ask for.
+  bool spoils_part(const Contraction& contraction) const { return strain_of_part(contraction) > 1; }
 
 private:
   double deviation(const Contraction& contraction) const {
     return scale_.length_of_mesh(deviation_of(contraction, geometry_));
   }
 
-  bool is_beyond(const Contraction& contraction, double limit) const {
-    return contraction.error() > limit ||
-           (contraction.error() > measured * limit && deviation(contraction) > limit);
+  double strain_of_part(const Contraction& contraction) const {
+    if constexpr (knows_errors<Cost>) {
+      const Part<dimension>* const part = large_part(contraction.first());
+      if (!part)
+        return 0;
+      const double limit = spoiling_part * part->size, error = contraction.error();
+      return (error > measured * limit ? (std::max)(error, deviation(contraction)) : error) / limit;
+    } else {
+      return 0;
+    }
+  }
+
+  double strain_of_region(const Contraction& contraction) {
+    if constexpr (knows_errors<Cost>)
+      return seams_.labels().empty() ? 0 : contraction.error() / limit_of_regions(contraction);
+    else
+      return 0;
   }
 
   const Part<dimension>* large_part(Index v) const {
@@ -121,7 +120,7 @@ private:
     return part.is_large ? &part : nullptr;
   }
 
-  double greatest_error_of_regions(const Contraction& contraction) {
+  double limit_of_regions(const Contraction& contraction) {
     if (regions_.empty())
       measure_regions();
     double size = std::numeric_limits<double>::infinity();

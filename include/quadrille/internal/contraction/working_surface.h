@@ -45,6 +45,7 @@
 #include <quadrille/internal/surface/shared_vertices.h>
 #include <quadrille/report.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -229,7 +230,11 @@ public:
     count_topology(complex_, scratch().labels).tell(report);
     report.components_before =
         is_topology_kept_ ? report.components_after + report.vanished_parts : input_parts_.size();
-    input_parts_.tell(complex_, numbering_, report);
+    if (is_topology_kept_ && report.vanished_parts > 0)
+      report.error = (std::max)(
+          report.error,
+          scale_.length_of_mesh(distance_of(parts_.gone(complex_, scale_), complex_, geometry_)));
+    input_parts_.tell(complex_, geometry_, scale_, numbering_, report);
     if (!progress_.is_cancelled())
       progress_.tell_end();
     std::vector<Channel> channels = appearance_.take_channels();

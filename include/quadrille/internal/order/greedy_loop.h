@@ -257,8 +257,10 @@ private:
     surface_.measure_parts();
     if (!surface_.shape_check().has_any())
       least_spoiling_ = no_limit;
-    const auto key = static_cast<float>(dearness_of_parts * contraction.key());
-    if (!(key > pair.cost) || !surface_.shape_check().spoils(contraction))
+    const double strain = surface_.shape_check().strain(contraction);
+    const auto key = static_cast<float>((std::min)(
+        dearness_of_parts * strain * strain * strain * strain * contraction.key(), 1e37));
+    if (!(strain > 1) || !(key > pair.cost))
       return false;
     queue_.push(pair.first, pair.second, key);
     return true;
