@@ -96,7 +96,7 @@ private:
 
   double strain_of_part(const Contraction& contraction) const {
     if constexpr (knows_errors<Cost>) {
-      const Part<dimension>* const part = large_part(contraction.first());
+      const Part<dimension>* const part = large_part(contraction);
       if (!part)
         return 0;
       const double limit = spoiling_part * part->size, error = contraction.error();
@@ -113,11 +113,13 @@ private:
       return 0;
   }
 
-  const Part<dimension>* large_part(Index v) const {
+  // In which both ends lie; to join parts spoils none.
+  const Part<dimension>* large_part(const Contraction& contraction) const {
     if (parts_.size() < 2)
       return nullptr;
-    const Part<dimension>& part = parts_[parts_.of(v)];
-    return part.is_large ? &part : nullptr;
+    const Index part = parts_.of(contraction.first());
+    return part == parts_.of(contraction.second()) && parts_[part].is_large ? &parts_[part]
+                                                                            : nullptr;
   }
 
   double limit_of_regions(const Contraction& contraction) {
