@@ -123,6 +123,20 @@ expect_nothing stderr
 expect_faces out.off 8
 expect out.off '^1 0 0'
 run 0 parts.off out.off --faces 8 --drop-parts --topology kept --cost memoryless
+# Of assets small parts may go by default
+run 0 parts.off parts.ply --keep 100%
+run 0 parts.off parts.obj --keep 100%
+for parts in parts.ply parts.obj; do
+  run 0 $parts out.off --faces 8
+  expect stdout '8 small parts vanished'
+  expect_faces out.off 8
+  run 1 $parts out.off --faces 8 --keep-parts
+  expect stderr '^out.off: 10 parts are left.*--drop-parts'
+  expect_faces out.off 40
+  run 1 $parts out.off --faces 8 --topology kept
+  expect_faces out.off 40
+  run 2 $parts out.off --faces 8 --keep-parts --drop-parts
+done
 run 0 parts.off out.off --error 0.2 --drop-parts
 expect stdout '9 small parts vanished'
 run 0 parts.off out.off --error 0.1 --drop-parts

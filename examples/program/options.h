@@ -51,9 +51,10 @@ struct Options {
   std::vector<bool> selected;            // which faces are in it, once IN has been read
   std::set<std::string> labels;          // attributes of glTF of which regions stay
   Amount pairs;                          // closer than this; 0: edges only
-  std::string topology;                  // empty: free if there are pairs that are no edges
+  std::string topology;                  // empty: see topology()
   std::optional<quadrille::Seams> seams; // of textures; else as quadrille::Texture has it
   bool drops_parts = false;
+  bool keeps_parts = false;           // neither: see topology()
   bool forbids_intersections = false; // of faces that do not intersect in IN
   bool keeps_solid = false;           // and requires that IN is one
   double normal_degrees = 180;        // that normals may turn in all
@@ -83,14 +84,6 @@ struct Options {
     return target.is_limited() || forbids_intersections || keeps_solid || normal_degrees < 180;
   }
 };
-
-inline quadrille::Topology topology(const Options& options) {
-  if (options.drops_parts)
-    return quadrille::Topology::parts_may_vanish;
-  const bool is_free =
-      options.topology.empty() ? options.joins_pairs() : options.topology == "free";
-  return is_free ? quadrille::Topology::free : quadrille::Topology::kept;
-}
 
 /// Where remarks go: standard output may be the mesh.
 inline std::ostream& output_of_figures(const Options& options) {
@@ -131,6 +124,25 @@ inline const MeshFormat& format_of(const std::string& file, const Options& optio
 inline const MeshFormat& output_format(const Options& options) {
   return options.output_format.empty() ? format_of(options.output, options)
                                        : *find_format("." + options.output_format);
+}
+
+/// Is a file in a format in which assets come, of many parts of which small ones may go?
+inline bool is_of_assets(const Options& options) {
+  const std::string extension = extension_of(options.input, options);
+  return is_gltf(extension) || equal_ignoring_case(extension, ".obj") ||
+         equal_ignoring_case(extension, ".ply");
+}
+
+/// As it is asked for; else free if there are pairs that are no edges, and of assets kept but for
+/// small parts, unless they are simplified by parts of files.
+inline quadrille::Topology topology(const Options& options) {
+  using quadrille::Topology;
+  if (options.topology == "free" || (options.topology.empty() && options.joins_pairs()))
+    return Topology::free;
+  const bool is_by_default = options.topology.empty() && !options.keeps_parts &&
+                             !options.keeps_solid && options.scratch.empty() &&
+                             is_of_assets(options);
+  return options.drops_parts || is_by_default ? Topology::parts_may_vanish : Topology::kept;
 }
 
 // --- What concerns several options, or options and what the file has

@@ -130,14 +130,18 @@ inline void add_topology(CLI::App& app, Options& options) {
       ->type_name("T|T%")
       ->group("Policies");
   take_one_of(app.add_option("--topology", options.topology,
-                             "may holes close and parts join? (default: kept, or free with "
-                             "--pairs)"),
+                             "may holes close and parts join? (default: kept but for small parts, "
+                             "see --keep-parts, or free with --pairs)"),
               {"kept", "free"})
       ->group("Policies");
-  app.add_flag("--drop-parts", options.drops_parts,
-               "small parts may vanish whole where that is the cheapest thing to do; else topology "
-               "is kept")
-      ->group("Policies");
+  CLI::Option* const drops =
+      app.add_flag("--drop-parts", options.drops_parts,
+                   "small parts may vanish whole where that is the cheapest thing to do; else "
+                   "topology is kept. So it is of glTF, OBJ and PLY by default");
+  CLI::Option* const keeps = app.add_flag("--keep-parts", options.keeps_parts,
+                                          "no part vanishes: as it is of other formats by default");
+  drops->group("Policies")->excludes(keeps);
+  keeps->group("Policies");
 }
 
 /// What is kept of the surface beside its topology.

@@ -51,7 +51,8 @@ quadrille::SoupOptions soup_options(const Options& options, const auto& points,
     result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
   if (options.locks_boundaries)
     result.fixed = boundary_points(points.size(), triangles);
-  if (!options.target.is_given() && topology(options) == quadrille::Topology::kept)
+  if (!options.target.is_given() && !options.drops_parts &&
+      topology(options) != quadrille::Topology::free)
     leave_pairs_of_faces(points.size(), triangles, result);
   return result;
 }
