@@ -177,58 +177,75 @@ inline void take_numbers(const std::array<std::int64_t, 8>& numbers, FileReport&
 
 /// simplify_file by a Job of each rank, which `make` makes.
 template <class Job, class Make>
-FileReport run_over_ranks(MPI_Comm communicator, const std::filesystem::path& output,
-                          const Make& make) {
-  const Ranks ranks(communicator);
-  std::optional<Job> job;
-  std::size_t done = 0; // by this rank
-  const auto is_cancelled = [&] {
-    const std::size_t all = job->samples() > 0 ? job->samples() : job->parts();
-    return !job->proceeds((std::min)(done * ranks.size(), all));
-  };
-  const auto share = [&](std::size_t n, const auto& task) {
-    done = 0;
-    ranks.share(
+class JobOverRanks {
+public:
+  JobOverRanks(MPI_Comm communicator, const Make& make) : ranks_(communicator), make_(make) {}
+
+  FileReport run(const std::filesystem::path& output) {
+    const auto begin = std::chrono::steady_clock::now();
+    FileReport report;
+    try {
+      ranks_.on_first([&] { return make_(job_), job_->cut(), Flag{}; });
+      do
+        simplify_phase();
+      while (ranks_.on_first([&] { return Flag{job_->regroup()}; })[0] != 0);
+      take_numbers(ranks_.on_first([&] {
+        report = job_->sew(output);
+        return numbers_of(report);
+      }),
+                   report);
+    } catch (const JobCancelled&) {
+      report.stop = StopReason::cancelled;
+    }
+    report.seconds.contract =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+  }
+
+private:
+  using Flag = std::array<std::int64_t, 1>;
+
+  void simplify_phase() {
+    take_up_on_others();
+    const auto is_cancelled = [this] { return this->is_cancelled(); };
+    if (job_->samples() > 0) {
+      share(job_->samples(), [&](std::size_t i) { return job_->sample(i, is_cancelled); });
+      ranks_.on_first([&] { return job_->settle(), Flag{}; });
+      take_up_on_others();
+    }
+    share(job_->parts(), [&](std::size_t part) { return job_->simplify(part, is_cancelled); });
+  }
+
+  bool is_cancelled() {
+    const std::size_t all = job_->samples() > 0 ? job_->samples() : job_->parts();
+    return !job_->proceeds((std::min)(done_ * ranks_.size(), all));
+  }
+
+  template <class Task>
+  void share(std::size_t n, const Task& task) {
+    done_ = 0;
+    ranks_.share(
         n,
         [&](std::size_t i) {
           if (is_cancelled() || !task(i))
             throw JobCancelled();
-          ++done;
+          ++done_;
         },
-        job->phase_folder());
-  };
-  const auto take_up_on_others = [&] {
-    ranks.run([&] {
-      if (!ranks.is_first())
-        make(job), job->join();
-    });
-  };
-  const auto begin = std::chrono::steady_clock::now();
-  FileReport report;
-  using Flag = std::array<std::int64_t, 1>;
-  try {
-    ranks.on_first([&] { return make(job), job->cut(), Flag{}; });
-    do {
-      take_up_on_others();
-      if (job->samples() > 0) {
-        share(job->samples(), [&](std::size_t i) { return job->sample(i, is_cancelled); });
-        ranks.on_first([&] { return job->settle(), Flag{}; });
-        take_up_on_others();
-      }
-      share(job->parts(), [&](std::size_t part) { return job->simplify(part, is_cancelled); });
-    } while (ranks.on_first([&] { return Flag{job->regroup()}; })[0] != 0);
-    take_numbers(ranks.on_first([&] {
-      report = job->sew(output);
-      return numbers_of(report);
-    }),
-                 report);
-  } catch (const JobCancelled&) {
-    report.stop = StopReason::cancelled;
+        job_->phase_folder());
   }
-  report.seconds.contract =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return report;
-}
+
+  void take_up_on_others() {
+    ranks_.run([&] {
+      if (!ranks_.is_first())
+        make_(job_), job_->join();
+    });
+  }
+
+  const Ranks ranks_;
+  const Make& make_;
+  std::optional<Job> job_;
+  std::size_t done_ = 0; // by this rank
+};
 
 } // namespace internal
 
@@ -257,9 +274,10 @@ FileReport simplify_file(MPI_Comm communicator, const SurfaceFiles& input,
       [&](const auto&... limit) {
         using Job =
             PartitionedSimplifier<Cost, Placement, Policies..., std::decay_t<decltype(limit)>...>;
-        return internal::run_over_ranks<Job>(communicator, output, [&](std::optional<Job>& job) {
+        const auto make = [&](std::optional<Job>& job) {
           job.emplace(input, target.first, options, cost, placement, policies..., limit...);
-        });
+        };
+        return internal::JobOverRanks<Job, decltype(make)>(communicator, make).run(output);
       },
       target.second);
 }

@@ -18,9 +18,10 @@ enum class Topology {
   /// the contraction of the whole part to its centre instead, and says at least radius².
   ///
   /// The radius is that of a sphere around the centre of the part's bounding box, in all dimensions
-  /// of the cost. The distance of the part to what is left does not count, so a duplicate of a
-  /// large sheet costs as much as the sheet. A part with a constrained vertex or edge stays, the
-  /// last faces of a label stay, and so does the part that costs most. Where the stop policy asks
+  /// of the cost. The distance of the part to what is left does not count in that, so a duplicate of
+  /// a large sheet costs as much as the sheet; Report::error tells it. A large part stays, whose box
+  /// has a twentieth of the diagonal of the whole or more, and one with a constrained vertex or
+  /// edge; the last faces of a label stay, and so does the part that costs most. Where the stop policy asks
   /// for distances, as ErrorLimit does, no part vanishes whose diameter (twice the radius, in
   /// space) it would stop at. Filters are not asked. Takes eight bytes more a vertex, and time that
   /// is linear at the beginning and after each pass of RelaxedOrder.
