@@ -47,6 +47,10 @@ public:
         double diagonal)
       : part_(component_roots(complex)) {
     number(complex);
+    if (parts_.size() == 1) { // it is all there is, and nobody asks for more
+      parts_.front().is_large = true;
+      return;
+    }
     for_each_vertex([&](Part<N>& part, Index v) {
       part.box.add(geometry.position(v));
       part.is_fixed |= geometry.is_fixed(v);

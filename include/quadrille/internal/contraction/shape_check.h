@@ -71,9 +71,10 @@ public:
              const SeamGraph& seams)
       : scale_(scale), complex_(complex), geometry_(geometry), parts_(parts), seams_(seams) {}
 
-  /// No contraction of a lesser error spoils a part.
+  /// From which error on it pays to look. Of parts below a fifth of the diagonal some contractions
+  /// of lesser errors would be found to spoil, if they were measured.
   double least_error() const {
-    return spoiling_part * measured * Parts<dimension>::least_large * scale_.diagonal();
+    return spoiling_part * Parts<dimension>::least_large * scale_.diagonal();
   }
 
   /// Is there anything that a contraction could spoil? Parts have to be measured before.

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_END_OF_RUN_H
 #define QUADRILLE_INTERNAL_ORDER_END_OF_RUN_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/displacement.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -39,14 +40,18 @@ public:
 
   /// Would the contraction destroy what is left free? `waiting` pairs are held.
   bool is_destroyed_by(const Contraction& contraction, std::size_t waiting) {
-    if (!has_count_ || !hold_.is_awake(waiting))
+    return waiting > 0 && has_count_ && destroys(contraction, waiting);
+  }
+
+private:
+  QUADRILLE_NOINLINE bool destroys(const Contraction& contraction, std::size_t waiting) {
+    if (!hold_.is_awake(waiting))
       return false;
     take_note();
     return (is_cliff(contraction) || surface_.shape_check().spoils(contraction)) &&
            hold_.is_of_most();
   }
 
-private:
   // What had been moved when so many faces were left.
   struct Note {
     std::size_t faces;
