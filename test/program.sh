@@ -1399,6 +1399,9 @@ run 0 'tiles/*.ply' out.ply --faces 400 --out-of-core scratch
 expect stdout '^tiles/\*.ply: 1,?600 -> 400 faces '
 run 0 'tiles/*.ply' fewer/ --faces 400 --out-of-core scratch
 [ "$(ls fewer)" = "$(printf 'a.ply\nb.ply')" ] || fail "not the same tiles"
+mkdir folder.ply
+run 2 whole.ply folder.ply --faces 400 --out-of-core scratch # one file is no tile
+[ -z "$(ls folder.ply)" ] || fail "written into a folder"
 run 2 'tiles/*.stl' out.ply --faces 400 --out-of-core scratch
 expect stderr '^tiles/\*.stl: no file has such a name$'
 for option in '--boundary lock' '--boundary 0' '--boundary 1000' --drop-parts; do

@@ -15,11 +15,16 @@
 
 namespace quadrille_examples {
 
+/// Is IN no file but a pattern of names, as a shell has them?
+inline bool is_pattern(const Options& options) {
+  return options.input.find_first_of("*?[") != std::string::npos &&
+         !std::filesystem::exists(options.input);
+}
+
 /// IN, or the files that it names as a pattern of the shell, in the order of their names: tiles of
 /// one surface.
 inline quadrille::SurfaceFiles surface_files(const Options& options) {
-  if (options.input.find_first_of("*?[") == std::string::npos ||
-      std::filesystem::exists(options.input))
+  if (!is_pattern(options))
     return options.input;
   ::glob_t found = {};
   const bool is_any = ::glob(options.input.c_str(), GLOB_ERR, nullptr, &found) == 0;
@@ -34,7 +39,8 @@ inline quadrille::SurfaceFiles surface_files(const Options& options) {
 
 /// Is OUT a folder, in which each tile becomes a file again?
 inline bool keeps_tiles(const Options& options) {
-  return options.output.ends_with('/') || std::filesystem::is_directory(options.output);
+  return options.output.ends_with('/') ||
+         (is_pattern(options) && std::filesystem::is_directory(options.output));
 }
 
 } // namespace quadrille_examples
