@@ -85,11 +85,11 @@ struct ThinnedBorderFilter {
   }
 };
 
-/// Until all are gone that go.
+/// Until all are gone that go. It is about borders, and no count of a surface that has no faces.
 struct ThinnedBorderStop {
   const ThinnedBorders* borders;
   bool operator()(const Status& status) const {
-    return status.vertices + borders->count() <= status.initial_vertices;
+    return status.faces > 0 && status.vertices + borders->count() <= status.initial_vertices;
   }
 };
 

@@ -630,7 +630,7 @@ private:
   void require_topology() {
     if (call_.topology == Topology::parts_may_vanish)
       return require_parts();
-    require(report_.vanished_parts == 0, "parts vanished");
+    require(report_.vanished_parts == 0 || call_.topology == Topology::free, "parts vanished");
     if (call_.topology != Topology::kept)
       return;
     require(topology_after_.components == topology_before_.components, "components changed");

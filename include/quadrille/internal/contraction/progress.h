@@ -74,8 +74,6 @@ public:
   void announce_tolerance(double part) { status_.next_tolerance = part; }
   /// What contractions have moved until now: see Displacement.
   std::uint64_t moved() const { return total_.moved; }
-  /// The greatest error of any of them.
-  double error() const { return total_.error; }
   /// How many were refused for one cause.
   std::size_t rejected(Rejection cause) const {
     return total_.rejections[static_cast<std::size_t>(cause)];

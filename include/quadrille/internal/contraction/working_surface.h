@@ -190,7 +190,11 @@ public:
     return kept;
   }
 
-  /// How much a contraction of this error would move.
+  /// How much a contraction would move.
+  std::uint64_t displacement_of(const Contraction& contraction) const {
+    return displacement_of(contraction, recession_of(contraction, geometry_, scale_).error);
+  }
+  /// The same of one of this error.
   std::uint64_t displacement_of(const Contraction& contraction, double error) const {
     return displacement_(error, contraction.pair().squared_reach, contraction.cost());
   }

@@ -48,8 +48,14 @@ private:
     if (!hold_.is_awake(waiting))
       return false;
     take_note();
-    return (is_cliff(contraction) || surface_.shape_check().spoils(contraction)) &&
+    return (is_cliff(contraction) || surface_.shape_check().spoils(contraction) ||
+            (has_kept_seams() && surface_.target_rules().is_coarse(contraction))) &&
            hold_.is_of_most();
+  }
+
+  // Charts that are kept hold each on its own, so what is left of one counts beside its neighbours.
+  bool has_kept_seams() const {
+    return Policies::has_channels && surface_.progress().rejected(Rejection::seam) > 0;
   }
 
   // What had been moved when so many faces were left.
@@ -85,8 +91,7 @@ private:
 
   bool is_cliff(const Contraction& contraction) {
     if constexpr (knows_errors<Cost>) {
-      const double after =
-          moved() + Displacement::part(surface_.displacement_of(contraction, contraction.error()));
+      const double after = moved() + Displacement::part(surface_.displacement_of(contraction));
       return std::sqrt(after) > greatest_growth * std::sqrt(moved_before()) + next_to_nothing;
     } else {
       return false;

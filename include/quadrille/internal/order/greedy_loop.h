@@ -312,9 +312,11 @@ private:
   VanishingParts<Policies> parts_;
   EndOfRun<Policies> end_of_run_;
   PairUpdates<Policies> updates_;
-  // Errors up to this one spoil no part. Where the stop policy stops at no count nothing does.
-  double least_spoiling_ =
-      end_of_run_.has_count() ? surface_.shape_check().least_error() : no_limit;
+  // Errors up to this one spoil no part. Nothing does where the stop policy stops at no count, or
+  // where parts may join.
+  double least_spoiling_ = end_of_run_.has_count() && surface_.is_topology_kept()
+                               ? surface_.shape_check().least_error()
+                               : no_limit;
   bool is_last_resort_ = false; // has one of the deferred pairs its turn?
   bool tries_ends_ = false;     // see may_try_ends()
   std::size_t pairs_seen_ = 0;
