@@ -161,7 +161,7 @@ TEST_CASE("a few important vertices among others count for all that they become 
 }
 
 TEST_CASE("a part vanishes later that has an important vertex") {
-  const Soup one = sphere(1), two = joined(one, one, {{5, 0, 0}});
+  const Soup one = sphere(1), two = joined(one, one, {{100, 0, 0}}); // far apart: they are small
   for (const bool is_second : {false, true}) {
     std::vector<double> importance(two.points.size(), 1);
     importance[is_second ? one.points.size() + 3 : 3] = 100;

