@@ -62,7 +62,7 @@ function testObj() {
   const mesh = ["mtllib a.mtl", "mtllib b.mtl", ...vertices, "vt 0 0\nvt 1 0\nvt 0 1", ...faces, ""].join("\n");
   const header = headerOf(folder.page("obj.html", folder.write("a.obj", mesh)));
   check(JSON.stringify(header.materials) === '[{"color":[1,0,0]},{"color":[1,1,1],"image":0},{"color":[1,1,1]}]', `materials are ${JSON.stringify(header.materials)}`);
-  check(header.notes.join("; ") === "The image none.png is not shown: it cannot be read; The materials of b.mtl are not shown: it cannot be read", `notes are ${header.notes}`);
+  check(header.notes.join("; ") === "The materials of b.mtl are not shown: it cannot be read; The image none.png is not shown: it cannot be read", `notes are ${header.notes}`);
   check(header.isColored && header.images.length === 1, "the image");
 }
 
@@ -87,7 +87,8 @@ function testRefusals() {
   };
   for (const option of [["--levels", "50%"], ["--record", "b.qlv"], ["--measure"]])
     refuses("--levels, --record and --measure do not go with it", input, "b.html", ...option);
-  refuses("extension '.html' is none of", "b.html", "c.off");
+  folder.write("page.html", "page");
+  refuses("extension '.html' is none of", "page.html", "c.off");
   folder.run(input, "c.off", "--record", "b.qlv");
   refuses("there is no target and no --report for it", "--from", "b.qlv", "b.html", "--faces", "9");
   check(folder.run(input, "b.html").status === 0, "a page without a target");

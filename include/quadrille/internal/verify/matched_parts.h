@@ -27,7 +27,7 @@ public:
   MatchedParts(const std::vector<SolidPart>& before, const std::vector<SolidPart>& after)
       : before_(before), after_(after) {}
 
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// Of each part before, the part after that it has become, or none.
   std::vector<std::size_t> match() {
