@@ -139,21 +139,30 @@ void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
   }
 }
 
-/// Does a mesh keep floats, though its points are told as doubles? So do those of OpenMesh.
-template <class Mesh>
-constexpr bool keeps_floats() {
-  if constexpr (requires { typename Mesh::Scalar; })
-    return std::same_as<typename Mesh::Scalar, float>;
-  else
-    return false;
+/// Is what a map of points takes as doubles kept as floats? CGAL's map rounds to floats whatever it
+/// writes into a mesh of OpenMesh, one of doubles as well, unless CGAL_USE_OM_POINTS is defined.
+template <class Map, class Surface>
+constexpr bool rounds_to_floats() {
+  if constexpr (requires { typename Surface::Scalar; }) {
+    if constexpr (std::same_as<typename Surface::Scalar, float>)
+      return true;
+#ifndef CGAL_USE_OM_POINTS
+    else if constexpr (requires {
+                         typename boost::property_map<Surface, CGAL::vertex_point_t>::type;
+                       })
+      return std::same_as<Map, typename boost::property_map<Surface, CGAL::vertex_point_t>::type>;
+#endif
+  }
+  return false;
 }
 
 /// Tells whether coordinates are written as floats: those of points are, or somebody says so.
-template <class Point, class Mesh, class Input, class NamedParameters>
+template <class Map, class Surface, class Input, class NamedParameters>
 void tell_floats(Input& input, const NamedParameters& named) {
+  using Point = typename boost::property_traits<Map>::value_type;
   const auto are_floats =
       CGAL::parameters::get_parameter(named, parameters::coordinates_are_floats_tag);
-  input.writes_floats = has_float_coordinates<Point>() || keeps_floats<Mesh>();
+  input.writes_floats = has_float_coordinates<Point>() || rounds_to_floats<Map, Surface>();
   if constexpr (is_given<decltype(are_floats)>)
     input.writes_floats |= are_floats;
 }
@@ -176,7 +185,7 @@ Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carri
       adapter(mesh, points, indices, attributes, workspace, std::move(channels));
   const auto read = [&](auto& reader) {
     auto input = reader.read();
-    tell_floats<typename boost::property_traits<decltype(points)>::value_type, Mesh>(input, named);
+    tell_floats<decltype(points), Mesh>(input, named);
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
     weigh_vertices(reader, input, named);
@@ -242,7 +251,7 @@ Report simplify_soup_with_maps(Points& points, Triangles& triangles, const Polic
   auto adapter = soup_adapter(points, triangles, map, attributes, carried, workspace);
   const auto read = [&](auto& reader) {
     auto input = reader.read();
-    tell_floats<typename boost::property_traits<decltype(map)>::value_type, Points>(input, named);
+    tell_floats<decltype(map), Points>(input, named);
     fix_vertices(reader, input, named);
     limit_vertices(reader, input, named);
     weigh_vertices(reader, input, named);
