@@ -50,7 +50,7 @@ Soup by_the_paper(const Soup& soup, std::size_t faces, double t) {
                                 static_cast<std::uint32_t>(c)});
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i)
-      result.points[v][i] = simplification.point(v)[i];
+      result.points[v][i] = simplification.vertices[v].point[i];
   return without_isolated_points(result);
 }
 
