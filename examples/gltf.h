@@ -100,7 +100,7 @@ public:
   void require_fit_for_levels() const {
     with_errors_of(path_, [&] {
       GltfLevels::require_none(document_.json);
-      GltfLevels::require_shown(document_.json, surfaces_);
+      GltfLevels::require_shown(document_.json, surfaces_, firsts_);
     });
   }
 
@@ -108,8 +108,9 @@ public:
   /// first: each has all surfaces.
   GltfDocument take_with(std::vector<std::vector<GltfSurface>> levels) {
     with_errors_of(path_, [&] {
-      GltfRewriting::rewrite(document_,
-                             GltfLevels::add(document_.json, surfaces_, std::move(levels)));
+      const GltfLevels::Added added =
+          GltfLevels::add(document_.json, surfaces_, firsts_, std::move(levels));
+      GltfRewriting::rewrite(document_, added.surfaces, added.firsts);
     });
     return std::move(document_);
   }

@@ -1212,7 +1212,7 @@ write_sheet sheet.gltf
 run 0 sheet.gltf out.glb --normals 60 --verify
 expect stdout '^sheet.gltf: 128 -> 6[34] faces'
 expect stdout 'verified: degrees between normals: [0-9.]+ promised, [0-9.]+ measured; .* become: 0 promised, 0 measured$'
-expect stderr '^sheet.gltf: its buffers have 708 bytes, those of OUT 904$'
+expect stderr '^sheet.gltf: its buffers have 708 bytes, those of OUT 712: what is promised needs floats, and its positions were integers$'
 run 0 out.glb out.gltf --ratio 1
 expect stdout '^out.glb: 6[34] -> 6[34] faces'
 expect out.gltf '"VENDOR_any":{"x":\[1,null\]}'
@@ -1232,6 +1232,8 @@ sed -e 's/"meshes": \[{\(.*\)}\],$/"meshes": [{\1}, {"name": "twin", \1}, {"prim
   -e 's/"count": 384}\]/"count": 384}, {"componentType": 5126, "type": "VEC3", "count": 81, "min": [0, 0, 0], "max": [0, 0, 0]}]/' sheet.gltf >twins.gltf
 run 0 twins.gltf out.gltf
 expect stdout '^twins.gltf: 128 -> 6[34] faces'
+expect stderr '^twins.gltf: triangles left out for having two equal corners.*: 128$' # those of zeros
+grep -q '{"componentType":5126,"type":"VEC3","count":1,"min":\[0.0,0.0,0.0\],"max":\[0.0,0.0,0.0\]}' out.gltf || fail "zeros have bytes"
 expect out.gltf '"meshes":\[{("primitives":\[{"attributes":{"POSITION":[0-9]+},"indices":[0-9]+,"material":0}\])},{"name":"twin",\1}'
 if [ -n "${QUADRILLE_CASES-}" ]; then # read, or a sentence that says what decodes it
   for file in draco_ball meshopt_ball meshopt_vase; do
@@ -1242,6 +1244,28 @@ if [ -n "${QUADRILLE_CASES-}" ]; then # read, or a sentence that says what decod
     esac
   done
 fi
+run 0 twins.gltf out.gltf --levels 50%,25%
+expect out.gltf '("attributes":{"POSITION":[0-9]+},"indices":[0-9]+),"material":0}\]},.*"name":"twin_LOD1","primitives":\[{\1,'
+[ "$(grep -o '"bufferView":' out.gltf | wc -l)" -eq 6 ] || fail "levels of twins do not share what they have"
+# Compressed, or a sentence that says by what else; again, if it was.
+for how in meshopt draco; do
+  "$program" sheet.gltf packed.glb --compress $how --keep 100% >stdout 2>stderr
+  case $? in
+  0)
+    expect packed.glb "\"extensionsRequired\":\[\"[A-Z]*_${how}_[a-z_]*\"\]"
+    run 0 packed.glb unpacked.glb
+    expect stdout '^packed.glb: 128 -> 6[34] faces'
+    expect stderr "^packed.glb: it is compressed, OUT is not: --compress $how does it again$"
+    run 0 packed.glb repacked.glb --compress $how
+    expect_nothing stderr
+    ;;
+  *) expect stderr '^this was built without lib.*, which compresses so; compress OUT by another tool: ' ;;
+  esac
+done
+run 2 sheet.gltf out.off --compress draco
+expect stderr '^out.off: --compress is for OUT that is .glb or .gltf$'
+run 2 sheet.gltf unpacked.glb --compress zip
+expect stderr '^--compress: .zip. is none of meshopt, draco$'
 run 0 sheet.gltf out.off --keep 50%
 expect_ratio out.off 64
 expect stderr '^sheet.gltf: not kept: .*looks of materials'

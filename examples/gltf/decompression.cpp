@@ -2,6 +2,7 @@
 
 #include "accessor.h"
 #include "document.h"
+#include "extensions.h"
 #include "json.h"
 
 #ifdef QUADRILLE_WITH_DRACO
@@ -19,6 +20,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,33 +33,6 @@ namespace {
 
 constexpr const char* draco_name = "KHR_draco_mesh_compression";
 constexpr const char* meshopt_names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
-
-const Json* extension(const Json& json, const char* name) {
-  const Json* const extensions = member(json, "extensions");
-  return extensions ? member(*extensions, name) : nullptr;
-}
-
-void erase_extension(Json& json, const char* name) {
-  json["extensions"].erase(name);
-  if (json["extensions"].empty())
-    json.erase("extensions");
-}
-
-/// The document no longer uses it.
-void forget_extension(Json& json, const char* name) {
-  for (const char* const list : {"extensionsUsed", "extensionsRequired"}) {
-    if (size_of(json, list) == 0)
-      continue;
-    Json rest = Json::array();
-    for (const Json& one : json[list])
-      if (one != Json(name))
-        rest.push_back(one);
-    if (rest.empty())
-      json.erase(list);
-    else
-      json[list] = std::move(rest);
-  }
-}
 
 [[noreturn, maybe_unused]] void refuse(const std::string& library, const std::string& tool) {
   throw std::runtime_error("it is compressed, and this was built without " + library +
@@ -107,7 +82,7 @@ void decode_view(std::string& decoded, std::string_view bytes, const Json& how, 
 void decode_view([[maybe_unused]] GltfDocument& document, [[maybe_unused]] Json& view,
                  [[maybe_unused]] const char* name) {
 #ifdef QUADRILLE_WITH_MESHOPT
-  const Json how = *extension(view, name);
+  const Json how = *extension_of(view, name);
   const std::string bytes(bytes_of_range(document, how, "a compressed buffer view"));
   const std::size_t count = count_of(how, "count"), stride = count_of(how, "byteStride");
   const std::size_t offset = count_of(view, "byteOffset", 0), buffer = count_of(view, "buffer");
@@ -131,16 +106,18 @@ void decode_views(GltfDocument& document) {
   for (const char* const name : meshopt_names) {
     bool has_any = false;
     for (std::size_t i = 0; i < size_of(document.json, "bufferViews"); ++i)
-      if (extension(element_of(document.json, "bufferViews", i), name)) {
+      if (extension_of(element_of(document.json, "bufferViews", i), name)) {
         with_errors_of_extension(
             name, [&] { decode_view(document, document.json["bufferViews"][i], name); });
         has_any = true;
       }
     for (std::size_t i = 0; i < size_of(document.json, "buffers"); ++i)
-      if (extension(element_of(document.json, "buffers", i), name))
+      if (extension_of(element_of(document.json, "buffers", i), name))
         erase_extension(document.json["buffers"][i], name);
-    if (has_any)
-      forget_extension(document.json, name);
+    if (!has_any)
+      continue;
+    forget_extension(document.json, name);
+    document.compression = "meshopt";
   }
 }
 
@@ -200,7 +177,7 @@ private:
       bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
     }
     const std::size_t stride = (type.size() + 3) / 4 * 4;
-    put(json, mesh.num_points(), std::move(bytes), stride == type.size() ? 0 : stride);
+    put(json, view, mesh.num_points(), std::move(bytes), stride == type.size() ? 0 : stride);
   }
 
   static void append(const draco::PointAttribute& attribute, draco::AttributeValueIndex value,
@@ -247,7 +224,7 @@ private:
                                         mesh.face(face)[static_cast<std::size_t>(i)].value()));
     Json& json = json_of(accessor);
     json["componentType"] = std::size_t{5125};
-    put(json, 3 * std::size_t{mesh.num_faces()}, std::move(bytes), 0);
+    put(json, view, 3 * std::size_t{mesh.num_faces()}, std::move(bytes), 0);
   }
 
   /// Primitives may share what they have.
@@ -263,7 +240,9 @@ private:
     return document_.json["accessors"][accessor];
   }
 
-  void put(Json& accessor, std::size_t count, std::string bytes, std::size_t stride) {
+  /// The first of what was compressed in a view takes its number, so that nothing is left of it.
+  void put(Json& accessor, std::size_t old_view, std::size_t count, std::string bytes,
+           std::size_t stride) {
     if (bytes.empty())
       throw std::runtime_error("a primitive that Draco has compressed is empty");
     std::string& buffer = document_.buffers.at(0);
@@ -272,15 +251,20 @@ private:
     if (stride > 0)
       view["byteStride"] = stride;
     buffer += bytes;
-    accessor["bufferView"] = document_.json["bufferViews"].size();
+    Json& views = document_.json["bufferViews"];
+    const std::size_t number = replaced_views_.insert(old_view).second ? old_view : views.size();
+    if (number == views.size())
+      views.push_back(Json());
+    views[number] = std::move(view);
+    accessor["bufferView"] = number;
     accessor["count"] = count;
     accessor.erase("byteOffset");
-    document_.json["bufferViews"].push_back(std::move(view));
   }
 
   GltfDocument& document_;
   std::map<std::size_t, std::unique_ptr<draco::Mesh>> meshes_; // by views
   std::map<std::size_t, std::size_t> views_;                   // of accessors
+  std::set<std::size_t> replaced_views_;
 };
 #endif
 
@@ -293,7 +277,7 @@ void decode_primitives(GltfDocument& document) {
     for (std::size_t i = 0; i < size_of(element_of(document.json, "meshes", mesh), "primitives");
          ++i) {
       const Json& json = element_of(element_of(document.json, "meshes", mesh), "primitives", i);
-      const Json* const how = extension(json, draco_name);
+      const Json* const how = extension_of(json, draco_name);
       if (!how)
         continue;
       has_any = true;
@@ -305,8 +289,10 @@ void decode_primitives(GltfDocument& document) {
       refuse("libdraco", "gltf-pipeline -i IN -o OUT");
 #endif
     }
-  if (has_any)
-    forget_extension(document.json, draco_name);
+  if (!has_any)
+    return;
+  forget_extension(document.json, draco_name);
+  document.compression = "draco";
 }
 
 } // namespace

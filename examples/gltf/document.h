@@ -31,6 +31,7 @@ namespace quadrille_examples {
 struct GltfDocument {
   Json json;
   std::vector<std::string> buffers;
+  std::string compression = {}; ///< how it was compressed: "meshopt" or "draco"; else empty
 
   /// How many bytes the buffers have.
   std::size_t size() const {

@@ -2,8 +2,10 @@
 #define QUADRILLE_EXAMPLES_GLTF_LEVELS_H
 
 #include "../mesh_io/text.h"
+#include "extensions.h"
 #include "json.h"
 #include "surface.h"
+#include "twins.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,35 +35,42 @@ public:
   /// Throws for nodes that have levels already: where these were to go is not told.
   static void require_none(const Json& document) {
     for_each_element(document, "nodes", [](const Json& node) {
-      const Json* const extensions = member(node, "extensions");
-      if (extensions && member(*extensions, extension))
+      if (extension_of(node, extension))
         throw std::runtime_error("its nodes have levels of detail already (MSFT_lod)");
     });
   }
 
-  /// Throws if no node shows one of the surfaces.
-  static void require_shown(const Json& document, const std::vector<GltfSurface>& surfaces) {
-    const std::set<std::size_t> shown = shown_meshes(document);
-    if (std::none_of(surfaces.begin(), surfaces.end(),
-                     [&](const GltfSurface& surface) { return shown.contains(surface.mesh()); }))
+  /// Throws if no node shows one of the surfaces, or a twin of one.
+  static void require_shown(const Json& document, const std::vector<GltfSurface>& surfaces,
+                            const GltfTwins::Firsts& firsts) {
+    if (std::none_of(surfaces.begin(), surfaces.end(), [&](const GltfSurface& surface) {
+          return !shown_of(document, surface.mesh(), firsts).empty();
+        }))
       throw std::runtime_error("it has no node with a mesh of triangles, which could have levels");
   }
 
-  /// Each of the levels, the finest first, has the surfaces in the order of `input`. Returns those
-  /// that have got meshes of their own: others are no coarser than the level before, or no node
-  /// shows them.
-  static std::vector<GltfSurface> add(Json& document, const std::vector<GltfSurface>& input,
-                                      std::vector<std::vector<GltfSurface>> levels) {
+  /// Surfaces that have got meshes of their own, and the meshes that share what these have.
+  struct Added {
+    std::vector<GltfSurface> surfaces;
+    GltfTwins::Firsts firsts;
+  };
+
+  /// Each of the levels, the finest first, has the surfaces in the order of `input`, of which the
+  /// meshes have such twins. Other surfaces than those that are returned are no coarser than the
+  /// level before, or no node shows them.
+  static Added add(Json& document, const std::vector<GltfSurface>& input,
+                   const GltfTwins::Firsts& firsts, std::vector<std::vector<GltfSurface>> levels) {
     GltfLevels adding(document);
-    const std::set<std::size_t> shown = shown_meshes(document);
     std::vector<GltfSurface> added;
-    for (std::size_t i = 0; i < input.size(); ++i)
-      if (shown.contains(input[i].mesh()))
-        for (std::vector<GltfSurface>& level : levels)
-          if (adding.add_mesh(input[i], level[i]))
-            added.push_back(std::move(level[i]));
+    for (const GltfSurface& surface : input) {
+      const auto i = static_cast<std::size_t>(&surface - input.data());
+      const std::vector<std::size_t> shown = shown_of(document, surface.mesh(), firsts);
+      for (std::vector<GltfSurface>& level : levels)
+        if (!shown.empty() && adding.add_meshes(shown, surface, level[i]))
+          added.push_back(std::move(level[i]));
+    }
     adding.add_nodes();
-    return added;
+    return {std::move(added), std::move(adding.firsts_)};
   }
 
 private:
@@ -86,13 +95,19 @@ private:
     });
   }
 
-  static std::set<std::size_t> shown_meshes(const Json& document) {
+  /// Which of a mesh and its twins nodes show, in the order of their numbers.
+  static std::vector<std::size_t> shown_of(const Json& document, std::size_t mesh,
+                                           const GltfTwins::Firsts& firsts) {
     std::set<std::size_t> meshes;
     for_each_element(document, "nodes", [&](const Json& node) {
-      if (member(node, "mesh"))
-        meshes.insert(count_of(node, "mesh"));
+      if (!member(node, "mesh"))
+        return;
+      const std::size_t shown = count_of(node, "mesh");
+      const auto first = firsts.find(shown);
+      if (mesh == (first == firsts.end() ? shown : first->second))
+        meshes.insert(shown);
     });
-    return meshes;
+    return {meshes.begin(), meshes.end()};
   }
 
   std::size_t append(const char* array, Json element) {
@@ -105,18 +120,27 @@ private:
       object["name"] = name + "_LOD" + std::to_string(level);
   }
 
-  /// False if the surface is no coarser than the one before.
-  bool add_mesh(const GltfSurface& input, GltfSurface& surface) {
-    std::vector<CoarseMesh>& coarse = coarse_meshes_[input.mesh()];
+  /// One for each of the meshes, which are twins; the surface belongs to the first. False if it is
+  /// no coarser than the one before.
+  bool add_meshes(const std::vector<std::size_t>& twins, const GltfSurface& input,
+                  GltfSurface& surface) {
+    const std::vector<CoarseMesh>& before = coarse_meshes_[twins.front()];
     const std::size_t faces = surface.triangles.size();
     const std::size_t faces_of_input = input.triangles.size();
-    if (faces >= (coarse.empty() ? faces_of_input : coarse.back().faces))
+    if (faces >= (before.empty() ? faces_of_input : before.back().faces))
       return false;
-    Json copy = element_of(document_, "meshes", input.mesh());
-    rename(copy, coarse.size() + 1);
-    surface.belong_to(append("meshes", std::move(copy)));
-    coarse.push_back(
-        {surface.mesh(), faces, static_cast<double>(faces) / static_cast<double>(faces_of_input)});
+    for (const std::size_t twin : twins) {
+      std::vector<CoarseMesh>& coarse = coarse_meshes_[twin];
+      Json copy = element_of(document_, "meshes", twin);
+      rename(copy, coarse.size() + 1);
+      const std::size_t mesh = append("meshes", std::move(copy));
+      if (twin == twins.front())
+        surface.belong_to(mesh);
+      else
+        firsts_.emplace(mesh, surface.mesh());
+      coarse.push_back(
+          {mesh, faces, static_cast<double>(faces) / static_cast<double>(faces_of_input)});
+    }
     return true;
   }
 
@@ -136,7 +160,7 @@ private:
       has_any = true;
     }
     if (has_any)
-      use_extension();
+      list_extension(document_, "extensionsUsed", extension);
   }
 
   bool is_nothing_but_mesh(std::size_t node) const {
@@ -156,8 +180,7 @@ private:
       child["name"] = json["name"];
     for (const char* const key : {"mesh", "skin", "weights"})
       move_member(json, child, key);
-    if (const Json* const extensions = member(json, "extensions");
-        extensions && member(*extensions, instancing)) {
+    if (extension_of(json, instancing)) {
       move_member(json["extensions"], child["extensions"], instancing);
       if (json["extensions"].empty())
         json.erase("extensions");
@@ -199,20 +222,11 @@ private:
          {"name", "matrix", "translation", "rotation", "scale", "skin", "weights"})
       if (const Json* const value = member(node, key))
         result[key] = *value;
-    if (const Json* const extensions = member(node, "extensions"))
-      if (const Json* const instances = member(*extensions, instancing))
-        result["extensions"][instancing] = *instances;
+    if (const Json* const instances = extension_of(node, instancing))
+      result["extensions"][instancing] = *instances;
     result["mesh"] = mesh;
     rename(result, level);
     return result;
-  }
-
-  void use_extension() {
-    bool is_used = false;
-    for (std::size_t i = 0; i < size_of(document_, "extensionsUsed"); ++i)
-      is_used = is_used || document_["extensionsUsed"][i] == extension;
-    if (!is_used)
-      document_["extensionsUsed"].push_back(extension);
   }
 
   // --- Animations --------------------------------------------------------------------------------
@@ -244,9 +258,7 @@ private:
   }
 
   static std::string pointer_of(const Json& target) {
-    const Json* const extensions = member(target, "extensions");
-    const Json* const by_pointer =
-        extensions ? member(*extensions, "KHR_animation_pointer") : nullptr;
+    const Json* const by_pointer = extension_of(target, "KHR_animation_pointer");
     return by_pointer ? text_of(*by_pointer, "pointer") : std::string();
   }
 
@@ -281,6 +293,7 @@ private:
   Json& document_;
   std::set<std::size_t> moved_nodes_;
   std::map<std::size_t, std::vector<CoarseMesh>> coarse_meshes_; // of the meshes of the input
+  GltfTwins::Firsts firsts_;                                     // among coarser meshes
 };
 
 } // namespace quadrille_examples

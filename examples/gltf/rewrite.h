@@ -223,7 +223,7 @@ private:
     Json accessor = old ? old_accessors_[*old] : Json::object();
     for (const char* const key : {"sparse", "byteOffset", "min", "max"})
       accessor.erase(key);
-    accessor["componentType"] = vertices.size() > 65535 ? unsigned_int : unsigned_short;
+    accessor["componentType"] = index_type(vertices.size(), accessor);
     accessor["type"] = "SCALAR";
     accessor["count"] = vertices.corners().size();
     const ElementType type(accessor);
@@ -233,6 +233,14 @@ private:
     accessor["bufferView"] =
         add_view(new_view(old ? buffer_of(*old, buffer) : buffer, of_indices), std::move(bytes));
     return add_accessor(std::move(accessor), old);
+  }
+
+  /// The smallest type that can count so many vertices; bytes, which not all hardware takes, only
+  /// where the old indices were bytes. The greatest number of a type stands for no vertex.
+  static Type index_type(std::size_t vertices, const Json& old) {
+    if (vertices <= 255 && count_of(old, "componentType", unsigned_int) == unsigned_byte)
+      return unsigned_byte;
+    return vertices <= 65535 ? unsigned_short : unsigned_int;
   }
 
   /// The buffer that an old accessor was in; `otherwise`, if it was in none.

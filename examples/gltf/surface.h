@@ -61,6 +61,13 @@ public:
     for (GltfPrimitive& primitive : primitives_)
       primitive.attributes.front().written = primitive.attributes.front().written.as_floats();
   }
+  /// Were its positions integers that are written as floats?
+  bool has_become_floats() const {
+    return std::any_of(primitives_.begin(), primitives_.end(), [](const GltfPrimitive& primitive) {
+      const GltfAttribute& position = primitive.attributes.front();
+      return position.written.component.is_float && !position.elements.type().component.is_float;
+    });
+  }
   bool has(AttributeKind kind) const { return channels_.has(kind); }
 
   /// The number of the mesh of which the surface is.

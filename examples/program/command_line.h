@@ -109,6 +109,12 @@ inline void add_files(CLI::App& app, Options& options) {
                "leave images of glTF and OBJ in their files, which OUT names; without this they go "
                "into OUT if it is .glb, or .gltf in another folder")
       ->group("Files");
+  take_one_of(app.add_option("--compress", options.compression,
+                             "compress OUT, which is glTF: by EXT_meshopt_compression, bit for "
+                             "bit, or by KHR_draco_mesh_compression, which rounds floats unless "
+                             "something is promised of OUT"),
+              {"meshopt", "draco"})
+      ->group("Files");
   app.add_flag("--force", options.is_forced, "replace OUT even if it is read-only")->group("Files");
   app.add_flag("--keep-partial", options.keeps_partial,
                "after Ctrl-C write how far it went; without this OUT stays as it was")

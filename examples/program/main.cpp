@@ -4,6 +4,7 @@
 // file, or nothing to simplify, OUT is as it was; 3 what was promised is not kept, as --verify has
 // found, OUT is written; 130 interrupted, OUT is as it was.
 
+#include "../gltf/compression.h"
 #include "../mesh_io/replace_file.h"
 #include "command_line.h"
 #include "interruption.h"
@@ -61,11 +62,14 @@ bool run(Options options, ProgressLine& progress) {
                              "glTF and pages");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
+  const bool writes_gltf = is_gltf(output_extension(options)) && options.scratch.empty();
+  if (!options.compression.empty() && !writes_gltf)
+    throw std::runtime_error(options.output + ": --compress is for OUT that is .glb or .gltf");
+  compression_of(options.compression); // throws if it cannot be done
   if (!options.scratch.empty())
     return run_out_of_core(options, progress);
   if (is_page(output_extension(options)))
     return run_page(options, progress);
-  const bool writes_gltf = is_gltf(output_extension(options));
   if (!options.from.empty() && writes_gltf)
     throw std::runtime_error(options.output + ": a level of a record is not written as glTF");
   if (!options.from.empty())

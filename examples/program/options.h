@@ -73,6 +73,7 @@ struct Options {
   bool is_quiet = false, is_verbose = false;
   std::function<bool(const quadrille::Status&)> proceed; // asked now and then; false: no further
   bool leaves_images = false;                            // of glTF and OBJ, as files that OUT names
+  std::string compression;                               // of glTF that is written; empty: none
   std::string folder; // for the results of several files; empty: there is one
 
   bool has_lines_or_noise() const {

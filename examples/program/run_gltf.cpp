@@ -1,4 +1,5 @@
 #include "../gltf.h"
+#include "../gltf/compression.h"
 #include "outcome.h"
 #include "runs.h"
 #include "simplify_mesh.h"
@@ -108,18 +109,19 @@ public:
 
   bool run() {
     progress_.show_stage("reading");
-    GltfMeshes meshes = options_.levels.empty()
-                            ? GltfMeshes::read_shared(options_.input, options_.labels)
-                            : GltfMeshes::read(options_.input, options_.labels);
+    GltfMeshes meshes = GltfMeshes::read_shared(options_.input, options_.labels);
     progress_.clear();
     require_fit(options_, meshes.surfaces());
     print_remarks(options_, meshes);
+    if (const std::string& how = meshes.document().compression;
+        !how.empty() && options_.compression.empty())
+      print_remark(options_, "it is compressed, OUT is not: --compress " + how + " does it again");
     placements_ = meshes.placements();
     if (options_.levels.empty()) {
       simplify_to(options_.output, meshes.surfaces(), options_);
       const std::size_t before = meshes.size();
       GltfDocument document = meshes.take();
-      print_remark_of_size(before, document.size());
+      print_remark_of_size(before, document.size(), meshes.surfaces());
       write(std::move(document));
     } else {
       write(meshes.take_with(levels_of(meshes)));
@@ -177,16 +179,24 @@ private:
     return levels;
   }
 
-  /// As where primitives shared vertices that are written for each of them.
-  void print_remark_of_size(std::size_t before, std::size_t after) const {
+  /// As where primitives shared vertices that are written for each of them, or where integers that
+  /// OUT could not keep a promise with have become floats.
+  void print_remark_of_size(std::size_t before, std::size_t after, const Surfaces& surfaces) const {
+    const bool are_new_floats =
+        std::any_of(surfaces.begin(), surfaces.end(),
+                    [](const GltfSurface& surface) { return surface.has_become_floats(); });
     if (after > before)
       print_remark(options_, "its buffers have " + with_commas(before) + " bytes, those of OUT " +
-                                 with_commas(after));
+                                 with_commas(after) +
+                                 (are_new_floats ? ": what is promised needs floats, and its "
+                                                   "positions were integers"
+                                                 : ""));
   }
 
   void write(GltfDocument document) {
     progress_.show_stage("writing");
     take_images_in(document);
+    compress(document, compression_of(options_.compression), options_.promises());
     require_not_interrupted(options_);
     write_gltf(options_.output, std::move(document), output_extension(options_),
                options_.is_forced);

@@ -1,5 +1,6 @@
 #include "../bounding_box.h"
 #include "../face_labels.h"
+#include "../gltf/compression.h"
 #include "../gltf/mesh_document.h"
 #include "../gltf/scene_mesh.h"
 #include "../mesh_io.h"
@@ -225,6 +226,7 @@ private:
       for (const std::string& remark : remarks)
         if (is_first)
           print_remark(options_, remark);
+      compress(document, compression_of(options_.compression), options_.promises());
       return encode_document(std::move(document), output_extension(options_));
     });
   }

@@ -36,7 +36,7 @@ simplify_gltf(const std::filesystem::path& in, const std::filesystem::path& out,
   options.proceed = [&](const Status& status) { return proceed(status); };
   options.stop = stop_of(stop);
   const py::gil_scoped_release unlocked;
-  GltfMeshes meshes = GltfMeshes::read(in, labels);
+  GltfMeshes meshes = GltfMeshes::read_shared(in, labels);
   if (meshes.surfaces().empty())
     throw std::invalid_argument(in.string() + ": there are no triangles to simplify");
   std::vector<std::string> remarks = remarks_of(meshes, in, out, false);

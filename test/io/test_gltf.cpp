@@ -3,6 +3,7 @@
 #if __has_include(<nlohmann/json.hpp>)
 
 #include "../examples/gltf.h"
+#include "../examples/gltf/compression.h"
 #include "folder.h"
 #include "gltf_assets.h"
 
@@ -161,6 +162,37 @@ std::string complaint_about(const std::function<void(Asset&)>& change) {
 }
 
 } // namespace
+
+TEST_CASE("what is compressed comes back, and what is exact has its bits") {
+  const Asset asset = ball(12);
+  for (const bool is_exact : {true, false})
+    for (const char* const how : {"meshopt", "draco"}) {
+      CAPTURE(how, is_exact);
+      try {
+        compression_of(how);
+      } catch (const std::runtime_error& error) {
+        CHECK_THAT(error.what(), Catch::Contains("this was built without lib"));
+        continue;
+      }
+      GltfDocument packed = asset.document();
+      compress(packed, compression_of(how), is_exact);
+      CHECK(packed.json["extensionsRequired"].size() == 1);
+      CHECK(packed.buffers[0].size() < asset.bytes().size() * 2 / 3);
+      for (const std::string& content : {encode_glb(packed), encode_gltf(packed)}) {
+        const GltfDocument result = read(content);
+        CHECK(result.compression == how);
+        CHECK(open_edges(result) == 0); // parts that are rounded go on meeting
+        CHECK(other_than_geometry(result.json) == other_than_geometry(asset.document().json));
+        CHECK(bytes_of_picture(result) == Asset::picture);
+        const auto before = primitives_of(asset.document()), after = primitives_of(result);
+        for (std::size_t i = 0; i < 2; ++i) {
+          CHECK(after[i].triangles.size() == before[i].triangles.size());
+          const bool is_same = faces_of(after[i]) == faces_of(before[i]);
+          CHECK(is_same == (is_exact || how == std::string("meshopt")));
+        }
+      }
+    }
+}
 
 TEST_CASE("nothing is lost where nothing is simplified") {
   for (const bool is_indexed : {true, false}) {
