@@ -8,7 +8,9 @@
 #include <quadrille/compiled.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,9 +42,12 @@ struct ChannelPart {
 /// The attributes of a mesh on their way through `simplify`.
 class GltfChannels {
 public:
+  static constexpr const char* charts = " charts"; // no attribute has such a name
+
   bool has(AttributeKind kind) const {
-    return std::any_of(channels_.begin(), channels_.end(),
-                       [&](const GltfChannel& channel) { return channel.kind == kind; });
+    return std::any_of(channels_.begin(), channels_.end(), [&](const GltfChannel& channel) {
+      return channel.kind == kind && channel.name != charts;
+    });
   }
 
   /// The channels that an attribute belongs to, which are made if there are none.
@@ -74,6 +79,19 @@ public:
   void add_face(Indices indices) {
     for (std::size_t channel = 0; channel < channels_.size(); ++channel)
       channels_[channel].values.triangles.push_back(indices(channel));
+  }
+
+  /// A texture that is of no attribute, but holds borders. All faces are there.
+  void add_charts(const CornerValues<2>& corners) {
+    quadrille::SoupChannel values{2, {0, 0}, {}};
+    for (const std::array<double, 2>& value : corners.values)
+      values.values.insert(values.values.end(), value.begin(), value.end());
+    for (std::array<std::uint32_t, 3> triangle : corners.triples) {
+      for (std::uint32_t& corner : triangle)
+        ++corner; // behind what stands first
+      values.triangles.push_back(triangle);
+    }
+    channels_.push_back({AttributeKind::texture, charts, std::nullopt, std::move(values)});
   }
 
   /// Gives an element at a corner of a face what the channel of a part has there.

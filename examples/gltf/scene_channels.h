@@ -174,6 +174,8 @@ private:
   /// What has no values in between holds nothing: a corner has one of those that there were.
   static quadrille::ChannelOptions options_of(const GltfChannel& channel,
                                               const ChannelChoices& choices, double length) {
+    if (channel.name == GltfChannels::charts)
+      return {};
     if (channel.kind == AttributeKind::texture)
       return {.importance = choices.of_textures, .seams = choices.texture_seams};
     quadrille::ChannelOptions options{.importance = channel.kind == AttributeKind::color

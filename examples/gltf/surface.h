@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_EXAMPLES_GLTF_SURFACE_H
 #define QUADRILLE_EXAMPLES_GLTF_SURFACE_H
 
+#include "../mesh_io/surface_joining.h"
+#include "../value_seams.h"
 #include "channels.h"
 #include "primitive.h"
 #include "skeleton.h"
@@ -15,7 +17,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -32,8 +36,9 @@ struct GltfLabel {
   }
 };
 
-/// The triangles of all primitives of a mesh as one surface: vertices at one place are one point,
-/// of whatever primitive and with whatever attributes they are.
+/// The triangles of all primitives of a mesh as one surface: vertices at one place are one point
+/// wherever edges of their faces meet (SurfaceJoining), of whatever primitive and with whatever
+/// attributes they are.
 class GltfSurface {
 public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -49,8 +54,11 @@ public:
     std::vector<std::vector<std::size_t>> first_values;
     for (std::size_t i = 0; i < primitives_.size(); ++i)
       first_values.push_back(add_values(i));
+    const Vertices vertices = join_vertices();
+    std::vector<Triangle> corners; // of the faces, by vertices
     for (std::size_t i = 0; i < primitives_.size(); ++i)
-      add_faces(i, first_values[i]);
+      add_faces(i, first_values[i], vertices, corners);
+    add_charts(vertices, corners);
     tangents_ = GltfTangents(primitives_);
   }
 
@@ -161,21 +169,60 @@ private:
     return first_values;
   }
 
-  /// Those that have three corners at different places.
-  void add_faces(std::size_t number, const std::vector<std::size_t>& first_values) {
-    const GltfPrimitive& primitive = primitives_[number];
-    std::vector<std::uint32_t> points_of; // the vertices
-    const Elements& positions = primitive.attributes.front().elements;
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      points_of.push_back(point_at(positions[v]));
-      skin_.add(points_of.back(), primitive, number, v);
+  /// The vertices of all primitives, one primitive behind the other.
+  struct Vertices {
+    std::vector<std::uint32_t> points;
+    std::vector<std::size_t> firsts; // of the primitives
+  };
+
+  /// Finds the points of vertices; those that are one have the bits of the first.
+  Vertices join_vertices() {
+    Vertices vertices;
+    std::vector<quadrille_examples::Point> places;
+    std::vector<Triangle> corners;
+    for (const GltfPrimitive& primitive : primitives_) {
+      vertices.firsts.push_back(places.size());
+      const Elements& positions = primitive.attributes.front().elements;
+      for (std::size_t v = 0; v < positions.size(); ++v) {
+        const Point p = rounded(positions[v]);
+        places.emplace_back(double{p[0]}, double{p[1]}, double{p[2]});
+      }
+      for (const Triangle& triangle : primitive.triangles)
+        corners.push_back(moved_by(vertices.firsts.back(), triangle));
     }
+    const std::vector<std::uint32_t> one = SurfaceJoining::first_vertices(places, corners);
+    for (std::size_t i = 0, vertex = 0; i < primitives_.size(); ++i)
+      for (std::size_t v = 0; v < primitives_[i].attributes.front().elements.size(); ++v) {
+        const bool is_first = one[vertex] == vertex;
+        vertices.points.push_back(is_first ? static_cast<std::uint32_t>(points.size())
+                                           : vertices.points[one[vertex]]);
+        if (is_first)
+          points.push_back(rounded(primitives_[i].attributes.front().elements[v]));
+        skin_.add(vertices.points.back(), primitives_[i], i, v);
+        ++vertex;
+      }
+    return vertices;
+  }
+
+  static Point rounded(const Element& position) {
+    Point point;
+    for (std::size_t c = 0; c < 3; ++c)
+      point[c] = static_cast<float>(position[c]);
+    return point;
+  }
+
+  /// Those that have three corners at different places.
+  void add_faces(std::size_t number, const std::vector<std::size_t>& first_values,
+                 const Vertices& vertices, std::vector<Triangle>& corners_of_faces) {
+    const GltfPrimitive& primitive = primitives_[number];
     for (const Triangle& corners : primitive.triangles) {
-      const auto [a, b, c] = corners;
-      const Triangle triangle = {points_of[a], points_of[b], points_of[c]};
+      const Triangle of_all = moved_by(vertices.firsts[number], corners);
+      const auto [a, b, c] = of_all;
+      const Triangle triangle = {vertices.points[a], vertices.points[b], vertices.points[c]};
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
         continue;
       triangles.push_back(triangle);
+      corners_of_faces.push_back(of_all);
       channels_.add_face([&](std::size_t channel) {
         const bool has = channel < first_values.size() && first_values[channel] > 0;
         return has ? moved_by(first_values[channel], corners) : Triangle{};
@@ -184,16 +231,59 @@ private:
     }
   }
 
-  /// Equal positions are one point, with the bits of the first.
-  std::uint32_t point_at(const Element& position) {
-    Point point;
-    for (std::size_t c = 0; c < 3; ++c)
-      point[c] = static_cast<float>(position[c]);
-    const auto [place, is_new] =
-        point_numbers_.try_emplace(point, static_cast<std::uint32_t>(points.size()));
-    if (is_new)
-      points.push_back(point);
-    return place->second;
+  /// Where colours or numbers of vertices at one point differ, the parts that these seams divide
+  /// are charts, which hold their borders: two constants disagree about nothing, so their border
+  /// would wander.
+  void add_charts(const Vertices& vertices, const std::vector<Triangle>& corners) {
+    std::set<std::string> names;
+    for (const GltfPrimitive& primitive : primitives_)
+      for (const GltfAttribute& attribute : primitive.attributes)
+        if (has_charts(attribute))
+          names.insert(attribute.name);
+    if (names.empty())
+      return;
+    ValueNumbers numbers(points.size());
+    std::vector<std::optional<std::uint32_t>> values(vertices.points.size());
+    IndexedMesh mesh;
+    for (std::size_t face = 0; face < corners.size(); ++face) {
+      Triangle& triangle = mesh.value_triangles.emplace_back();
+      const std::size_t primitive = primitive_of(face);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = corners[face][i];
+        if (!values[v])
+          values[v] = numbers.number(vertices.points[v], row(primitives_[primitive], names,
+                                                             v - vertices.firsts[primitive]));
+        triangle[i] = *values[v];
+      }
+    }
+    if (mesh.value_triangles == triangles)
+      return;
+    mesh.triangles = triangles;
+    for (std::uint32_t point = 0; point < points.size(); ++point) {
+      const auto [x, y, z] = place(point);
+      mesh.points.emplace_back(x, y, z);
+    }
+    channels_.add_charts(SeamPatches(mesh).charts());
+  }
+
+  static bool has_charts(const GltfAttribute& attribute) {
+    return !attribute.target &&
+           (attribute.kind == AttributeKind::color || attribute.kind == AttributeKind::number);
+  }
+
+  /// The numbers of a vertex under such names; ones where the primitive has none, as of colours.
+  static std::vector<double> row(const GltfPrimitive& primitive, const std::set<std::string>& names,
+                                 std::size_t vertex) {
+    std::vector<double> row;
+    for (const std::string& name : names) {
+      Element element{1, 1, 1, 1};
+      for (const GltfAttribute& attribute : primitive.attributes)
+        if (has_charts(attribute) && attribute.name == name)
+          for (std::size_t c = 0; c < attribute.elements.type().components; ++c)
+            element[c] = attribute.elements[vertex][c];
+      row.insert(row.end(), element.begin(), element.end());
+    }
+    return row;
   }
 
   static Triangle moved_by(std::size_t first, Triangle corners) {
@@ -226,7 +316,6 @@ private:
   GltfTangents tangents_;
   std::vector<GltfLabel> labels_;
   std::vector<std::uint32_t> label_of_; // each face
-  std::map<Point, std::uint32_t> point_numbers_;
   std::map<GltfLabel, std::uint32_t> label_numbers_;
 };
 

@@ -163,6 +163,75 @@ std::string complaint_about(const std::function<void(Asset&)>& change) {
 
 } // namespace
 
+TEST_CASE("bodies of a primitive that touch stay apart, and what is one surface is joined") {
+  Asset asset;
+  std::vector<Element> places;
+  std::vector<std::uint32_t> corners;
+  for (const double x : {0., 1.}) // two cubes with a side at the same place, each of loose corners
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const double side : {0., 1.}) {
+        const auto first = static_cast<std::uint32_t>(places.size());
+        for (const auto& [u, v] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}}) {
+          Element p{};
+          p[k] = side;
+          p[(k + 1) % 3] = side == 1 ? u : v;
+          p[(k + 2) % 3] = side == 1 ? v : u;
+          p[0] += x;
+          places.push_back(p);
+        }
+        for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
+          corners.push_back(first + corner);
+      }
+  const std::size_t positions = asset.add(places, 3), indices = asset.add_indices(corners);
+  asset.json()["meshes"][0]["primitives"].push_back(
+      {{"attributes", {{"POSITION", positions}}}, {"indices", indices}});
+  const Folder folder;
+  GltfMeshes meshes = GltfMeshes::read(folder.file("a.glb", asset.glb()));
+  CHECK(meshes.surfaces()[0].points.size() == 16); // and not 12, or 48
+  CHECK(meshes.surfaces()[0].triangles.size() == 24);
+}
+
+TEST_CASE("the border of two colours stays where it is") {
+  const std::uint32_t n = 16;
+  const auto is_red = [](std::uint32_t i, std::uint32_t j) {
+    return i < 8 && !(i >= 4 && j >= 4 && j < 10);
+  };
+  Asset asset;
+  std::vector<Element> places, colors;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers; // of places with a colour
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j)
+      for (const auto& [u, v] :
+           {std::pair(0U, 0U), {1U, 0U}, {1U, 1U}, {0U, 0U}, {1U, 1U}, {0U, 1U}}) {
+        const std::uint32_t red = is_red(i, j);
+        const auto next = static_cast<std::uint32_t>(places.size());
+        const auto [number, is_new] = numbers.try_emplace({i + u, j + v, red}, next);
+        if (is_new) {
+          places.push_back({double(i + u), double(j + v), 0, 0});
+          colors.push_back({double(red), 0, 1. - red, 1});
+        }
+        corners.push_back(number->second);
+      }
+  const std::size_t positions = asset.add(places, 3), color = asset.add(colors, 4);
+  const std::size_t indices = asset.add_indices(corners);
+  asset.json()["meshes"][0]["primitives"].push_back(
+      {{"attributes", {{"POSITION", positions}, {"COLOR_0", color}}}, {"indices", indices}});
+  asset.json()["nodes"][1]["translation"][0] = 100; // where it meets nothing
+  const GltfDocument result = simplified(asset, 0.06);
+  const GltfPrimitive primitive = primitives_of(result).front();
+  CHECK(primitive.triangles.size() <= 31);
+  double red = 0;
+  for (const auto& [a, b, c] : primitive.triangles) {
+    const Elements& p = primitive.attributes[0].elements;
+    const Elements& of = attribute(primitive, "COLOR_0").elements;
+    CHECK((of[a] == of[b] && of[b] == of[c]));
+    red += of[a][0] / 2 *
+           ((p[b][0] - p[a][0]) * (p[c][1] - p[a][1]) - (p[b][1] - p[a][1]) * (p[c][0] - p[a][0]));
+  }
+  CHECK(red == Approx(8 * 16 - 4 * 6).margin(0.01));
+}
+
 TEST_CASE("what is compressed comes back, and what is exact has its bits") {
   const Asset asset = ball(12);
   for (const bool is_exact : {true, false})
