@@ -1461,6 +1461,39 @@ if (ulimit -v 500000 && "$program" --version) >stdout 2>&1; then # with a saniti
 fi
 rm short.ply
 
+# How far a run by parts is, where there is no terminal: what it will take, and a line for each phase
+run 0 whole.ply out.ply --faces 100 --out-of-core scratch --progress progress.json
+expect stderr '^whole.ply: about [0-9.]+ m?s, 0?\.[0-9]+ GB of memory and [0-9.e-]+ GB in the scratch folder$'
+expect stderr '^whole.ply: simplify, phase 1 of [0-9], 0 of 1 parts$'
+expect progress.json '^{"seconds":[0-9.e-]+,"stage":"survey",.*"input":"whole.ply","output":"out.ply","estimate":{"faces":800,'
+expect progress.json '^{"seconds":[0-9.e-]+,"stage":"simplify","phase":1,'
+expect progress.json '^{"seconds":[0-9.e-]+,"stage":"done","faces":100}$'
+run 0 whole.ply out.ply --faces 100 --out-of-core scratch --quiet
+expect_nothing stderr
+run 2 missing.ply out.ply --out-of-core scratch --progress progress.json
+expect progress.json '^{"seconds":[0-9.e-]+,"stage":"failed","message":"missing.ply: cannot be opened'
+run 2 whole.ply out.ply --out-of-core scratch --progress missing/progress.json
+expect stderr '^missing/progress.json: cannot be written$'
+run 2 whole.ply out.ply --progress progress.json
+expect stderr '.*--out-of-core'
+
+# A job that does not fit onto a disk is refused before its file is read, which is a hole here.
+memory_disk=/dev/shm
+if free=$(df -Pk $memory_disk 2>/dev/null | awk 'NR == 2 && $1 == "tmpfs" { print $4 }') && [ "${free:-0}" -gt 60000 ] &&
+  [ "$free" -lt 60000000 ]; then
+  faces=$((free * 60))
+  printf 'ply\nformat binary_little_endian 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' \
+    $((faces / 2)) >large.ply
+  printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' $faces >>large.ply
+  truncate -s $((faces * 19 + 300)) large.ply
+  run 2 large.ply out.ply --keep 1% --out-of-core $memory_disk/quadrille-$$/scratch --memory 16G
+  expect stderr '^/dev/shm/quadrille-[0-9]*/scratch: only [0-9.]+ GB are free there, and the job takes about [0-9.]+ GB$'
+  [ ! -e $memory_disk/quadrille-$$ ] || fail "the scratch folder is left"
+  run 2 large.ply $memory_disk/quadrille-$$.ply --keep 100% --out-of-core scratch --memory 16G
+  expect stderr '^/dev/shm/quadrille-[0-9]*\.ply: only [0-9.]+ GB are free there, and what is left of the surface takes about '
+  rm large.ply
+fi
+
 # The input may be the output
 run 0 plain.off plain.off
 expect_ratio plain.off 400

@@ -66,6 +66,7 @@ struct Options {
   std::uint64_t memory = 4'000'000'000; // in bytes, for parts
   std::string step;                     // of a run in parts, if it is not all of it
   bool restarts = false;                // a run in parts
+  std::string progress;                 // the file that tells how far that is; empty: none
   bool positions_only = false;          // in parts, leaving out what else there is
   bool measures = false, verifies = false;
   bool keeps_partial = false;

@@ -74,6 +74,10 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
       ->type_name("BYTES");
   in_group(app.add_flag("--restart", options.restarts,
                         "go on with what is in the folder, where a run was stopped"));
+  in_group(app.add_option("--progress", options.progress,
+                          "write how far it is to this file, a line of JSON for each stage and "
+                          "second; the first one has an estimate of time, memory and disk"))
+      ->type_name("FILE");
   in_group(app.add_flag(
       "--positions-only", options.positions_only,
       "leave out what IN has beside positions, corners and labels; else colours and other numbers "

@@ -3,7 +3,6 @@
 
 #include "figures.h"
 
-#include <quadrille/file_report.h>
 #include <quadrille/report.h>
 
 #include <chrono>
@@ -57,24 +56,9 @@ public:
     show(text, now);
   }
 
-  /// While a file is simplified by parts.
-  void show(const quadrille::FileStatus& status) {
-    const Clock::time_point now = Clock::now();
-    if (!is_shown_ || now - last_ < std::chrono::milliseconds(100))
-      return;
-    if (began_ == Clock::time_point())
-      began_ = now;
-    const double passed = std::chrono::duration<double>(now - began_).count();
-    std::string text{to_string(status.stage)};
-    if (status.phase > 0)
-      text += ", phase " + std::to_string(status.phase) + " of " + std::to_string(status.phases);
-    if (status.parts > 0)
-      text += ", " + with_commas(status.parts_done) + " of " + with_commas(status.parts) + " parts";
-    if (passed > 5 && status.progress > 0.02 && status.progress < 1)
-      text +=
-          ", about " + duration_text(passed * (1 - status.progress) / status.progress) + " to go";
-    show(text, now);
-  }
+  /// Is it on a terminal?
+  bool is_shown() const { return is_shown_; }
+  void show_text(const std::string& text) { show(text, Clock::now()); }
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -8,7 +8,7 @@ _quadrille() {
     sed -n -E "s/^ +$prev ([a-z-]+(\\|[a-z-]+)+)( .*)?$/\\1/p" | tr "|" " ")
   case $prev in
     --record | --from) _filedir qlv ;;
-    --report) _filedir json ;;
+    --report | --progress) _filedir json ;;
     --out-of-core) _filedir -d ;;
     --step) mapfile -t COMPREPLY < <(compgen -W 'cut close' -- "$cur") ;;
     --faces | --keep | --ratio | --vertices | --error | --levels | --crease | --lines | --normal-noise | --noise | --importance | --labels | --pairs | --threads | --memory) ;;

@@ -1,3 +1,4 @@
+#include "file_progress.h"
 #include "launch.h"
 #include "outcome.h"
 #include "runs.h"
@@ -28,7 +29,7 @@ namespace {
 using quadrille::FileReport;
 using quadrille::internal::BuiltInPlacement;
 
-quadrille::OutOfCore out_of_core(const Options& options, ProgressLine& progress) {
+quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress) {
   quadrille::OutOfCore result;
   result.scratch = options.scratch;
   result.memory = options.memory;
@@ -73,17 +74,17 @@ Cost cost_of(const Options& options) {
 /// A run by parts, or a step of one.
 class PartsRun {
 public:
-  PartsRun(const Options& options, ProgressLine& progress)
-      : options_(options), progress_(progress) {
+  PartsRun(const Options& options, ProgressLine& progress) : options_(options), line_(progress) {
     if (options.step.empty() && launched_processes() > 1)
       launch_.emplace();
+    progress_.emplace(options, progress, !launch_ || launch_->is_first());
   }
 
   /// Of ranks the first one tells how it ended, and only its status counts, as otherwise mpirun
   /// might end it before it has.
   bool run() {
     if (!launch_ || launch_->is_first())
-      return run_cost();
+      return run_to_end();
     try {
       run_cost();
     } catch (const std::exception&) {
@@ -92,6 +93,18 @@ public:
   }
 
 private:
+  bool run_to_end() {
+    try {
+      return run_cost();
+    } catch (const Interrupted&) {
+      progress_->end("interrupted", std::nullopt);
+      throw;
+    } catch (const std::exception& error) {
+      progress_->end("failed", std::nullopt, error.what());
+      throw;
+    }
+  }
+
   void require_files() const {
     if (!keeps_tiles(options_) && output_extension(options_) != ".ply")
       throw std::runtime_error(options_.output + ": --out-of-core writes PLY only");
@@ -125,7 +138,7 @@ private:
     constexpr bool has_minimizer = quadrille::PlacementPolicy<quadrille::OptimalPlacement, Cost>;
     const Target& target = options_.target;
     const auto run_to = [&](const auto& stop) {
-      const quadrille::OutOfCore how = out_of_core(options_, progress_);
+      const quadrille::OutOfCore how = out_of_core(options_, *progress_);
       const quadrille::SurfaceFiles files = surface_files(options_);
       const BuiltInPlacement place = placement(options_, has_minimizer);
       if (launch_)
@@ -152,18 +165,26 @@ private:
     if (is_part)
       job.join();
     else
-      job.partition();
+      begin(job);
     if (options_.step == "close" && !job.close()) {
-      progress_.clear();
+      line_.clear();
       const bool is_met = tell_of(job.sew(options_.output), true);
       std::cout << 0 << std::endl;
       return is_met;
     }
     if (is_part)
       simplify(job, static_cast<std::size_t>(std::stoull(options_.step)));
-    progress_.clear();
+    line_.clear();
+    progress_->end("done", std::nullopt);
     std::cout << job.parts() << std::endl;
     return true;
+  }
+
+  template <class Job>
+  void begin(Job& job) const {
+    if (options_.step == "cut")
+      job.require_output(options_.output);
+    job.partition();
   }
 
   template <class Job>
@@ -176,9 +197,10 @@ private:
   }
 
   bool tell_of(const FileReport& report, bool is_step = false) {
-    progress_.clear();
+    line_.clear();
     if (report.stop == quadrille::StopReason::cancelled)
       throw Interrupted();
+    progress_->end("done", report.faces_after);
     if (launch_ && !launch_->is_first())
       return true;
     for (const std::string& dropped : report.dropped)
@@ -201,8 +223,9 @@ private:
   }
 
   const Options& options_;
-  ProgressLine& progress_;
+  ProgressLine& line_;
   std::optional<Launch> launch_; // where there are several ranks
+  std::optional<FileProgress> progress_;
 };
 
 /// Faces of a file, if it is one that could be simplified by parts.

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
 
 #include <quadrille/file_report.h>
+#include <quadrille/internal/file/job_estimate.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/job_lock.h>
 #include <quadrille/internal/file/job_watch.h>
@@ -124,6 +125,17 @@ public:
     }
   }
 
+  /// What the job will take, about, as far as the sizes of its files tell.
+  const FileEstimate& estimate() const { return job_.estimate(); }
+  /// Throws std::runtime_error if the output could not be written, or there is no space for it, as
+  /// far as is known now: at the end of hours is too late. cut() looks for space in the scratch
+  /// folder; both may lie together, since that has less at the end, by more than the output has.
+  void require_output(const std::filesystem::path& output) const {
+    if (!options_.keeps_tiles)
+      internal::require_writable(output);
+    internal::require_space(output, estimate().output, "what is left of the surface");
+  }
+
   /// How many are to be taken in this phase; none if it needs none, or is settled.
   std::size_t samples() const {
     return job_.plan().is_settled ? 0 : internal::LimitSearch(job_).size();
@@ -219,8 +231,7 @@ public:
   /// All of it. If OutOfCore::proceed says so, it ends before: StopReason::cancelled.
   FileReport operator()(const std::filesystem::path& output) {
     const auto begin = std::chrono::steady_clock::now();
-    if (!options_.keeps_tiles)
-      internal::require_writable(output);
+    require_output(output);
     try {
       partition();
       do
@@ -251,7 +262,14 @@ private:
     target.tell(key);
     runner_.tell(key);
     budget.tell(key);
-    return {options_.scratch, budget, target, scalars, options_.attribute_importance, key.value()};
+    return {options_.scratch,
+            budget,
+            target,
+            scalars,
+            options_.attribute_importance,
+            key.value(),
+            internal::JobEstimate::of(source_.size(), target, budget,
+                                      internal::PieceOfPart<Cost>::memory_size)};
   }
 
   void lock() {
@@ -274,9 +292,13 @@ private:
   }
 
   void cut_file() {
-    const auto tell = [&](double part) { watch_.tell(job_, FileStage::partition, part); };
-    tell(0);
-    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2, [&] { tell(0); }), tell);
+    const auto tell = [&](FileStage stage, double part) { watch_.tell(job_, stage, part); };
+    const std::uint64_t made = source_.is_welded(job_.folder()) ? source_.size().made : 0;
+    internal::require_space(options_.scratch, estimate().scratch - made, "the job");
+    const auto ask = [&] { tell(FileStage::weld, 0); };
+    if (source_.size().making > 0)
+      ask();
+    job_.cut_file(source_.surface(job_.folder(), options_.memory / 2, ask), tell);
   }
 
   void find_limit() {

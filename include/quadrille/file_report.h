@@ -17,7 +17,9 @@ namespace quadrille {
 
 /// What simplify_file is at.
 enum class FileStage {
-  partition, ///< the file is read, and cut into parts
+  weld,      ///< corners of STL become vertices, or tiles one surface
+  survey,    ///< the file is read, before anything else is written
+  partition, ///< it is cut into parts
   sample,    ///< pieces of parts are simplified, to learn up to which cost a phase goes
   simplify,  ///< parts are simplified
   regroup,   ///< what is left is cut into other parts
@@ -26,19 +28,31 @@ enum class FileStage {
 
 /// In words.
 constexpr std::string_view to_string(FileStage stage) {
-  constexpr std::string_view names[] = {"partition", "sample", "simplify", "regroup", "sew"};
+  constexpr std::string_view names[] = {"weld",     "survey",  "partition", "sample",
+                                        "simplify", "regroup", "sew"};
   return names[static_cast<std::size_t>(stage)];
 }
 
+/// What simplify_file will take, about, as far as sizes of files tell: it is there before anything
+/// is done.
+struct FileEstimate {
+  std::uint64_t faces = 0;   ///< of the input
+  std::uint64_t memory = 0;  ///< of the process at its greatest, in bytes
+  std::uint64_t scratch = 0; ///< in the scratch folder at its greatest, in bytes
+  std::uint64_t output = 0;  ///< of the output, in bytes; 0 if distances are limited
+  double seconds = 0;        ///< of this process alone; it depends on the machine
+};
+
 /// How far simplify_file is.
 struct FileStatus {
-  FileStage stage = FileStage::partition; ///< what it is at
-  unsigned phase = 0;                     ///< from 1 on; 0 while the file is cut
-  unsigned phases = 0;                    ///< how many there will be, about
-  std::size_t parts = 0;                  ///< of the phase
-  std::size_t parts_done = 0;             ///< of them
-  std::uint64_t faces = 0;                ///< of the input
-  double progress = 0;                    ///< about which part of all work is done, from 0 to 1
+  FileStage stage = FileStage::survey; ///< what it is at
+  unsigned phase = 0;                  ///< from 1 on; 0 while the file is cut
+  unsigned phases = 0;                 ///< how many there will be, about
+  std::size_t parts = 0;               ///< of the phase
+  std::size_t parts_done = 0;          ///< of them
+  std::uint64_t faces = 0;             ///< of the input
+  double progress = 0;                 ///< about which part of all work is done, from 0 to 1
+  FileEstimate estimate = {};          ///< of all of it, always the same
 };
 
 /// What simplify_file reads: a file, or several, which are tiles of one surface. Vertices of their

@@ -185,7 +185,12 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     FileReport report;
     try {
-      ranks_.on_first([&] { return make_(job_), job_->cut(), Flag{}; });
+      ranks_.on_first([&] {
+        make_(job_);
+        job_->require_output(output);
+        job_->cut();
+        return Flag{};
+      });
       do
         simplify_phase();
       while (ranks_.on_first([&] { return Flag{job_->regroup()}; })[0] != 0);

@@ -803,6 +803,47 @@ TEST_CASE("A disk that is full ends in a sentence, and what is done stays") {
   CHECK(content_of(folder.path("out.ply")) == once);
 }
 
+std::uint64_t bytes_below(const std::filesystem::path& folder) {
+  std::uint64_t bytes = 0;
+  if (std::filesystem::exists(folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      bytes += entry.is_regular_file() ? entry.file_size() : 0;
+  return bytes;
+}
+
+TEST_CASE("What a job will take is told before it begins, and how far it is goes up only") {
+  const Folder folder;
+  folder.file("in.ply", ply_of(surface()));
+  folder.file("in.stl", test::stl_of(surface()));
+  for (const char* const name : {"in.ply", "in.stl"})
+    for (const std::size_t faces : {800U, 4000U}) {
+      INFO(name << " to " << faces);
+      OutOfCore options = in_parts(folder, 2200);
+      std::vector<FileStatus> told;
+      std::uint64_t most = 0;
+      options.proceed = [&](const FileStatus& status) {
+        told.push_back(status);
+        most = std::max(most, bytes_below(folder.path("scratch")));
+        return true;
+      };
+      run<Quadric>(folder, options, faces, name);
+      const FileEstimate estimate = told.front().estimate;
+      CHECK(told.front().stage ==
+            (name == std::string("in.stl") ? FileStage::weld : FileStage::survey));
+      CHECK(told.front().progress == 0);
+      CHECK(estimate.faces == 8000);
+      CHECK(most <= estimate.scratch);
+      CHECK(10 * most > 6 * estimate.scratch);
+      const auto size = static_cast<double>(std::filesystem::file_size(folder.path("out.ply")));
+      CHECK(std::abs(size - static_cast<double>(estimate.output)) < 0.04 * size);
+      CHECK(estimate.memory > 32'000'000);
+      CHECK(estimate.memory < 45'000'000);
+      CHECK(std::is_sorted(told.begin(), told.end(), [](const FileStatus& a, const FileStatus& b) {
+        return a.progress < b.progress - 0.02;
+      }));
+    }
+}
+
 TEST_CASE("A run ends when the user says so, and goes on") {
   const Folder folder;
   OutOfCore options = in_parts(folder, part_of_16, 2);

@@ -34,8 +34,9 @@ public:
     status.phases = status.phase == 0 ? 0 : static_cast<unsigned>(job.schedule().size() + 1);
     status.parts = parts;
     status.parts_done = done;
-    status.faces = job.plan().input.faces;
-    status.progress = progress(job.plan(), stage, part);
+    status.faces = job.estimate().faces;
+    status.estimate = job.estimate();
+    status.progress = progress(job, stage, part);
     if (!proceed_(status))
       throw JobCancelled();
   }
@@ -74,18 +75,33 @@ public:
 private:
   // Cutting the file is about an eighth of the work; the rest is about as the faces with which
   // phases begin.
-  static double progress(const PhasePlan& plan, FileStage stage, double part) {
-    if (stage == FileStage::partition)
-      return 0.1 * part;
+  static double progress(const PartedJob& job, FileStage stage, double part) {
+    const PhasePlan& plan = job.plan();
+    if (stage <= FileStage::partition)
+      return stage == FileStage::weld     ? 0
+             : stage == FileStage::survey ? 0.04 * part
+                                          : 0.04 + 0.06 * part;
     const auto all = static_cast<double>((std::max<std::uint64_t>)(plan.input.counted_faces, 1));
     double before = 0, begin = all;
     for (const std::uint64_t left : plan.faces_after_phases)
       before += std::exchange(begin, static_cast<double>(left));
-    const double whole = before + begin + begin / 3; // and what comes
+    const double whole = before + begin + (plan.is_last || plan.is_exact ? 0 : faces_to_come(job));
     const double now = stage == FileStage::sample     ? 0
                        : stage == FileStage::simplify ? part * begin
                                                       : begin;
     return stage == FileStage::sew ? 0.98 : 0.12 + 0.86 * (before + now) / whole;
+  }
+
+  // With which phases begin after this one.
+  static double faces_to_come(const PartedJob& job) {
+    const Schedule schedule = job.schedule();
+    const bool fits = job.budget().whole_faces() > 2 * job.target() + job.target() / 5;
+    const std::size_t end =
+        fits ? (std::max<std::size_t>)(schedule.size(), job.plan().step + 1) : schedule.size() + 1;
+    double sum = 0;
+    for (std::size_t step = job.plan().step; step < end; ++step)
+      sum += static_cast<double>(schedule.wanted(step, job.target()));
+    return sum;
   }
 
   std::function<bool(const FileStatus&)> proceed_;

@@ -54,6 +54,15 @@ public:
   /// For the buffers of the files of all parts.
   std::uint64_t buffers() const { return memory_ / 16; }
 
+  /// What a run takes at its greatest, about, of a surface that is simplified to `target` faces.
+  std::uint64_t expected(std::uint64_t faces, std::uint64_t vertices, std::uint64_t target) const {
+    const std::uint64_t parts = in_flight_ * (std::min)(part_faces_, faces);
+    const std::uint64_t whole =
+        (std::min)({whole_faces_, faces, target + target + target / 5}); // before the last phase
+    const std::uint64_t tables = 2 * vertices + vertices / 4 + (std::min)(buffers(), 30 * faces);
+    return (std::min)(memory_, base / 2 + (std::max)(tables, per_face_ * (std::max)(parts, whole)));
+  }
+
   /// On what the result depends.
   void tell(JobKey& key) const {
     key.add_number(part_faces_);

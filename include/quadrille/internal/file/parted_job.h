@@ -29,14 +29,16 @@ class PartedJob {
 public:
   /// `importance` is how much the scalars of vertices count.
   PartedJob(const std::filesystem::path& scratch, const MemoryBudget& budget,
-            const FileTarget& target, VertexScalars scalars, double importance, std::uint64_t key)
+            const FileTarget& target, VertexScalars scalars, double importance, std::uint64_t key,
+            const FileEstimate& estimate)
       : folder_(scratch), budget_(budget), target_(target), scalars_(std::move(scalars)),
-        importance_(importance), key_(key) {}
+        importance_(importance), key_(key), estimate_(estimate) {}
 
   const JobFolder& folder() const { return folder_; }
   const MemoryBudget& budget() const { return budget_; }
   const PhasePlan& plan() const { return plan_; }
   std::uint64_t key() const { return key_; }
+  const FileEstimate& estimate() const { return estimate_; }
   const VertexScalars& scalars() const { return scalars_; }
   /// Of rows of these scalars.
   PieceChannels channels(const std::vector<double>& rows) const {
@@ -83,13 +85,14 @@ public:
       folder_.remove_phase(plan_.phase - 1);
   }
 
-  /// Cuts a file into the parts of the first phase.
+  /// Cuts a file into the parts of the first phase. `tell(stage, part)` is called with the part of
+  /// the stage that is done, and may throw.
   template <class Tell>
   void cut_file(const PlyInput& input, Tell tell) {
     budget_.require_tables(input.vertices());
     if (input.faces() == 0 || input.vertices() == 0)
       fail_file(input.file().path(), "nothing to simplify: it has no faces");
-    const InputSurvey survey(input, [&](double part) { tell(0.4 * part); });
+    const InputSurvey survey(input, [&](double part) { tell(FileStage::survey, part); });
     folder_.remove_phases(); // of a run that was killed
     folder_.begin_phase(1);
     PhasePlan plan;
@@ -100,7 +103,7 @@ public:
     FirstParts parts(input, survey);
     PartScatter scatter =
         parts.write(folder_, is_whole ? plan.input.used_vertices : part_vertices(plan.input),
-                    budget_.buffers(), [&](double part) { tell(0.4 + 0.6 * part); });
+                    budget_.buffers(), [&](double part) { tell(FileStage::partition, part); });
     plan.input.doubled_faces = scatter.count_doubled();
     plan.input.counted_faces -= plan.input.doubled_faces;
     plan.is_last = is_whole || plan.input.counted_faces <= target_.faces(plan.input.counted_faces);
@@ -321,6 +324,7 @@ private:
   VertexScalars scalars_;
   double importance_;
   std::uint64_t key_;
+  FileEstimate estimate_;
   PhasePlan plan_;
 };
 

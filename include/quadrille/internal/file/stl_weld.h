@@ -53,6 +53,14 @@ public:
     remove_job_files(folder, {"run", "corners"});
   }
 
+  /// On the disk at its greatest: corners in runs, then in pieces.
+  static constexpr std::uint64_t bytes_of_face = 90;
+
+  /// As the header tells.
+  static std::uint64_t faces(const std::filesystem::path& input) {
+    return count_faces(InputFile(input));
+  }
+
   /// Throws std::runtime_error for a file that has not the size that its count of faces says.
   /// Or that names a colour in its header, unless only positions are wanted.
   static void require_readable(const std::filesystem::path& input, bool positions_only) {

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_SURFACE_SOURCE_H
 
 #include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/job_estimate.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/part_cut.h>
@@ -39,8 +40,10 @@ public:
     if (is_tiled())
       key.add_number(std::uint64_t{keeps_tiles});
     key_ = key.value();
+    std::uint64_t largest = 0;
     for (std::size_t i = paths_.size(); i-- > 0;) // the first one stays open
-      require_readable(paths_[i]);
+      largest = (std::max)(largest, add_size(paths_[i]));
+    end_size(largest);
     if (ply_)
       dropped_ = ply_->dropped();
     if (keeps_tiles)
@@ -48,6 +51,8 @@ public:
   }
 
   std::uint64_t key() const { return key_; } ///< of its content
+  /// As far as it is known before anything is read.
+  const InputSize& size() const { return size_; }
   /// What vertices have beside their places, and goes along.
   VertexScalars scalars() const { return ply_ ? ply_->scalars() : VertexScalars(); }
   /// What is read over.
@@ -88,6 +93,32 @@ public:
 
 private:
   bool is_tiled() const { return paths_.size() > 1 || keeps_tiles_; }
+
+  // Returns the faces of this file.
+  std::uint64_t add_size(const std::filesystem::path& path) {
+    require_readable(path);
+    const std::uint64_t faces = is_stl_ ? StlWeld::faces(path) : ply_->faces();
+    size_.faces += faces;
+    size_.vertices += is_stl_ ? faces / 2 + 2 : ply_->vertices();
+    return faces;
+  }
+
+  void end_size(std::uint64_t largest) {
+    size_.has_labels = keeps_tiles_ || (ply_ && !ply_->labels().empty());
+    if (ply_) {
+      size_.scalars = ply_->scalars().size();
+      size_.row = 3 * (ply_->has_doubles() ? 8 : 4);
+      for (const PlyProperty& p : ply_->scalars().properties())
+        size_.row += p.type.size;
+    }
+    if (!is_stl_ && !is_tiled())
+      return;
+    size_.made = size_.faces * (size_.has_labels ? 17 : 13) + size_.vertices * size_.row;
+    size_.making = is_stl_ ? StlWeld::bytes_of_face * largest : 0;
+    if (is_tiled())
+      size_.making = (std::max)(size_.making + size_.made, is_stl_ ? 2 * size_.made : size_.made);
+    size_.keeps_tiles = keeps_tiles_;
+  }
 
   void require_readable(const std::filesystem::path& path) {
     if (has_extension(path, ".stl") != is_stl_)
@@ -132,6 +163,7 @@ private:
   std::vector<std::filesystem::path> paths_;
   bool positions_only_, keeps_tiles_, is_stl_ = false;
   std::uint64_t key_ = 0;
+  InputSize size_;
   std::unique_ptr<PlyInput> ply_;
   std::vector<std::string> dropped_;
 };
