@@ -1436,8 +1436,14 @@ for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --
   run 0 whole.ply out.ply $limit --out-of-core scratch
   expect stdout '^whole.ply: 800 -> [0-9]+ faces .* from IN'
 done
-run 2 whole.ply out.ply --error 1% --both-ways --calibrated --out-of-core scratch
-run 2 whole.ply out.ply --tolerance size --out-of-core scratch
+for option in '--error 1% --both-ways --calibrated' '--tolerance size' --measure --verify --weld --orient '--pairs 1' --solid \
+  --no-self-intersection '--normals 30' '--levels 50%' '--record a.qlv' '--vertices 9' '--order relaxed' '--region a' \
+  '--labels a' '--seams held' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
+  # shellcheck disable=SC2086
+  run 2 whole.ply out.ply $option --out-of-core scratch
+  expect stderr '^--[a-z-]+: does not go with --out-of-core: [a-z]'
+  [ ! -e scratch ] || fail "the scratch folder is there"
+done
 run 0 sheet.off coloured.ply --keep 100%
 run 0 coloured.ply out.ply --keep 50% --out-of-core scratch
 grep -a -q '^property uchar red$' out.ply || fail "colours do not go along"

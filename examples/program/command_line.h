@@ -21,6 +21,15 @@
 
 namespace quadrille_examples {
 
+/// Options that are for a mesh that is read, and not for a record.
+inline constexpr const char* options_of_whole_meshes[] = {
+    "--levels",  "--tolerance",     "--lines",      "--normal-noise",
+    "--noise",   "--squared-areas", "--importance", "--crease",
+    "--pairs",   "--normals",       "--solid",      "--no-self-intersection",
+    "--seams",   "--order",         "--weld",       "--orient",
+    "--measure", "--keep-partial",  "--verify",     "--region",
+    "--labels"};
+
 inline constexpr const char* target_group =
     "Target: the first that is met ends the run; half of the faces without any";
 
@@ -161,6 +170,7 @@ inline void add_records(CLI::App& app, Options& options) {
       options.output = std::exchange(options.input, options.from);
     if (options.output.empty() && options.folder.empty())
       throw CLI::RequiredError("OUT");
+    require_by_parts(app, options);
   });
 }
 

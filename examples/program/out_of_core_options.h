@@ -15,14 +15,57 @@
 
 namespace quadrille_examples {
 
-/// Options that are for a mesh that is read as a whole.
-inline constexpr const char* options_of_whole_meshes[] = {
-    "--levels",  "--tolerance",     "--lines",      "--normal-noise",
-    "--noise",   "--squared-areas", "--importance", "--crease",
-    "--pairs",   "--normals",       "--solid",      "--no-self-intersection",
-    "--seams",   "--order",         "--weld",       "--orient",
-    "--measure", "--keep-partial",  "--verify",     "--region",
-    "--labels"};
+/// Options that do not go with parts, and why.
+struct NotByParts {
+  const char* option;
+  const char* reason;
+};
+inline constexpr NotByParts not_by_parts[] = {
+    {"--tolerance",
+     "how much of its own limit a face has used does not go along from phase to phase; --error "
+     "with the least of these numbers keeps all of them"},
+    {"--calibrated",
+     "each of its runs measures the surface as a whole, which is not in memory; --both-ways "
+     "without it keeps the limit, too"},
+    {"--measure", "it looks at all of IN and OUT, which are not in memory"},
+    {"--verify",
+     "it looks at all of IN and OUT, which are not in memory; the figure that is printed with "
+     "--error is what all parts have kept"},
+    {"--weld",
+     "vertices that are close may lie in different parts; corners of STL that lie at exactly the "
+     "same place become one anyway"},
+    {"--orient", "a part does not know how the others are wound"},
+    {"--pairs", "pairs that are no edges may lie in different parts"},
+    {"--no-self-intersection", "a part does not see the faces of the others"},
+    {"--solid", "a part does not see the faces of the others"},
+    {"--normals", "how far normals have turned does not go along from phase to phase"},
+    {"--levels", "levels are of one run, in memory"},
+    {"--record", "a record is of one run, in memory"},
+    {"--from", "a record is of one run, in memory"},
+    {"--vertices",
+     "how many vertices are left is known when parts are sewn; --faces and --keep are targets"},
+    {"--order",
+     "each part is simplified by the greedy order, and --threads says how many at a time"},
+    {"--region", "names of faces do not go along"},
+    {"--labels", "it is for glTF"},
+    {"--seams", "seams of a file that is read by parts are borders"},
+    {"--importance", "numbers of vertices go along, and weigh nothing"},
+    {"--lines", "only the plain costs are compiled for parts"},
+    {"--normal-noise", "only the plain costs are compiled for parts"},
+    {"--noise", "only the plain costs are compiled for parts"},
+    {"--squared-areas", "only the plain costs are compiled for parts"},
+    {"--crease", "only the plain costs are compiled for parts"},
+    {"--keep-partial", "what is done stays in the folder, and --restart goes on with it"}};
+
+/// Throws for options that do not go with parts, with the reason.
+inline void require_by_parts(const CLI::App& app, const Options& options) {
+  if (options.scratch.empty())
+    return;
+  for (const NotByParts& refused : not_by_parts)
+    if (app.get_option(refused.option)->count() > 0)
+      throw CLI::ValidationError(refused.option,
+                                 std::string("does not go with --out-of-core: ") + refused.reason);
+}
 
 /// Bytes: 4G, 500M, 1.5G, 4GB, 4g; 4GiB is a little more.
 inline std::optional<std::uint64_t> parse_bytes(std::string word) {
@@ -91,10 +134,6 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                           "simplify part N, or close the phase, which prints 0 when OUT is there"))
       ->check(word_that(is_step, "cut, the number of a part, nor close"))
       ->type_name("cut|N|close");
-  for (const char* const name : {"--record", "--from", "--vertices", "--calibrated"})
-    parts->excludes(name);
-  for (const char* const name : options_of_whole_meshes)
-    parts->excludes(name);
 }
 
 } // namespace quadrille_examples

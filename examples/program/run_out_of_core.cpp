@@ -99,6 +99,9 @@ private:
     } catch (const Interrupted&) {
       progress_->end("interrupted", std::nullopt);
       throw;
+    } catch (const quadrille::internal::JobCancelled&) { // of a step
+      progress_->end("interrupted", std::nullopt);
+      throw Interrupted();
     } catch (const std::exception& error) {
       progress_->end("failed", std::nullopt, error.what());
       throw;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_PYTHON_INTERRUPTIBLE_H
 #define QUADRILLE_EXAMPLES_PYTHON_INTERRUPTIBLE_H
 
+#include <quadrille/file_report.h>
 #include <quadrille/report.h>
 
 #include <pybind11/pybind11.h>
@@ -21,6 +22,13 @@ public:
   explicit Interruptible(py::object progress) : progress_(std::move(progress)) {}
 
   bool operator()(const quadrille::Status& status) { return ask(status, status.progress); }
+  /// Each stage of a file is told.
+  bool operator()(const quadrille::FileStatus& status) {
+    if (std::exchange(stage_, status.stage) != status.stage ||
+        std::exchange(phase_, status.phase) != status.phase)
+      last_ = {};
+    return ask(status, status.progress);
+  }
   bool operator()(double part) { return ask(part, part); }
 
 private:
@@ -44,6 +52,8 @@ private:
 
   py::object progress_;
   Clock::time_point last_{}; // long ago
+  quadrille::FileStage stage_{};
+  unsigned phase_ = 0;
 };
 
 } // namespace quadrille_examples

@@ -6,6 +6,7 @@
 #include "calibration.h"
 #include "callbacks.h"
 #include "engines.h"
+#include "file_jobs.h"
 #include "files.h"
 #include "gltf.h"
 #include "interruptible.h"
@@ -333,6 +334,7 @@ PYBIND11_MODULE(_core, m) {
   add_files(m);
   add_measures(m);
   add_callbacks(m);
+  add_file_jobs(m);
 #ifdef QUADRILLE_PYTHON_WITH_GLTF
   add_gltf(m);
 #endif

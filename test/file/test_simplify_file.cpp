@@ -956,6 +956,8 @@ TEST_CASE("A job removes what it has made, and nothing else") {
   folder.file("scratch/quadrille-job/phase-1/left-mine", "mine");
   std::filesystem::create_directory(scratch / "quadrille-job/phase-1/claims-7");
   folder.file("scratch/quadrille-job/phase-1/claims-7/0", ""); // of ranks that were killed
+  folder.file("scratch/quadrille-job/job.unfinished-17", "");
+  folder.file("scratch/quadrille-job/labels.unfinished", "");
   options.restart = true;
   run(folder, options);
   auto after = before;
@@ -1073,6 +1075,32 @@ TEST_CASE("Bad files end in a sentence that names the place") {
   require_refusal("in.stl", stl.substr(0, stl.size() - 1),
                   "483 bytes; with 8 faces it would have 484");
   require_refusal("in.stl", "solid x\nendsolid\n", "is text");
+}
+
+TEST_CASE("Faces may stand before vertices") {
+  const Folder folder;
+  const Soup soup = surface();
+  const std::string ply = ply_of(soup);
+  const std::size_t body = ply.find("end_header\n") + 11, faces = body + 12 * soup.points.size();
+  const std::size_t of_faces = ply.find("element face"), of_vertices = ply.find("element vertex");
+  const std::string turned = ply.substr(0, of_vertices) +
+                             ply.substr(of_faces, body - 11 - of_faces) +
+                             ply.substr(of_vertices, of_faces - of_vertices) + "end_header\n" +
+                             ply.substr(faces) + ply.substr(body, faces - body);
+  folder.file("in.ply", ply);
+  run(folder, in_parts(folder, part_of_16));
+  const std::string once = content_of(folder.path("out.ply"));
+  folder.file("turned.ply", turned);
+  run(folder, in_parts(folder, part_of_16), 800, "turned.ply");
+  CHECK(content_of(folder.path("out.ply")) == once);
+  folder.file("turned.ply", turned + '\n');
+  CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, "turned.ply"),
+                    Catch::Contains("turned.ply: goes on after the last element"));
+  std::string changed = turned;
+  changed[turned.find("end_header\n") + 11 + 13] = 4;
+  folder.file("turned.ply", changed);
+  CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, "turned.ply"),
+                    Catch::Contains("turned.ply: face 1 has 4 corners"));
 }
 
 TEST_CASE("Many colours of faces are no labels, nor are numbers of faces") {

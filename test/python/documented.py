@@ -86,7 +86,7 @@ def main(repository):
                 os.chdir(folder)
                 write_obj("statue.obj", *torus(40))
                 exec(compile(code, str(document), "exec"), {"__name__": place})
-                if "write_mesh" in code:
+                if "write_mesh(\"small.obj" in code:
                     assert len(quadrille.read_mesh("small.obj").faces) <= 1000, place
                 os.chdir(repository)
             run += 1

@@ -32,10 +32,9 @@ inline bool is_job_file(std::string_view name, std::initializer_list<std::string
   return rest.find_first_not_of("-0123456789") == std::string::npos;
 }
 
-/// Removes the files from a folder whose names are a job's, and the folder if nothing else is in
-/// it.
+/// Removes the files from a folder whose names are a job's.
 template <class IsOwn>
-void remove_files_if(const std::filesystem::path& folder, const IsOwn& is_own) {
+void remove_files_only_if(const std::filesystem::path& folder, const IsOwn& is_own) {
   std::error_code error;
   std::vector<std::filesystem::path> found;
   for (std::filesystem::directory_iterator i(folder, error), end; !error && i != end;
@@ -46,6 +45,11 @@ void remove_files_if(const std::filesystem::path& folder, const IsOwn& is_own) {
   for (const std::filesystem::path& path : found)
     if (!std::filesystem::remove(path, error) && error)
       fail_file(path, "cannot be removed: " + error.message());
+}
+/// And the folder if nothing else is in it.
+template <class IsOwn>
+void remove_files_if(const std::filesystem::path& folder, const IsOwn& is_own) {
+  remove_files_only_if(folder, is_own);
   ::rmdir(folder.c_str());
 }
 inline void remove_job_files(const std::filesystem::path& folder,

@@ -82,7 +82,9 @@ public:
   void remove_job() {
     folder_.remove_phases();
     folder_.remove_welded();
-    ::unlink(folder_.label_table().c_str());
+    remove_files_only_if(folder_.path(), [&](const std::string& name) { // of those that were killed
+      return name != folder_.marker().filename() && is_job_file(name, {"job", "labels"});
+    });
     ::unlink(folder_.lock().c_str());
     ::unlink(folder_.marker().c_str());
     remove_folders();

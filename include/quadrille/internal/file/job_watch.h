@@ -10,12 +10,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 namespace quadrille::internal {
 
 /// Thrown where a run ends because the user's `proceed` said so.
-struct JobCancelled {};
+struct JobCancelled : std::runtime_error {
+  JobCancelled() : std::runtime_error("quadrille: OutOfCore::proceed has ended the run") {}
+};
 
 /// Tells the user how far a job is, and asks whether to go on.
 class JobWatch {

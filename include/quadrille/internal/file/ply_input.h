@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -99,11 +100,12 @@ private:
       }
       if (vertices_ && faces_)
         continue;
-      if (!element.row_size())
+      const auto size = &element == faces_ ? triangle_size(element) : element.row_size();
+      if (!size)
         fail_file(file_.path(), "element '" + element.name +
                                     "' has lists and stands before "
                                     "what is to be read");
-      offset += element.count * *element.row_size();
+      offset += element.count * *size;
     }
     if (!vertices_ || !faces_)
       fail_file(file_.path(), "has no elements 'vertex' and 'face'");
@@ -113,6 +115,22 @@ private:
       fail_file(file_.path(), "has " + std::to_string(vertices_->count) +
                                   " vertices, more than corners of faces can name");
     require_size();
+  }
+
+  // Of a face, if corners are all the lists that it has: with other than three it will be refused.
+  static std::optional<std::size_t> triangle_size(const PlyElement& faces) {
+    std::size_t size = 0;
+    for (const PlyProperty& p : faces.properties)
+      if (is_corners(p))
+        size += p.count_type->size + 3 * p.type.size;
+      else if (p.is_list())
+        return std::nullopt;
+      else
+        size += p.type.size;
+    return size;
+  }
+  static bool is_corners(const PlyProperty& p) {
+    return (p.name == "vertex_indices" || p.name == "vertex_index") && p.is_list();
   }
 
   // What is missing for certain is told at once and not after hours.
@@ -164,7 +182,7 @@ private:
     std::size_t number = 0;
     corners_ = faces_->properties.size();
     for (const PlyProperty& p : faces_->properties) {
-      if ((p.name == "vertex_indices" || p.name == "vertex_index") && p.is_list())
+      if (is_corners(p))
         corners_ = number;
       else if (is_label(p) && !(positions_only && is_color(p.name)))
         labels_.push_back(p);
@@ -186,16 +204,23 @@ private:
                        [&](const PlyProperty& label) { return label.name == p.name; });
   }
 
-  // What stands behind the faces is read over, and then the file is at its end.
+  // What stands behind faces and vertices is read over, and then the file is at its end.
   template <bool is_swapped>
   void require_end(ByteStream& stream) const {
-    for (const PlyElement* e = faces_ + 1; e < header_.elements.data() + header_.elements.size();
+    if (vertices_ < faces_)
+      return require_end_after<is_swapped>(*faces_, stream);
+    ByteStream after(file_, vertices_begin_ + vertices_->count * *vertices_->row_size());
+    require_end_after<is_swapped>(*vertices_, after);
+  }
+  template <bool is_swapped>
+  void require_end_after(const PlyElement& last, ByteStream& stream) const {
+    for (const PlyElement* e = &last + 1; e < header_.elements.data() + header_.elements.size();
          ++e)
-      for (std::uint64_t i = 0; e != vertices_ && i < e->count; ++i)
+      for (std::uint64_t i = 0; i < e->count; ++i)
         for (const PlyProperty& p : e->properties)
           if (!skip<is_swapped>(stream, p))
             fail_short(e->name.c_str(), i, *e);
-    if (vertices_ < faces_ && stream.offset() != file_.size())
+    if (stream.offset() != file_.size())
       fail_file(file_.path(), "goes on after the last element, from byte " +
                                   std::to_string(stream.offset()) + " on");
   }

@@ -1,0 +1,278 @@
+"""simplify_file() and FileJob"""
+
+from __future__ import annotations
+
+import dataclasses
+import glob
+import os
+import re
+import warnings
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, TypedDict, Union
+
+from . import _core
+from ._choices import CostName, PlacementName, TopologyName
+from ._missed import warn_if_missed
+from ._options import function_of, make_options, read_count, read_number
+from ._words import in_our_words, in_words_of_python
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+Path = Union[str, "os.PathLike[str]"]
+Paths = Union[Path, Sequence[Path]]
+Progress = Callable[[_core.FileStatus], Optional[bool]]
+
+_HARDLY = 1 / 64  # numbers of vertices, beside a cost of positions that was asked for
+
+
+class FileOptions(TypedDict, total=False):
+    """What simplify_file() and FileJob take beside the files."""
+
+    faces: Optional[int]
+    ratio: Optional[float]
+    target_reduction: Optional[float]
+    error: Optional[float]
+    relative_error: Optional[float]
+    both_ways: bool
+    cost: Optional[CostName]
+    placement: Optional[PlacementName]
+    topology: Optional[TopologyName]
+    boundary_weight: float
+    lock_boundary: bool
+    attribute_importance: Optional[float]
+    positions_only: bool
+    keep_tiles: bool
+    memory: Union[int, str]
+    threads: int
+    part_faces: int
+    restart: bool
+
+
+@dataclasses.dataclass
+class SimplifiedFile:
+    """What simplify_file() has written."""
+
+    output: str  #: the file, or the folder of tiles
+    report: _core.Report  #: what any simplification tells; of topology a run by parts knows nothing
+    phases: int  #: in which parts were simplified
+    parts: int  #: of the first phase
+    faces_of_phases: List[int]  #: left by each
+    is_count_exact: bool  #: the target itself is what is left, or as near as faces allow
+    bytes_read: int
+    bytes_written: int
+    diagonal: float  #: of the box of the vertices that faces use
+    peak_memory: int  #: of the process so far, in bytes, as the system counts it
+    remarks: List[str]  #: what was left out
+
+
+def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_reduction: Optional[float] = None,
+          error: Optional[float] = None, relative_error: Optional[float] = None, both_ways: bool = False,
+          cost: Optional[CostName] = None, placement: Optional[PlacementName] = None,
+          topology: Optional[TopologyName] = None, boundary_weight: float = 100.0, lock_boundary: bool = False,
+          attribute_importance: Optional[float] = None, positions_only: bool = False, keep_tiles: bool = False,
+          memory: Union[int, str] = 4_000_000_000, threads: int = 0, part_faces: int = 0, restart: bool = False,
+          scratch: Path) -> Tuple[_core.Options, _core.OutOfCore]:
+    if faces is not None and (ratio is not None or target_reduction is not None):
+        raise ValueError("faces is given beside a part of the faces: they are two targets")
+    if error is not None and relative_error is not None:
+        raise ValueError("error is given beside relative_error: they are two limits")
+    if cost == "edge_length" and placement == "optimal":
+        raise ValueError("placement='optimal' does not go with cost='edge_length'")
+    options = make_options(faces=faces, ratio=ratio, target_reduction=target_reduction, error=error,
+                           relative_error=relative_error, both_ways=both_ways, cost=cost, placement=placement,
+                           topology=topology, boundary_weight=boundary_weight)
+    how = _core.OutOfCore()
+    how.scratch = os.fspath(scratch)
+    how.memory = read_bytes("memory", memory)
+    how.parts_in_flight = read_count("threads", threads)
+    how.part_faces = read_count("part_faces", part_faces)
+    how.restart, how.positions_only = bool(restart), bool(positions_only)
+    how.keeps_tiles, how.locks_boundary = bool(keep_tiles), bool(lock_boundary)
+    how.attribute_importance = ((1 if cost is None else _HARDLY) if attribute_importance is None
+                                else read_number("attribute_importance", attribute_importance))
+    return options, how
+
+
+_made.__name__ = "simplify_file"  # whose arguments they are
+_made = in_our_words(_made)
+
+
+class FileJob:
+    """A simplification from a file to a file in steps, which any process may run that sees the files and the
+    scratch folder: of a pool, of Dask, of Ray.
+
+        job = quadrille.FileJob("in.ply", scratch="/scratch/a", faces=1_000_000)
+        with multiprocessing.Pool() as pool:
+            parts = job.partition()
+            while parts > 0:
+                pool.map(job.simplify, range(parts))
+                parts = job.close()
+        result = job.sew("out.ply")
+
+    The arguments are those of simplify_file(), which runs all of that. A job is sent to other processes as what it was
+    made of, without progress=: simplify() takes up the phase that is at work there. partition(), close() and sew() drive the job, and hold a lock, so that one process does;
+    if it ends, a job with restart=True goes on. Where progress= returns False, these raise RuntimeError.
+    """
+
+    def __init__(self, source: Paths, /, *, scratch: Path, progress: Optional[Progress] = None,
+                 **options: Unpack[FileOptions]) -> None:
+        self._paths = _paths_of(source)
+        self._given: Dict[str, Any] = {"scratch": scratch, **options}
+        self._progress = function_of("progress", progress)
+        self._options = _made(**self._given)[0]
+        self._job = self._make()
+        self._drives = False
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {"paths": self._paths, "given": self._given}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._paths, self._given, self._progress = state["paths"], state["given"], None
+        self._options = _made(**self._given)[0]
+        self._drives = False
+        self._job = self._make()
+
+    @property
+    def estimate(self) -> _core.FileEstimate:
+        """What it will take, about, as the sizes of the files tell."""
+        return self._job.estimate
+
+    def partition(self) -> int:
+        """Cuts the file, or takes up the phase that is at work, with restart=True. Returns how many parts there are."""
+        self._drives = True
+        return _step(self._paths, self._job.partition)
+
+    def simplify(self, part: int) -> int:
+        """Simplifies a part of the phase, from 0 on; nothing to do if that is done. Any process or thread may call it,
+        several at a time. Returns the part."""
+        job = self._job if self._drives else self._joined()
+        _step(self._paths, job.simplify, read_count("part", part))
+        return part
+
+    def close(self) -> int:
+        """Ends the phase, of which all parts have to be simplified. Returns how many parts the next one has, or 0 if what
+        is left can be sewn."""
+        return _step(self._paths, self._job.close)
+
+    def sew(self, target: Path) -> SimplifiedFile:
+        """Writes what is left, and empties the scratch folder."""
+        result = _result(target, *_step(self._paths, self._job.sew, os.fspath(target)))
+        self._drives = False
+        return result
+
+    def _make(self) -> _core.FileJob:
+        return _step(self._paths, _core.FileJob, self._paths, *_made(**self._given), self._progress)
+
+    def _joined(self) -> _core.FileJob:
+        job = self._make()
+        _step(self._paths, job.join)
+        return job
+
+
+def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Optional[Progress] = None,
+                  **options: Unpack[FileOptions]) -> SimplifiedFile:
+    """Simplifies a surface from a file to a file, by parts, in no more memory than it is told.
+
+        result = quadrille.simplify_file("in.ply", "out.ply", faces=1_000_000, scratch="/scratch/a", memory="4G")
+
+    source    binary PLY of triangles, or binary STL; a list of these, or a pattern as 'tiles/*.ply': tiles of one
+              surface, whose borders coincide
+    target    PLY, binary; with keep_tiles a folder
+    scratch   a folder for what lies on disk meanwhile; it is as it was at the end
+    memory    how many bytes the process shall take at most, or words as '4G', '500MB', '4GiB'; the result depends on it
+    threads   parts at a time; 0: one for each processor, as far as memory allows
+    restart   go on with what is in the scratch folder, where a run was stopped
+    part_faces  of a part, about; 0: as the memory allows
+    progress  called at each stage, and up to 25 times a second, with a FileStatus, which has an estimate of time, memory and disk; to return
+              False ends the run, and to raise does, too: what is done stays in the scratch folder, for restart
+
+    faces, ratio, target_reduction, error, relative_error, both_ways, cost (by name), placement, topology, boundary_weight
+              as simplify() has them; half of the faces where there is no target
+    lock_boundary  vertices at edges of one face stay where they are
+    keep_tiles  each tile becomes a file again, of the same name, in the folder
+    positions_only  leave out what the file has beside positions, corners and labels; else what can't go along is refused
+    attribute_importance  how much colours and other numbers of vertices count, above 0: 1 by default, hardly where a
+              cost is asked for
+
+    Returns a SimplifiedFile, with a report. A target that was missed, a count that is near only and what was left out are
+    UserWarnings. Ctrl-C ends it with a KeyboardInterrupt.
+
+    Raises OSError if a file can't be opened or written, a disk is too small or full, or another job works in the folder;
+    ValueError for what is wrong with the file or an option; TypeError for an option that it does not know.
+    """
+    job = FileJob(source, scratch=scratch, progress=progress, **options)
+    result = _result(target, *_step(job._paths, job._job.run, os.fspath(target)))
+    for remark in result.remarks:
+        warnings.warn(remark, stacklevel=3)
+    warn_if_missed(result.report, job._options, None, None, stacklevel=3)
+    return result
+
+
+simplify_file.option_names = tuple(FileOptions.__annotations__)  # type: ignore[attr-defined]
+simplify_file = in_our_words(simplify_file)
+
+
+def _result(target: Path, report: _core.Report, figures: Dict[str, Any]) -> SimplifiedFile:
+    remarks = ["left out: " + what for what in figures.pop("dropped")]
+    unused = figures.pop("unused_not_finite")
+    if unused > 0:
+        remarks.append(f"vertices without a face left out for not being finite: {unused}")
+    if report.doubled_faces > 0:
+        remarks.append("faces left out for having the corners of another one, the same way round: "
+                       f"{report.doubled_faces}")
+    if not figures["is_count_exact"] and report.stop != "cancelled":
+        remarks.append(f"the count of faces is near and not exact: {report.faces_after}, since the whole does not fit "
+                       "into the memory at the end")
+    return SimplifiedFile(output=os.fspath(target), report=report, remarks=remarks, **figures)
+
+
+def _paths_of(source: Any) -> List[str]:
+    """Those that are named, by a pattern in the order of their names."""
+    if not isinstance(source, (str, os.PathLike)):
+        return [os.fspath(path) for path in source]
+    path = os.fspath(source)
+    if not glob.has_magic(path) or os.path.exists(path):
+        return [path]
+    found = sorted(glob.glob(path))
+    if not found:
+        raise FileNotFoundError(f"{path}: no file has such a name")
+    return found
+
+
+def _step(paths: Sequence[str], step: Callable[..., Any], *arguments: Any) -> Any:
+    """What is wrong with a file of the input is a ValueError, else with a file an OSError."""
+    for path in paths if step is _core.FileJob else ():
+        with open(path, "rb"):
+            pass
+    try:
+        return step(*arguments)
+    except RuntimeError as error:
+        message = str(error)
+        if message.startswith(tuple(path + ": " for path in paths)):
+            raise ValueError(message) from None
+        if message.startswith("quadrille::"):  # a step that is not due
+            raise RuntimeError(in_words_of_python(message)) from None
+        if message.startswith("quadrille: "):
+            raise RuntimeError("progress has ended the run, which restart=True goes on with") from None
+        raise OSError(message) from None
+
+
+_UNITS = {"": 1, "k": 1, "m": 2, "g": 3, "t": 4}
+
+
+def read_bytes(name: str, value: Any) -> int:
+    """A number, or words as 4G, 500MB, 4GiB."""
+    if not isinstance(value, str):
+        return _count_of_bytes(name, value)
+    found = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*([kmgt]?)(i?)b?\s*", value.lower())
+    if not found or (found[3] and not found[2]):
+        raise ValueError(f"{name} is {value!r}, not a number of bytes, as '4G' or '500M'")
+    power = _UNITS[found[2]] if found[2] else 0
+    return int(float(found[1]) * float(1024 if found[3] else 1000) ** power)
+
+
+def _count_of_bytes(name: str, value: Any) -> int:
+    number = read_number(name, value)
+    if not 0 <= number < 1e18:
+        raise ValueError(f"{name} is {value!r}, not a number of bytes")
+    return int(number)
