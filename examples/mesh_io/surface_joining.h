@@ -65,7 +65,8 @@ private:
   SurfaceJoining(const std::vector<Point>& points, const Triangles& triangles)
       : points_(points), triangles_(triangles), vertices_(points.size()) {}
 
-  /// Those of which both ends are at places of several vertices.
+  /// Those of which an end is at a place of several vertices. The other one may be alone at its
+  /// place, as around a pole that each face has for itself.
   void find_sides() {
     const std::vector<std::uint32_t> places = SharedPlaces::of(points_, triangles_);
     if (places.empty())
@@ -75,9 +76,10 @@ private:
       if (join_flat_corners(t, places))
         continue;
       for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = t[i], w = t[(i + 1) % 3], p = places[v], q = places[w];
-        if (p == SharedPlaces::none || q == SharedPlaces::none)
+        const std::uint32_t v = t[i], w = t[(i + 1) % 3];
+        if (places[v] == SharedPlaces::none && places[w] == SharedPlaces::none)
           continue;
+        const std::uint32_t p = std::min(places[v], v), q = std::min(places[w], w);
         sides_.push_back(p < q ? Side{p, q, v, w, face, i, true}
                                : Side{q, p, w, v, face, i, false});
       }

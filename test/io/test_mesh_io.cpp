@@ -1073,6 +1073,22 @@ TEST_CASE("What is one surface is joined, edge by edge", "[mesh_io]") {
   CHECK(collapsed.triangles.empty());
 }
 
+TEST_CASE("A pole that each face has for itself is one point, whose neighbours are shared",
+          "[mesh_io]") {
+  // Two cones on one ring, as a sphere of few faces has them; each face has a tip of its own.
+  std::vector<Point> points = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  std::vector<Triangle> faces;
+  for (const double z : {1., -1.})
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t j = (i + 1) % 4, tip = static_cast<std::uint32_t>(points.size());
+      points.emplace_back(0, 0, z);
+      faces.push_back(z > 0 ? Triangle{i, j, tip} : Triangle{j, i, tip});
+    }
+  const IndexedMesh mesh = read("a.off", off_of({{points, faces}}));
+  CHECK(mesh.points.size() == 6);
+  CHECK(count_open(mesh) == 0);
+}
+
 TEST_CASE("Bodies that touch along an edge stay two, and are closed", "[mesh_io]") {
   const bool is_loose = GENERATE(false, true), is_inside_out = GENERATE(false, true);
   auto parts = tetrahedron(1, is_loose);
