@@ -301,10 +301,12 @@ void add_files(py::module_& m) {
   m.def(
       "read_mesh",
       [](const std::filesystem::path& path, bool welds) {
-        if (is_gltf(path.extension().string()))
-          return with_vertices_of_values(read_gltf_mesh(path));
-        return with_vertices_of_values(read_mesh(path, mesh_format(path, " .gltf .glb"),
-                                                 welds ? Weld::places : Weld::surfaces));
+        IndexedMesh mesh = is_gltf(path.extension().string())
+                               ? read_gltf_mesh(path)
+                               : read_mesh(path, mesh_format(path, " .gltf .glb"),
+                                           welds ? Weld::places : Weld::surfaces);
+        const bool has_seams = !mesh.value_triangles.empty(); // at which points are there twice
+        return std::pair(with_vertices_of_values(std::move(mesh)), has_seams);
       },
       py::call_guard<py::gil_scoped_release>());
   m.def("write_mesh", write_arrays);

@@ -733,6 +733,33 @@ class Files(Folder):
             quadrille.write_mesh(self.path("x.obj"), quadrille.Mesh(points[:3], faces))
 
 
+    def test_colours_that_differ_at_points_are_seams(self):
+        points, faces, _ = torus(24)
+        is_red = (points[faces].mean(axis=1)[:, 0] > 0).astype(int)  # of each face
+        numbers, places, lines = {}, [], []
+        for face, red in zip(faces.tolist(), is_red.tolist()):
+            for v in face:
+                if (v, red) not in numbers:
+                    numbers[v, red] = len(places)
+                    places.append("%r %r %r %d 0 0" % (*points[v].tolist(), 255 * red))
+            lines.append("3 %d %d %d" % tuple(numbers[v, red] for v in face))
+        with open(self.path("in.ply"), "w") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\nproperty double z\n"
+                       "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face %d\n"
+                       "property list uchar int vertex_indices\nend_header\n%s\n"
+                       % (len(places), len(lines), "\n".join(places + lines)))
+        endings = [".ply", ".glb"] if hasattr(quadrille._core, "simplify_gltf") else [".ply"]
+        for ending in endings:
+            mesh = quadrille.read_mesh(self.path("in.ply"))
+            quadrille.write_mesh(self.path("a" + ending), mesh)
+            small = quadrille.simplify(quadrille.read_mesh(self.path("a" + ending)), ratio=0.3)
+            self.assertLess(len(small.faces), 0.31 * len(faces))
+            self.assertTrue((small.colors[small.faces] == small.colors[small.faces][:, :1]).all())
+            ends = np.unique(small.points, axis=0, return_inverse=True)[1].reshape(-1)[small.faces]
+            edges = np.sort(np.concatenate([ends[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
+            self.assertTrue((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())  # not torn
+
+
 class Copies(Folder):
     def same(self, a, b):
         self.assertIs(type(a), type(b))

@@ -25,8 +25,9 @@ def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh
     Polygons are cut into triangles. Of OBJ and PLY, uv and normals are pairs (values, indices) of
     corners; materials, groups and objects of OBJ, and integers of the faces of PLY, are labels, and
     write_mesh() writes them again with their names. Further numbers of the vertices of PLY are
-    attributes. weld makes points at exactly the same place one; where no two faces share a point, as
-    in STL, that is done anyway.
+    attributes. Points at exactly the same place are one wherever edges of faces meet there; weld makes
+    all of them one. Where colours or attributes differ at a place there is a point for each side, which
+    simplify() takes as one.
 
     Raises OSError if the file can't be opened, and ValueError, which names file and line, if it is
     broken. What was left out or guessed is in mesh.remarks.
@@ -35,11 +36,11 @@ def read_mesh(path: Union[str, os.PathLike[str]], *, weld: bool = False) -> Mesh
     with open(path, "rb"):
         pass
     try:
-        file = _core.read_mesh(path, bool(weld))
+        file, is_split = _core.read_mesh(path, bool(weld))
     except RuntimeError as error:
         raise ValueError(str(error)) from None
     mesh = Mesh(file.points, file.faces, uv=file.uv, normals=file.normals, labels=file.labels,
-                remarks=file.remarks, _source=file,
+                remarks=file.remarks, _is_split=is_split, _source=file,
                 _source_faces=np.arange(len(file.faces), dtype=np.uint32))
     if len(file.vertex_uv) > 0:
         mesh.uv = file.vertex_uv

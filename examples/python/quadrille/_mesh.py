@@ -84,6 +84,7 @@ class Mesh:
     labels: Optional[Array] = None
     remarks: List[str] = dataclasses.field(default_factory=list)
     # The file that it was read from, and which of its faces each face is.
+    _is_split: bool = dataclasses.field(default=False, repr=False)  # are points at seams there for each side?
     _source: Any = dataclasses.field(default=None, repr=False)
     _source_faces: Optional[Array] = dataclasses.field(default=None, repr=False)
 

@@ -186,7 +186,7 @@ def simplify(
     given: Dict[str, Any] = dict(labels=labels, uv=uv, normals=normals, colors=colors)
     added = {} if attributes is None else read_attributes(attributes, of_library)
     mesh = Mesh(mesh.points, mesh.faces, attributes={**read_attributes(mesh.attributes), **added},
-                _source=mesh._source, _source_faces=mesh._source_faces,
+                _is_split=mesh._is_split, _source=mesh._source, _source_faces=mesh._source_faces,
                 **{name: getattr(mesh, name) if values is None else values
                    for name, values in given.items()})
     options = make_options(
@@ -206,7 +206,7 @@ def simplify(
     if tolerance is not None:
         options.tolerance = _arrays.numbers("tolerance", tolerance, len(mesh.points))
     options.label_border_weight = read_number("label_border_weight", label_border_weight)
-    options.split_vertices = bool(split_vertices)
+    options.split_vertices = bool(split_vertices) or mesh._is_split
     if fixed is not None:
         options.fixed = _arrays.mask("fixed", fixed, len(mesh.points))
     if selected is not None:
@@ -308,7 +308,7 @@ def _simplified(mesh: Mesh, options: _core.Options, levels: Optional[Levels], or
     set_channels(result, {channel.name: channel.result(*values)
                           for channel, values in zip(channels, arrays["channels"])})
     if mesh._source is not None:
-        result._source = mesh._source
+        result._is_split, result._source = mesh._is_split, mesh._source
         result._source_faces = np.ascontiguousarray(mesh._source_faces[arrays["input_faces"]])
     return result
 
