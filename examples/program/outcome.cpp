@@ -249,11 +249,13 @@ public:
                                   std::size_t{0})) {}
 
   std::vector<std::string> all() {
+    if (outcome_.trials)
+      for (const Trial& trial : *outcome_.trials)
+        add_trial(trial);
     if (are_parts_in_the_way())
       add_parts();
     else if (!is_free_ && counts(Rejection::topology))
-      hints_.emplace_back(
-          "topology is kept: --topology free lets holes close and thin parts become sheets");
+      add("topology is kept", "--topology free lets holes close and thin parts become sheets");
     if (counts(Rejection::seam))
       add_seams();
     if (report_.stop == quadrille::StopReason::target_unreachable)
@@ -273,6 +275,20 @@ public:
   }
 
 private:
+  /// What would help is named where nothing was tried.
+  void add(const std::string& cause, const std::string& help) {
+    hints_.push_back(outcome_.trials ? cause : cause + ": " + help);
+  }
+
+  void add_trial(const Trial& trial) {
+    std::string text = "with " + trial.option + " it comes to " +
+                       with_commas(trial.report.faces_after) + " faces, error about " +
+                       distance_text(trial.report.error, outcome_.diagonal);
+    if (trial.report.vanished_parts > report_.vanished_parts)
+      text += ", " + vanished_text(trial.report, outcome_.diagonal);
+    hints_.push_back(text);
+  }
+
   /// What is rarer is not in the way.
   bool counts(Rejection cause) const {
     return report_.rejected(cause) > 0 && 100 * report_.rejected(cause) >= refusals_;
@@ -305,14 +321,14 @@ private:
       hints_.push_back(text + ": --pairs joins those that are closer than a distance");
       return;
     }
-    text += ", and each keeps some faces: ";
+    std::string help;
     if (topology(options_) != quadrille::Topology::parts_may_vanish)
-      text += "--drop-parts lets small ones vanish, ";
-    text += "--topology free lets holes close and thin parts become sheets, --pairs also joins "
+      help += "--drop-parts lets small ones vanish, ";
+    help += "--topology free lets holes close and thin parts become sheets, --pairs also joins "
             "parts";
     if (!options_.weld && !is_gltf(extension_of(options_.input, options_)))
-      text += ", and --weld TOLERANCE makes vertices one that only nearly touch";
-    hints_.push_back(text);
+      help += ", and --weld TOLERANCE makes vertices one that only nearly touch";
+    add(text + ", and each keeps some faces", help);
   }
 
   /// Seams of textures are among those that hold only where they are kept.
@@ -325,8 +341,9 @@ private:
       return;
     text += " (" + refused(Rejection::seam) + " contractions refused)";
     if (holds_textures)
-      text += ": --seams held lets seams vanish where that shows little";
-    hints_.push_back(text);
+      add(text, "--seams held lets seams vanish where that shows little");
+    else
+      hints_.push_back(text);
   }
 
   const Options& options_;

@@ -21,6 +21,12 @@
 
 namespace quadrille_examples {
 
+/// What came of a run with one option more.
+struct Trial {
+  std::string option;
+  quadrille::Report report;
+};
+
 /// A result of a run.
 struct Outcome {
   std::string file; ///< that it is written to, or a name for it
@@ -31,6 +37,8 @@ struct Outcome {
   std::optional<quadrille::Verdict> verdict = {};
   std::optional<quadrille::FileReport> parts = {}; ///< of a run by parts
   bool has_labels = false; ///< has the input regions of several labels, materials say?
+  /// Those that are better, if any were tried because the target was not reached.
+  std::optional<std::vector<Trial>> trials = {};
 
   bool is_target_met() const { return target.is_met(report.stop); }
 };

@@ -3,6 +3,7 @@
 #include "outcome.h"
 #include "runs.h"
 #include "simplify_mesh.h"
+#include "trials.h"
 #include "verification.h"
 
 #include <algorithm>
@@ -118,11 +119,14 @@ public:
       print_remark(options_, "it is compressed, OUT is not: --compress " + how + " does it again");
     placements_ = meshes.placements();
     if (options_.levels.empty()) {
+      const Surfaces input =
+          may_be_tried(options_, faces_of(meshes)) ? meshes.surfaces() : Surfaces();
       simplify_to(options_.output, meshes.surfaces(), options_);
       const std::size_t before = meshes.size();
       GltfDocument document = meshes.take();
       print_remark_of_size(before, document.size(), meshes.surfaces());
       write(std::move(document));
+      try_more(input);
     } else {
       write(meshes.take_with(levels_of(meshes)));
     }
@@ -130,15 +134,32 @@ public:
   }
 
 private:
-  void simplify_to(const std::string& name, Surfaces& surfaces, const Options& options) {
-    const Surfaces input = options.measures ? surfaces : Surfaces();
-    GltfSceneSurface scene(surfaces, placements_);
-    const double diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
-    const quadrille::Report report = with_errors_of_file(options, [&] {
+  static quadrille::Report simplify(GltfSceneSurface& scene, const Options& options) {
+    return with_errors_of_file(options, [&] {
       quadrille::SoupOptions soup = soup_options(options, scene.points(), scene.triangles());
       soup.coordinates_are_floats = are_floats(scene.points());
       return scene.simplify(soup, channel_choices(options));
     });
+  }
+
+  /// Once the result is written.
+  void try_more(const Surfaces& input) {
+    if (input.empty() || outcomes_.front().is_target_met())
+      return;
+    progress_.show_stage("trying other options");
+    try_options(options_, outcomes_.front(), [&](const Options& options) {
+      Surfaces surfaces = input;
+      GltfSceneSurface scene(surfaces, placements_);
+      return simplify(scene, options);
+    });
+    progress_.clear();
+  }
+
+  void simplify_to(const std::string& name, Surfaces& surfaces, const Options& options) {
+    const Surfaces input = options.measures ? surfaces : Surfaces();
+    GltfSceneSurface scene(surfaces, placements_);
+    const double diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
+    const quadrille::Report report = simplify(scene, options);
     if (options.promises())
       for (GltfSurface& surface : surfaces)
         surface.write_positions_as_floats();
@@ -164,12 +185,16 @@ private:
                   scene.result().image, progress_);
   }
 
-  std::vector<Surfaces> levels_of(GltfMeshes& meshes) {
-    meshes.require_fit_for_levels();
+  static std::size_t faces_of(GltfMeshes& meshes) {
     std::size_t faces = 0;
     for (const GltfSurface& surface : meshes.surfaces())
       faces += surface.triangles.size();
-    require_descending(options_.levels, faces);
+    return faces;
+  }
+
+  std::vector<Surfaces> levels_of(GltfMeshes& meshes) {
+    meshes.require_fit_for_levels();
+    require_descending(options_.levels, faces_of(meshes));
     std::vector<Surfaces> levels;
     for (const AskedLevel& level : options_.levels) {
       levels.push_back(meshes.surfaces());

@@ -14,6 +14,7 @@
 #include "region.h"
 #include "runs.h"
 #include "simplify_mesh.h"
+#include "trials.h"
 #include "verification.h"
 
 #include <quadrille/levels.h>
@@ -206,8 +207,9 @@ public:
     else if (!options_.record.empty())
       simplify_recorded(std::move(mesh));
     else
-      simplify_to(files_.front(), std::move(mesh), options_);
+      simplify_once(std::move(mesh));
     write();
+    try_more();
     print_remark_of_doubled_faces();
     return tell(options_, outcomes_);
   }
@@ -298,6 +300,24 @@ private:
                 });
   }
 
+  void simplify_once(IndexedMesh mesh) {
+    if (may_be_tried(options_, mesh.triangles.size()))
+      to_try_ = mesh;
+    simplify_to(files_.front(), std::move(mesh), options_);
+  }
+
+  /// Once the result is written.
+  void try_more() {
+    if (!to_try_ || outcomes_.front().is_target_met())
+      return;
+    progress_.show_stage("trying other options");
+    try_options(options_, outcomes_.front(), [&](const Options& options) {
+      IndexedMesh mesh = *to_try_;
+      return simplify_mesh(mesh, options);
+    });
+    progress_.clear();
+  }
+
   /// The last result, as it will be read from its file.
   IndexedMesh read_back(const IndexedMesh& mesh) const {
     return writes_gltf() || mesh.triangles.empty()
@@ -351,6 +371,7 @@ private:
   double diagonal_ = 0;
   std::optional<IndexedMesh> file_; // what IN is, where that has been moved; by so much at most
   double moved_ = 0;
+  std::optional<IndexedMesh> to_try_; // the input, where other options may be tried
   std::vector<Outcome> outcomes_;
 };
 

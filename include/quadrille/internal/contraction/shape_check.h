@@ -90,6 +90,15 @@ public:
   /// The same of parts alone, which several threads may ask for.
   bool spoils_part(const Contraction& contraction) const { return strain_of_part(contraction) > 1; }
 
+  /// How many times further than its error says a contraction moves the surface, as measured where
+  /// the error is great beside the whole; else 1.
+  double excess(const Contraction& contraction) const {
+    if constexpr (knows_errors<Cost>)
+      if (is_measured(contraction, scale_)) [[unlikely]]
+        return (std::max)(1., deviation(contraction) / contraction.error());
+    return 1;
+  }
+
 private:
   double deviation(const Contraction& contraction) const {
     return scale_.length_of_mesh(deviation_of(contraction, geometry_));

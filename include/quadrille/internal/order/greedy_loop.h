@@ -101,6 +101,8 @@ private:
         refuse(*next, Rejection::destruction);
       else if (!is_last_resort_ && spoils_shape(contraction, *next))
         continue;
+      else if (!is_last_resort_ && costs_too_little(contraction, *next))
+        continue;
       else if (!is_last_resort_ && misses_target(contraction))
         deferred_.defer(*next, contraction.key());
       else
@@ -149,14 +151,22 @@ private:
   }
 
   // Once no pair is left where vertices may go to the places of least cost: around a hub these are
-  // ill-determined by narrow faces that look all in about the same direction. Then those that were
-  // refused have another turn.
+  // ill-determined by narrow faces that look all in about the same direction, and so they are on
+  // flat walls between holes. Then those that were refused have another turn.
   QUADRILLE_NOINLINE bool may_try_ends() {
-    if (tries_ends_ || waiting_.empty() || !surface_.complex().hubs().any())
+    if (tries_ends_ || waiting_.empty() || !(surface_.complex().hubs().any() || guards_shapes()))
       return false;
     tries_ends_ = true;
     waiting_.release_all(push_again());
     return true;
+  }
+
+  // Are there large parts or regions beside others, which nothing may spoil?
+  bool guards_shapes() {
+    if (!end_of_run_.has_count() || !surface_.is_topology_kept())
+      return false;
+    surface_.measure_parts();
+    return surface_.shape_check().has_any();
   }
 
   // Once no pair is left, faces may have gone from where others were refused for meeting them: that
@@ -261,6 +271,17 @@ private:
     const auto key = static_cast<float>((std::min)(
         dearness_of_parts * strain * strain * strain * strain * contraction.key(), 1e37));
     if (!(strain > 1) || !(key > pair.cost))
+      return false;
+    queue_.push(pair.first, pair.second, key);
+    return true;
+  }
+
+  // Does it move the surface further than its error says? It goes behind those that cost less than
+  // what is measured.
+  bool costs_too_little(const Contraction& contraction, const QueuedPair& pair) {
+    const double excess = surface_.shape_check().excess(contraction);
+    const auto key = static_cast<float>((std::min)(excess * excess * contraction.key(), 1e37));
+    if (!(excess > 1 && key > pair.cost)) [[likely]]
       return false;
     queue_.push(pair.first, pair.second, key);
     return true;

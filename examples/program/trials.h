@@ -1,0 +1,83 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_TRIALS_H
+#define QUADRILLE_EXAMPLES_PROGRAM_TRIALS_H
+
+/// \file
+/// Which options would bring a run nearer to a target that it has not reached: they are tried out
+/// before they are named.
+
+#include "options.h"
+#include "outcome.h"
+#include "policy_options.h"
+
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// A run with one option more.
+struct AskedTrial {
+  std::string option;
+  Options options;
+};
+
+/// What holds a run of these options more than it has to, unless it was asked for.
+inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille::Report& report) {
+  std::vector<AskedTrial> trials;
+  const auto add = [&](const std::string& option, auto change) {
+    trials.push_back({option, options});
+    change(trials.back().options);
+  };
+  const bool is_held = topology(options) == quadrille::Topology::kept && !options.keeps_parts;
+  if (is_held && !options.keeps_solid && report.components_after > 1)
+    add("--drop-parts", [](Options& o) { o.drops_parts = true; });
+  if (topology(options) != quadrille::Topology::free && !options.keeps_solid)
+    add("--topology free", [](Options& o) {
+      o.drops_parts = o.keeps_parts = false;
+      o.topology = "free";
+    });
+  if (options.seams == quadrille::Seams::kept && report.rejected(quadrille::Rejection::seam) > 0)
+    add("--seams held", [](Options& o) { o.seams = quadrille::Seams::held; });
+  return trials;
+}
+
+/// From so many faces on nothing is tried: each takes as long as the run itself.
+inline constexpr std::size_t most_faces_to_try = 500'000;
+
+/// Should options be tried after a run of a surface of so many faces to one target?
+inline bool may_be_tried(const Options& options, std::size_t faces) {
+  return !options.is_quiet && options.levels.empty() && options.record.empty() &&
+         !options.target.is_limited() && faces <= most_faces_to_try;
+}
+
+/// Tries what run(options) gives, a report, and tells the outcome of those that come nearer to the
+/// target, by at least a twentieth of the faces, and do no more than half as much harm again. What
+/// cannot be combined with the options is left out.
+inline void try_options(const Options& options, Outcome& outcome,
+                        const std::function<quadrille::Report(const Options&)>& run) {
+  constexpr double nearer = 0.95, harm = 1.5;
+  const quadrille::Report& report = outcome.report;
+  outcome.trials.emplace();
+  for (const AskedTrial& trial : trials_of(options, report)) {
+    try {
+      const quadrille::Report got = run(trial.options);
+      if (got.stop != quadrille::StopReason::cancelled &&
+          static_cast<double>(got.faces_after) <=
+              nearer * static_cast<double>(report.faces_after) &&
+          got.error <= harm * report.error)
+        outcome.trials->push_back({trial.option, got});
+    } catch (const std::exception&) {
+      // It does not go with another option.
+    }
+  }
+}
+
+} // namespace quadrille_examples
+
+#endif
