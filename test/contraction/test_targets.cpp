@@ -271,6 +271,26 @@ TEST_CASE("Bodies of labels keep their volume where their walls hold the rest") 
   }
 }
 
+TEST_CASE("A torus of few faces has no spikes: coarse contractions are measured") {
+  for (const auto& [around, across] : {std::pair{100, 20}, {60, 24}, {64, 32}, {80, 20}})
+    for (const auto& [faces, most] : {std::pair{20, 0.3}, {32, 0.18}}) {
+      PointSoup soup(test::torus(around, across));
+      simplify_soup(soup, FaceCount{static_cast<std::size_t>(faces)});
+      double farthest = 0; // from the surface, outside of it
+      for (const auto& p : soup.points)
+        farthest = (std::max)(farthest, std::hypot(std::hypot(p.x(), p.y()) - 1, p.z()) - 0.4);
+      CAPTURE(around, across, faces);
+      CHECK(farthest < most);
+    }
+}
+
+TEST_CASE("A plate of many holes loses what it can, at the ends of edges at last") {
+  PointSoup soup(test::joined(test::plate_with_holes(20, 6), test::sphere(2), {{0, 20, 0}}));
+  const Report report = simplify_soup(soup, FaceCount{0});
+  INFO(report); // at the places of least cost alone 356
+  CHECK(report.faces_after < 350);
+}
+
 TEST_CASE("No part is destroyed for a number of faces that cannot be reached") {
   // A sheet and twelve small tetrahedra; their least faces are more than what is asked for.
   Soup parts = test::with_noise(test::grid(20, 20), 1, 0.002);

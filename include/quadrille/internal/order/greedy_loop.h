@@ -276,9 +276,29 @@ private:
     return true;
   }
 
+  // To an end, if that moves the surface less.
+  QUADRILLE_NOINLINE void moves_where_measured(Contraction& contraction) {
+    const auto measured = [&] {
+      return contraction.error() * surface_.shape_check().excess(contraction);
+    };
+    Candidate best = contraction.candidate();
+    double least = measured();
+    if constexpr (!looks_at_star<typename Policies::Placement>)
+      internal::moves_to_end(surface_.evaluator(), contraction, [&](Contraction& c) {
+        if (!refusal(c) && measured() < least) {
+          least = measured();
+          best = c.candidate();
+        }
+        return true;
+      });
+    contraction.replace(best);
+  }
+
   // Does it move the surface further than its error says? It goes behind those that cost less than
   // what is measured.
-  bool costs_too_little(const Contraction& contraction, const QueuedPair& pair) {
+  bool costs_too_little(Contraction& contraction, const QueuedPair& pair) {
+    if (surface_.shape_check().excess(contraction) > 1) [[unlikely]]
+      moves_where_measured(contraction);
     const double excess = surface_.shape_check().excess(contraction);
     const auto key = static_cast<float>((std::min)(excess * excess * contraction.key(), 1e37));
     if (!(excess > 1 && key > pair.cost)) [[likely]]
