@@ -321,14 +321,16 @@ private:
       hints_.push_back(text + ": --pairs joins those that are closer than a distance");
       return;
     }
-    std::string help;
-    if (topology(options_) != quadrille::Topology::parts_may_vanish)
-      help += "--drop-parts lets small ones vanish, ";
-    help += "--topology free lets holes close and thin parts become sheets, --pairs also joins "
-            "parts";
+    text += ", and each keeps some faces: ";
+    if (!outcome_.trials && topology(options_) != quadrille::Topology::parts_may_vanish)
+      text += "--drop-parts lets small ones vanish, ";
+    if (!outcome_.trials)
+      text += "--topology free lets holes close and thin parts become sheets, ";
+    text += outcome_.trials ? "--pairs joins those that are closer than a distance"
+                            : "--pairs also joins parts";
     if (!options_.weld && !is_gltf(extension_of(options_.input, options_)))
-      help += ", and --weld TOLERANCE makes vertices one that only nearly touch";
-    add(text + ", and each keeps some faces", help);
+      text += ", and --weld TOLERANCE makes vertices one that only nearly touch";
+    hints_.push_back(text);
   }
 
   /// Seams of textures are among those that hold only where they are kept.

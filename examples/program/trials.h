@@ -12,6 +12,7 @@
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -34,9 +35,12 @@ inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille
     trials.push_back({option, options});
     change(trials.back().options);
   };
-  const bool is_held = topology(options) == quadrille::Topology::kept && !options.keeps_parts;
-  if (is_held && !options.keeps_solid && report.components_after > 1)
-    add("--drop-parts", [](Options& o) { o.drops_parts = true; });
+  if (topology(options) == quadrille::Topology::kept && !options.keeps_solid &&
+      report.components_after > 1)
+    add("--drop-parts", [](Options& o) {
+      o.drops_parts = true;
+      o.keeps_parts = false;
+    });
   if (topology(options) != quadrille::Topology::free && !options.keeps_solid)
     add("--topology free", [](Options& o) {
       o.drops_parts = o.keeps_parts = false;
@@ -57,20 +61,19 @@ inline bool may_be_tried(const Options& options, std::size_t faces) {
 }
 
 /// Tries what run(options) gives, a report, and tells the outcome of those that come nearer to the
-/// target, by at least a twentieth of the faces, and do no more than half as much harm again. What
-/// cannot be combined with the options is left out.
+/// target, by at least a twentieth of the faces, and do no harm that shows, or hardly more than is
+/// done. What cannot be combined with the options is left out.
 inline void try_options(const Options& options, Outcome& outcome,
                         const std::function<quadrille::Report(const Options&)>& run) {
-  constexpr double nearer = 0.95, harm = 1.5;
   const quadrille::Report& report = outcome.report;
+  const double most_faces = 0.95 * static_cast<double>(report.faces_after);
+  const double most_error = (std::max)(1.5 * report.error, 0.02 * outcome.diagonal);
   outcome.trials.emplace();
   for (const AskedTrial& trial : trials_of(options, report)) {
     try {
       const quadrille::Report got = run(trial.options);
-      if (got.stop != quadrille::StopReason::cancelled &&
-          static_cast<double>(got.faces_after) <=
-              nearer * static_cast<double>(report.faces_after) &&
-          got.error <= harm * report.error)
+      if (got.stop != quadrille::StopReason::cancelled && got.faces_after > 0 &&
+          static_cast<double>(got.faces_after) <= most_faces && got.error <= most_error)
         outcome.trials->push_back({trial.option, got});
     } catch (const std::exception&) {
       // It does not go with another option.
