@@ -153,11 +153,11 @@ expect stderr '^--drop-parts does not go with'
 # Options are tried before they are named: forty tetrahedra lie close above a sheet
 awk 'BEGIN {
   n = 10; parts = 40; print "OFF\n" (n + 1) ^ 2 + 4 * parts, 2 * n * n + 4 * parts, 0
-  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print i, j, 0.3 * sin(i) * cos(j)
+  for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print i, j, 0.05 * sin(i) * cos(j)
   for (p = 0; p < parts; ++p)
     for (k = 0; k < 4; ++k) {
       x = p % 8 + 1; y = int(p / 8) + 1
-      print x + 0.05 * (k == 1), y + 0.05 * (k == 2), 0.3 * sin(x) * cos(y) + 0.03 + 0.05 * (k == 3)
+      print x + 0.05 * (k == 1), y + 0.05 * (k == 2), 0.05 * sin(x) * cos(y) + 0.03 + 0.05 * (k == 3)
     }
   for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
     v = i * (n + 1) + j; w = v + n + 1

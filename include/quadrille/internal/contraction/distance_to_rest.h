@@ -43,12 +43,13 @@ public:
   double operator()(const Vector<3>& place, double guess) const {
     if (faces_.empty())
       return 0;
-    double radius = guess, nearest = std::numeric_limits<double>::infinity();
-    while (!(nearest <= radius) && !has_all(place, radius)) {
-      nearest = nearest_within(place, radius);
+    double radius = guess;
+    for (;;) {
+      const double nearest = nearest_within(place, radius);
+      if (nearest <= radius || has_all(place, radius))
+        return nearest;
       radius = std::isfinite(nearest) ? nearest * (1 + 0x1p-20) : 2 * radius;
     }
-    return std::isfinite(nearest) ? nearest : nearest_within(place, radius);
   }
 
 private:
@@ -74,7 +75,8 @@ private:
     return box == cube(place, radius);
   }
 
-  // Infinite if none of them meets a cube around the place.
+  // Of those whose boxes meet a cube around the place: no more than that of any face nearer than
+  // the radius. Infinite if there are none.
   double nearest_within(const Vector<3>& place, double radius) const {
     double squared = std::numeric_limits<double>::infinity();
     tree_.for_each_meeting(cube(place, radius), [&](std::size_t slot, const FloatBox&) {
