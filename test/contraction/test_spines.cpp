@@ -84,6 +84,39 @@ std::vector<Position> line_of(const Soup& soup, std::size_t sheets) {
   return line;
 }
 
+/// No two edges are of the same cost.
+Soup roughened(Soup soup) {
+  test::Random random(1);
+  for (Position& p : soup.points)
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] += random(0, 0.01);
+  return soup;
+}
+
+/// Vertices and faces are counted backwards, and in other steps.
+Soup renumbered(const Soup& soup, std::uint32_t step) {
+  const auto n = static_cast<std::uint32_t>(soup.points.size());
+  const auto number = [&](std::uint32_t v) { return (n - 1 - v) * step % n; };
+  Soup result = soup;
+  for (std::uint32_t v = 0; v < n; ++v)
+    result.points[number(v)] = soup.points[v];
+  for (test::Triangle& t : result.triangles)
+    t = {number(t[0]), number(t[1]), number(t[2])};
+  std::reverse(result.triangles.begin(), result.triangles.end());
+  return result;
+}
+
+/// The corners of all faces, in order.
+std::vector<Position> places_of(const Soup& soup) {
+  std::vector<Position> places;
+  for (const test::Triangle& t : soup.triangles)
+    for (const std::uint32_t v : t)
+      places.push_back(soup.points[v]);
+  std::sort(places.begin(), places.end(),
+            [](const Position& p, const Position& q) { return p.coordinates < q.coordinates; });
+  return places;
+}
+
 template <class... Arguments>
 Soup simplified(const Soup& input, const Arguments&... arguments) {
   PointSoup soup(input);
@@ -137,6 +170,22 @@ TEMPLATE_TEST_CASE("A bent line keeps its shape, its ends and its sheets", "", Q
         CHECK(std::abs(p[1]) < 0.005);
       }
       CHECK(test::topology_of(result).components == 1);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("Numbers of vertices and faces do not matter at a line", "", Quadric,
+                   MemorylessQuadric) {
+  for (std::uint32_t sheets : {3u, 4u, 5u}) {
+    CAPTURE(sheets);
+    const Soup input = roughened(sheets_at_a_line(sheets, 15, 0.3));
+    const auto places = places_of(simplified(input, TestType{}, FaceRatio{0.1}));
+    for (const std::uint32_t step : {1u, 17u, 101u}) { // none has a factor in common with n
+      const auto others =
+          places_of(simplified(renumbered(input, step), TestType{}, FaceRatio{0.1}));
+      REQUIRE(others.size() == places.size());
+      for (std::size_t i = 0; i < places.size(); ++i)
+        CHECK(squared_distance(places[i], others[i]) < 1e-20);
     }
   }
 }

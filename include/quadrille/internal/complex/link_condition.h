@@ -136,20 +136,33 @@ private:
   }
 
   // One end lies on a spine, and the other on the same: so must the edge, and nothing may join them
-  // behind it. The next vertex on the spine is that of as many faces as the edge has.
+  // behind it. Of two ends on the spine it is enough to look from one: that of more faces, so that
+  // numbers do not matter, or either where both have as many.
   bool is_along_spine(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
     if (star.shared.size() < 3 || (kind_[a] != Kind::spine && kind_[b] != Kind::spine))
       return false;
-    const bool is_seen_from_first =
-        kind_[a] == Kind::spine && (star.hub != a || kind_[b] != Kind::spine);
-    const AppendBuffer<StarFace>& faces = is_seen_from_first ? star.first : star.second;
-    const Index pages = static_cast<Index>(star.shared.size());
+    const bool are_both = kind_[a] == kind_[b];
+    const auto is_seen_from = [&](Index end, Index other, const auto& faces, const auto& others) {
+      const bool is_the_one = star.hub == none ? faces.size() >= others.size() : star.hub == other;
+      return kind_[end] == Kind::spine && (!are_both || is_the_one) &&
+             goes_on_behind(faces, star.shared, labels);
+    };
+    return is_seen_from(a, b, star.first, star.second) ||
+           is_seen_from(b, a, star.second, star.first);
+  }
+
+  // Does the spine go on behind one end of an edge, and not back to it? The next vertex on it is
+  // that of as many faces as the edge has, all of which are among these unless it is opposite to
+  // it.
+  static bool goes_on_behind(const AppendBuffer<StarFace>& faces,
+                             const AppendBuffer<StarFace>& shared, VertexLabels& labels) {
+    const Index pages = static_cast<Index>(shared.size());
     labels.clear(pages + 1);
     for (const StarFace& f : faces)
       for (Index v : {f.second, f.third}) {
         labels.set(v, labels.is_labelled(v) ? labels[v] + 1 : 1);
         if (labels[v] == pages)
-          return !has_vertex(star.shared, v);
+          return true;
       }
     return false;
   }
