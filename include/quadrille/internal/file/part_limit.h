@@ -19,15 +19,15 @@ namespace quadrille::internal {
 /// ErrorLimit, HausdorffLimit, or no limit, as is told at run time.
 class DistanceChoice {
 public:
-  enum class Kind { none, one_way, both_ways };
+  enum class Kind { unlimited, one_way, both_ways };
 
-  DistanceChoice() = default; ///< none
+  DistanceChoice() = default; ///< no limit
   DistanceChoice(Kind kind, double number, bool is_relative)
       : kind_(kind), number_(number), is_relative_(is_relative) {}
 
   static constexpr bool asks_for_distance = true;
   static constexpr bool asks_both_ways = true;
-  bool is_asking_for_distance() const { return kind_ != Kind::none; }
+  bool is_asking_for_distance() const { return kind_ != Kind::unlimited; }
   bool is_asking_both_ways() const { return kind_ == Kind::both_ways; }
 
   Kind kind() const { return kind_; }
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  Kind kind_ = Kind::none;
+  Kind kind_ = Kind::unlimited;
   double number_ = 0;
   bool is_relative_ = false;
 };

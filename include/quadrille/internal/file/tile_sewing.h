@@ -73,12 +73,12 @@ private:
   }
 
   // What faces of a tile make of a vertex.
-  enum class Use : unsigned char { none, inner, border };
+  enum class Use : unsigned char { unused, inner, border };
 
   static std::vector<Use> uses_of(const PlyInput& tile) {
     std::vector<std::uint64_t> edges;
     edges.reserve(3 * static_cast<std::size_t>(tile.faces()));
-    std::vector<Use> uses(static_cast<std::size_t>(tile.vertices()), Use::none);
+    std::vector<Use> uses(static_cast<std::size_t>(tile.vertices()), Use::unused);
     tile.for_faces([&](std::uint64_t, const FaceRow& face, const LabelValues&) {
       if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
         return;
@@ -102,7 +102,7 @@ private:
     const PlyInput tile = open(t);
     const std::vector<Use> uses = uses_of(tile);
     tile.for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
-      if (uses[v] == Use::none)
+      if (uses[v] == Use::unused)
         return;
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]) ||
           !std::all_of(scalars.begin(), scalars.end(), [](double x) { return std::isfinite(x); }))

@@ -38,6 +38,9 @@ public:
   /// costs alone stop it, these are rule enough.
   bool has_count() const { return has_count_; }
 
+  /// Do so many pairs wait that are held that the end may be near?
+  bool is_near(std::size_t waiting) const { return waiting > 0 && hold_.is_awake(waiting); }
+
   /// Would the contraction destroy what is left free? `waiting` pairs are held.
   bool is_destroyed_by(const Contraction& contraction, std::size_t waiting) {
     return waiting > 0 && has_count_ && destroys(contraction, waiting);

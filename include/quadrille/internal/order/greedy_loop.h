@@ -297,6 +297,8 @@ private:
   // Does it move the surface further than its error says? It goes behind those that cost less than
   // what is measured.
   bool costs_too_little(Contraction& contraction, const QueuedPair& pair) {
+    if (!end_of_run_.is_near(waiting_.held()))
+      return false;
     if (surface_.shape_check().excess(contraction) > 1) [[unlikely]]
       moves_where_measured(contraction);
     const double excess = surface_.shape_check().excess(contraction);
