@@ -5,6 +5,7 @@
 /// From the words of the command line to options.
 
 #include "checked_words.h"
+#include "exclusions.h"
 #include "help_formatter.h"
 #include "options.h"
 #include "out_of_core_options.h"
@@ -22,14 +23,6 @@
 namespace quadrille_examples {
 
 /// Options that are for a mesh that is read, and not for a record.
-inline constexpr const char* options_of_whole_meshes[] = {
-    "--levels",  "--tolerance",     "--lines",      "--normal-noise",
-    "--noise",   "--squared-areas", "--importance", "--crease",
-    "--pairs",   "--normals",       "--solid",      "--no-self-intersection",
-    "--seams",   "--order",         "--weld",       "--orient",
-    "--measure", "--keep-partial",  "--verify",     "--region",
-    "--labels"};
-
 inline constexpr const char* target_group =
     "Target: the first that is met ends the run; half of the faces without any";
 
@@ -69,17 +62,15 @@ inline void add_target(CLI::App& app, Options& options) {
          "of the numbers that its vertices have under this name, a scalar of a PLY file, in "
          "the units of IN")
       ->type_name("NAME")
-      ->group(target_group)
-      ->excludes("--error");
-  CLI::Option* const levels = in_group(
+      ->group(target_group);
+  in_group(
       app.add_option_function<std::string>(
           "--levels", [&](const std::string& list) { options.levels = asked_levels(list); },
           "several results, each coarser than the one before it: parts of the faces or counts of "
-          "them, 50%,25%,1000; written to OUT-1, OUT-2, ... with the extension of OUT, or of glTF "
+          "them, 50%,25%,1000, or distances, error=0.1%,error=0.5%; written to OUT-1, OUT-2, ... "
+          "with the extension of OUT, or of glTF "
           "as MSFT_lod of the one file OUT"),
       {complaint_of_levels, ""}, "LIST");
-  for (const char* const name : {"--faces", "--keep", "--vertices", "--error"})
-    levels->excludes(name);
 }
 
 inline void add_files(CLI::App& app, Options& options) {
@@ -112,8 +103,7 @@ inline void add_files(CLI::App& app, Options& options) {
                  "all words are files to read, each of which gets a result of its name in this "
                  "folder, which is made if it is not there")
       ->type_name("FOLDER")
-      ->group("Files")
-      ->excludes("--levels");
+      ->group("Files");
   app.add_flag("--external-images", options.leaves_images,
                "leave images of glTF and OBJ in their files, which OUT names; without this they go "
                "into OUT if it is .glb, or .gltf in another folder")
@@ -144,7 +134,6 @@ inline void add_figures(CLI::App& app, Options& options) {
       ->group("Figures");
   app.add_flag("--quiet,-q", options.is_quiet, "print errors only")->group("Figures");
   app.add_flag("--verbose,-v", options.is_verbose, "print all that is known of the run")
-      ->excludes("--quiet")
       ->group("Figures");
 }
 
@@ -153,17 +142,12 @@ inline void add_records(CLI::App& app, Options& options) {
   app.add_option("--record", options.record,
                  "write all levels from IN to the target to this file (.qlv), positions only")
       ->type_name("FILE")
-      ->group("Files")
-      ->excludes("--levels");
-  CLI::Option* const reads = app.add_option(
-      "--from", options.from, "read the target's level from this record instead of IN");
-  reads->type_name("FILE")->group("Files");
-  for (const char* const name : {"--record", "--cost", "--placement", "--topology", "--threads",
-                                 "--both-ways", "--boundary", "--drop-parts"})
-    reads->excludes(name);
-  for (const char* const name : options_of_whole_meshes)
-    reads->excludes(name);
+      ->group("Files");
+  app.add_option("--from", options.from, "read the target's level from this record instead of IN")
+      ->type_name("FILE")
+      ->group("Files");
   app.callback([&] {
+    require_compatible(app);
     if (!options.from.empty() && !options.output.empty())
       throw CLI::ValidationError("--from", "there is an OUT, but no IN");
     if (!options.from.empty())

@@ -14,6 +14,7 @@
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -83,7 +84,11 @@ struct Options {
   bool joins_pairs() const { return pairs.value > 0; }
   /// Is anything asked for that OUT is to keep?
   bool promises() const {
-    return target.is_limited() || forbids_intersections || keeps_solid || normal_degrees < 180;
+    const bool is_limited =
+        target.is_limited() || std::any_of(levels.begin(), levels.end(), [](const auto& level) {
+          return level.target.is_limited();
+        });
+    return is_limited || forbids_intersections || keeps_solid || normal_degrees < 180;
   }
 };
 

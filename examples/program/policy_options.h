@@ -140,7 +140,7 @@ inline void add_topology(CLI::App& app, Options& options) {
                    "topology is kept. So it is of glTF, OBJ and PLY by default");
   CLI::Option* const keeps = app.add_flag("--keep-parts", options.keeps_parts,
                                           "no part vanishes: as it is of other formats by default");
-  drops->group("Policies")->excludes(keeps);
+  drops->group("Policies");
   keeps->group("Policies");
 }
 

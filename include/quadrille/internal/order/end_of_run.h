@@ -38,8 +38,12 @@ public:
   /// costs alone stop it, these are rule enough.
   bool has_count() const { return has_count_; }
 
-  /// Do so many pairs wait that are held that the end may be near?
-  bool is_near(std::size_t waiting) const { return waiting > 0 && hold_.is_awake(waiting); }
+  /// Do so many pairs wait that are held that the end may be near, and does each vertex stand for
+  /// many? The mean over all planes that these remember hides where some of them lie.
+  bool is_near(std::size_t waiting) const {
+    const Status& status = surface_.status();
+    return waiting > 0 && many * status.faces < status.initial_faces && hold_.is_awake(waiting);
+  }
 
   /// Would the contraction destroy what is left free? `waiting` pairs are held.
   bool is_destroyed_by(const Contraction& contraction, std::size_t waiting) {
@@ -101,6 +105,7 @@ private:
     }
   }
 
+  static constexpr std::size_t many = 20;         // times the faces there were
   static constexpr double greatest_growth = 1.3;  // of the error, while a tenth of the faces goes
   static constexpr double next_to_nothing = 1e-4; // of the diagonal, over a square of it
 

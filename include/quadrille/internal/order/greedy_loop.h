@@ -99,9 +99,8 @@ private:
           return surface_.target_rules().reason_of_stop(surface_.status());
       } else if (end_of_run_.is_destroyed_by(contraction, waiting_.held()))
         refuse(*next, Rejection::destruction);
-      else if (!is_last_resort_ && spoils_shape(contraction, *next))
-        continue;
-      else if (!is_last_resort_ && costs_too_little(contraction, *next))
+      else if (!is_last_resort_ &&
+               (spoils_shape(contraction, *next) || costs_too_little(contraction, *next)))
         continue;
       else if (!is_last_resort_ && misses_target(contraction))
         deferred_.defer(*next, contraction.key());
