@@ -524,6 +524,17 @@ done
 run 2 plain.off bad.off --levels ''
 run 2 plain.off bad.off --levels 50%,400
 expect stderr '^--levels: 400 is not coarser than 50% before it, of 800 faces$'
+run 2 plain.off bad.off --levels error=1%,error=0.5%
+expect stderr '^--levels: error=0.5% is not coarser than error=1% before it'
+run 2 plain.off bad.off --levels 50%,error=1%
+expect stderr '^--levels: error=1% is not of the kind of 50% before it'
+run 0 plain.off far.off --levels error=0.5%,error=5% --verify
+expect stdout '^far-1.off: verified: distance of the result from the input: .* promised'
+expect stdout '^far-2.off: verified: distance of the result from the input: .* promised'
+run 2 plain.off bad.off --tolerance q --error 1
+expect stderr '^--tolerance: does not go with --error: both limit'
+run 2 --from r.qlv bad.off --verify
+expect stderr '^--from: does not go with --verify: a record holds no IN'
 run 2 plain.off bad.off --levels 50% --faces 10
 cp plain.off bad-2.off
 chmod 444 bad-2.off

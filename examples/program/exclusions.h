@@ -1,0 +1,59 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_EXCLUSIONS_H
+#define QUADRILLE_EXAMPLES_PROGRAM_EXCLUSIONS_H
+
+/// \file
+/// Options that do not go with each other, and why.
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace quadrille_examples {
+
+struct Exclusion {
+  const char* option;
+  const char* other;
+  const char* reason;
+};
+inline constexpr const char* reason_of_levels =
+    "each level has its own target: 50%, 1000 or error=0.1%";
+inline constexpr Exclusion exclusions[] = {
+    {"--tolerance", "--error",
+     "both limit how far a face may be from OUT: put the smaller one into the scalar"},
+    {"--levels", "--faces", reason_of_levels},
+    {"--levels", "--keep", reason_of_levels},
+    {"--levels", "--vertices", reason_of_levels},
+    {"--levels", "--error", reason_of_levels},
+    {"--record", "--levels", "a record holds all levels, and --from reads each of them"},
+    {"--verbose", "--quiet", "one prints more, the other nothing"},
+    {"--drop-parts", "--keep-parts", "small parts may vanish, or no part does"},
+    {"--from", "--verify",
+     "a record holds no IN to measure OUT against: run with --verify what is to be recorded"},
+    {"--from", "--measure",
+     "a record holds no IN to measure OUT against: run with --measure what is to be recorded"}};
+
+/// Those that belong to the run that has made a record.
+inline constexpr const char* options_of_recorded_runs[] = {
+    "--record",    "--cost",         "--placement",  "--topology",      "--threads",
+    "--both-ways", "--boundary",     "--drop-parts", "--levels",        "--tolerance",
+    "--lines",     "--normal-noise", "--noise",      "--squared-areas", "--importance",
+    "--crease",    "--pairs",        "--normals",    "--solid",         "--no-self-intersection",
+    "--seams",     "--order",        "--weld",       "--orient",        "--keep-partial",
+    "--region",    "--labels"};
+
+/// Throws for two options that do not go together, with the reason.
+inline void require_compatible(const CLI::App& app) {
+  const auto refuse = [&](const Exclusion& e) {
+    if (app.get_option(e.option)->count() > 0 && app.get_option(e.other)->count() > 0)
+      throw CLI::ValidationError(e.option,
+                                 std::string("does not go with ") + e.other + ": " + e.reason);
+  };
+  for (const Exclusion& exclusion : exclusions)
+    refuse(exclusion);
+  for (const char* const option : options_of_recorded_runs)
+    refuse({"--from", option, "a level of a record is simplified already, and is read as it is"});
+}
+
+} // namespace quadrille_examples
+
+#endif
