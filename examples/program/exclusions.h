@@ -41,12 +41,18 @@ inline constexpr const char* options_of_recorded_runs[] = {
     "--seams",     "--order",        "--weld",       "--orient",        "--keep-partial",
     "--region",    "--labels"};
 
+/// Throws if an option is there that does not go with another one, with the reason.
+inline void refuse_beside(const CLI::App& app, const Exclusion& exclusion) {
+  if (app.get_option(exclusion.option)->count() > 0)
+    throw CLI::ValidationError(exclusion.option, std::string("does not go with ") +
+                                                     exclusion.other + ": " + exclusion.reason);
+}
+
 /// Throws for two options that do not go together, with the reason.
 inline void require_compatible(const CLI::App& app) {
-  const auto refuse = [&](const Exclusion& e) {
-    if (app.get_option(e.option)->count() > 0 && app.get_option(e.other)->count() > 0)
-      throw CLI::ValidationError(e.option,
-                                 std::string("does not go with ") + e.other + ": " + e.reason);
+  const auto refuse = [&](const Exclusion& exclusion) {
+    if (app.get_option(exclusion.other)->count() > 0)
+      refuse_beside(app, exclusion);
   };
   for (const Exclusion& exclusion : exclusions)
     refuse(exclusion);

@@ -2,6 +2,7 @@
 #define QUADRILLE_EXAMPLES_PROGRAM_OUT_OF_CORE_OPTIONS_H
 
 #include "checked_words.h"
+#include "exclusions.h"
 #include "options.h"
 
 #include <CLI/CLI.hpp>
@@ -62,9 +63,7 @@ inline void require_by_parts(const CLI::App& app, const Options& options) {
   if (options.scratch.empty())
     return;
   for (const NotByParts& refused : not_by_parts)
-    if (app.get_option(refused.option)->count() > 0)
-      throw CLI::ValidationError(refused.option,
-                                 std::string("does not go with --out-of-core: ") + refused.reason);
+    refuse_beside(app, {refused.option, "--out-of-core", refused.reason});
 }
 
 /// Bytes: 4G, 500M, 1.5G, 4GB, 4g; 4GiB is a little more.

@@ -144,15 +144,12 @@ private:
 
   /// Once the result is written.
   void try_more(const Surfaces& input) {
-    if (input.empty() || outcomes_.front().is_target_met())
-      return;
-    progress_.show_stage("trying other options");
-    try_options(options_, outcomes_.front(), [&](const Options& options) {
-      Surfaces surfaces = input;
-      GltfSceneSurface scene(surfaces, placements_);
-      return simplify(scene, options);
-    });
-    progress_.clear();
+    if (!input.empty())
+      try_options(options_, outcomes_.front(), progress_, [&](const Options& options) {
+        Surfaces surfaces = input;
+        GltfSceneSurface scene(surfaces, placements_);
+        return simplify(scene, options);
+      });
   }
 
   void simplify_to(const std::string& name, Surfaces& surfaces, const Options& options) {

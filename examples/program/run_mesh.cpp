@@ -308,14 +308,11 @@ private:
 
   /// Once the result is written.
   void try_more() {
-    if (!to_try_ || outcomes_.front().is_target_met())
-      return;
-    progress_.show_stage("trying other options");
-    try_options(options_, outcomes_.front(), [&](const Options& options) {
-      IndexedMesh mesh = *to_try_;
-      return simplify_mesh(mesh, options);
-    });
-    progress_.clear();
+    if (to_try_)
+      try_options(options_, outcomes_.front(), progress_, [&](const Options& options) {
+        IndexedMesh mesh = *to_try_;
+        return simplify_mesh(mesh, options);
+      });
   }
 
   /// The last result, as it will be read from its file.

@@ -7,7 +7,7 @@
 
 #include "options.h"
 #include "outcome.h"
-#include "policy_options.h"
+#include "progress_line.h"
 
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
@@ -60,11 +60,14 @@ inline bool may_be_tried(const Options& options, std::size_t faces) {
          !options.target.is_limited() && faces <= most_faces_to_try;
 }
 
-/// Tries what run(options) gives, a report, and tells the outcome of those that come nearer to the
-/// target, by at least a twentieth of the faces, and do no harm that shows, or hardly more than is
-/// done. What cannot be combined with the options is left out.
-inline void try_options(const Options& options, Outcome& outcome,
+/// Where the target was not reached, tries what run(options) gives, a report, and tells the outcome
+/// of those that come nearer to the target, by at least a twentieth of the faces, and do no harm
+/// that shows, or hardly more than is done. What cannot be combined with the options is left out.
+inline void try_options(const Options& options, Outcome& outcome, ProgressLine& progress,
                         const std::function<quadrille::Report(const Options&)>& run) {
+  if (outcome.is_target_met())
+    return;
+  progress.show_stage("trying other options");
   const quadrille::Report& report = outcome.report;
   const double most_faces = 0.95 * static_cast<double>(report.faces_after);
   const double most_error = (std::max)(1.5 * report.error, 0.02 * outcome.diagonal);
@@ -79,6 +82,7 @@ inline void try_options(const Options& options, Outcome& outcome,
       // It does not go with another option.
     }
   }
+  progress.clear();
 }
 
 } // namespace quadrille_examples
