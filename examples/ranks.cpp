@@ -27,7 +27,8 @@ int main(int argc, char* argv[]) {
     if (rank == 0)
       std::cout << report << '\n';
   } catch (const std::exception& error) {
-    std::cerr << "rank " << rank << ": " << error.what() << '\n';
+    // At once, so that what several ranks say is not mixed.
+    std::cerr << "rank " + std::to_string(rank) + ": " + error.what() + '\n';
     status = EXIT_FAILURE;
   }
   MPI_Finalize();
