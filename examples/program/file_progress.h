@@ -10,8 +10,10 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace quadrille_examples {
@@ -100,7 +102,7 @@ private:
       return two_digits(static_cast<double>(bytes) / 1e9) + " GB";
     };
     return duration_text(estimate.seconds) + ", " + gigabytes(estimate.memory) + " of memory and " +
-           gigabytes(estimate.scratch) + " in " + "the scratch folder";
+           gigabytes(estimate.scratch) + " in the scratch folder";
   }
 
   void write(const quadrille::FileStatus& status, Clock::time_point now);

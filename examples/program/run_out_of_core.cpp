@@ -2,10 +2,12 @@
 #include "launch.h"
 #include "outcome.h"
 #include "runs.h"
+#include "simplify_mesh.h"
 #include "tiles.h"
 
 #include "../mesh_channels.h"
 #include "../mesh_io/replace_file.h"
+#include "../policies_of_parts.h"
 
 #include <quadrille/file.h>
 
@@ -21,6 +23,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace quadrille_examples {
 
@@ -28,6 +31,7 @@ namespace {
 
 using quadrille::FileReport;
 using quadrille::internal::BuiltInPlacement;
+using quadrille::internal::DistanceChoice;
 
 quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress) {
   quadrille::OutOfCore result;
@@ -44,31 +48,6 @@ quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress)
     return !Interruption::is_asked();
   };
   return result;
-}
-
-BuiltInPlacement placement(const Options& options, bool has_minimizer) {
-  using Kind = BuiltInPlacement::Kind;
-  if (options.placement == "endpoint")
-    return BuiltInPlacement(Kind::endpoint);
-  if (options.placement == "midpoint" || !has_minimizer)
-    return BuiltInPlacement(Kind::midpoint);
-  return BuiltInPlacement(Kind::optimal);
-}
-
-quadrille::internal::DistanceChoice limit(const Target& target) {
-  using Kind = quadrille::internal::DistanceChoice::Kind;
-  if (!target.error)
-    return {};
-  return {target.both_ways ? Kind::both_ways : Kind::one_way, target.error->value,
-          target.error->is_percentage};
-}
-
-template <class Cost>
-Cost cost_of(const Options& options) {
-  Cost cost;
-  if constexpr (requires { cost.boundary_weight; })
-    cost.boundary_weight = options.boundary_weight;
-  return cost;
 }
 
 /// A run by parts, or a step of one.
@@ -127,39 +106,27 @@ private:
       launch_->on_first([&] { require_files(); });
     else
       require_files();
-    if (options_.cost == "memoryless")
-      return run_with<quadrille::MemorylessQuadric>();
-    if (options_.cost == "thin-features")
-      return run_with<quadrille::ThinFeatureQuadric>();
-    if (options_.cost == "length")
-      return run_with<quadrille::EdgeLength>();
-    return run_with<quadrille::Quadric>();
+    if (options_.target.faces && options_.target.ratio)
+      throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
+    const quadrille::SoupOptions soup = soup_options(options_);
+    return with_policies_of_parts(soup, [&](const auto& cost, const auto& stop) {
+      return run_with(cost, stop, placement_of_parts<std::decay_t<decltype(cost)>>(soup),
+                      limit_of_parts(soup));
+    });
   }
 
-  template <class Cost>
-  bool run_with() {
-    constexpr bool has_minimizer = quadrille::PlacementPolicy<quadrille::OptimalPlacement, Cost>;
-    const Target& target = options_.target;
-    const auto run_to = [&](const auto& stop) {
-      const quadrille::OutOfCore how = out_of_core(options_, *progress_);
-      const quadrille::SurfaceFiles files = surface_files(options_);
-      const BuiltInPlacement place = placement(options_, has_minimizer);
-      if (launch_)
-        return tell_of(launch_->simplify_file(files, options_.output, stop, how,
-                                              cost_of<Cost>(options_), place, topology(options_),
-                                              limit(target)));
-      quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology,
-                                       quadrille::internal::DistanceChoice>
-          job(files, stop, how, cost_of<Cost>(options_), place, topology(options_), limit(target));
-      return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
-    };
-    if (target.faces && target.ratio)
-      throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
-    if (target.faces)
-      return run_to(quadrille::FaceCount{*target.faces});
-    if (target.error && !target.ratio)
-      return run_to(quadrille::FaceCount{0});
-    return run_to(quadrille::FaceRatio{target.ratio.value_or(0.5)});
+  template <class Cost, class Stop>
+  bool run_with(const Cost& cost, const Stop& stop, const BuiltInPlacement& placement,
+                const DistanceChoice& limit) {
+    const quadrille::OutOfCore how = out_of_core(options_, *progress_);
+    const quadrille::SurfaceFiles files = surface_files(options_);
+    const quadrille::Topology kept = topology(options_);
+    if (launch_)
+      return tell_of(
+          launch_->simplify_file(files, options_.output, stop, how, cost, placement, kept, limit));
+    quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology, DistanceChoice>
+        job(files, stop, how, cost, placement, kept, limit);
+    return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
   }
 
   template <class Job>

@@ -1,5 +1,6 @@
 #include "file_jobs.h"
 
+#include "../policies_of_parts.h"
 #include "interruptible.h"
 
 #include <quadrille/compiled.h>
@@ -13,7 +14,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,8 +51,8 @@ public:
   template <class Stop>
   FileJobBy(const SurfaceFiles& input, const Stop& stop, const OutOfCore& how, const Cost& cost,
             const SoupOptions& options)
-      : job_(input, stop, how, cost, placement_of(options),
-             options.topology.value_or(Topology::kept), limit_of(options)) {}
+      : job_(input, stop, how, cost, placement_of_parts<Cost>(options),
+             options.topology.value_or(Topology::kept), limit_of_parts(options)) {}
 
   FileEstimate estimate() const override { return job_.estimate(); }
   std::size_t partition() override { return job_.partition(), job_.parts(); }
@@ -68,46 +69,8 @@ public:
   FileReport run(const std::filesystem::path& output) override { return job_(output); }
 
 private:
-  static BuiltInPlacement placement_of(const SoupOptions& options) {
-    using Kind = BuiltInPlacement::Kind;
-    constexpr bool has_minimizer = PlacementPolicy<OptimalPlacement, Cost>;
-    switch (options.placement.value_or(has_minimizer ? SoupOptions::Placement::optimal
-                                                     : SoupOptions::Placement::midpoint)) {
-    case SoupOptions::Placement::endpoint:
-      return BuiltInPlacement(Kind::endpoint);
-    case SoupOptions::Placement::midpoint:
-      return BuiltInPlacement(Kind::midpoint);
-    default:
-      return BuiltInPlacement(has_minimizer ? Kind::optimal : Kind::midpoint);
-    }
-  }
-
-  static DistanceChoice limit_of(const SoupOptions& options) {
-    using Kind = DistanceChoice::Kind;
-    if (!options.error && !options.relative_error)
-      return {};
-    return {options.both_ways ? Kind::both_ways : Kind::one_way,
-            options.error ? *options.error : *options.relative_error, !options.error};
-  }
-
   PartitionedSimplifier<Cost, BuiltInPlacement, Topology, DistanceChoice> job_;
 };
-
-template <class Cost>
-std::unique_ptr<FileJob> job_by(const SurfaceFiles& input, const OutOfCore& how,
-                                const SoupOptions& options) {
-  Cost cost;
-  if constexpr (requires { cost.boundary_weight; })
-    cost.boundary_weight = options.boundary_weight;
-  const auto to = [&](const auto& stop) {
-    return std::make_unique<FileJobBy<Cost>>(input, stop, how, cost, options);
-  };
-  if (options.faces)
-    return to(FaceCount{*options.faces});
-  if ((options.error || options.relative_error) && !options.ratio)
-    return to(FaceCount{0});
-  return to(FaceRatio{options.ratio.value_or(0.5)});
-}
 
 std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
                                 const SoupOptions& options, OutOfCore how, py::object progress) {
@@ -115,16 +78,10 @@ std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
                     const FileStatus& status) { return (*proceed)(status); };
   const SurfaceFiles input(paths);
   const py::gil_scoped_release unlocked;
-  switch (options.cost) {
-  case SoupOptions::Cost::memoryless_quadric:
-    return job_by<MemorylessQuadric>(input, how, options);
-  case SoupOptions::Cost::thin_feature_quadric:
-    return job_by<ThinFeatureQuadric>(input, how, options);
-  case SoupOptions::Cost::edge_length:
-    return job_by<EdgeLength>(input, how, options);
-  default:
-    return job_by<Quadric>(input, how, options);
-  }
+  return with_policies_of_parts(
+      options, [&]<class Cost>(const Cost& cost, const auto& stop) -> std::unique_ptr<FileJob> {
+        return std::make_unique<FileJobBy<Cost>>(input, stop, how, cost, options);
+      });
 }
 
 /// What a report of a file has beside what any has.

@@ -110,8 +110,9 @@ class FileJob:
         result = job.sew("out.ply")
 
     The arguments are those of simplify_file(), which runs all of that. A job is sent to other processes as what it was
-    made of, without progress=: simplify() takes up the phase that is at work there. partition(), close() and sew() drive the job, and hold a lock, so that one process does;
-    if it ends, a job with restart=True goes on. Where progress= returns False, these raise RuntimeError.
+    made of, without progress=: simplify() takes up the phase that is at work there. partition(), close() and sew()
+    drive the job, and hold a lock, so that one process does; if it ends, a job with restart=True goes on. Where
+    progress= returns False, these raise RuntimeError.
     """
 
     def __init__(self, source: Paths, /, *, scratch: Path, progress: Optional[Progress] = None,

@@ -1,0 +1,64 @@
+#ifndef QUADRILLE_EXAMPLES_POLICIES_OF_PARTS_H
+#define QUADRILLE_EXAMPLES_POLICIES_OF_PARTS_H
+
+/// \file
+/// The policies of a run by parts (quadrille/file.h) that the options of compiled soups name.
+
+#include <quadrille/compiled.h>
+#include <quadrille/file.h>
+
+namespace quadrille_examples {
+
+/// The best that the cost has, unless another one is asked for.
+template <class Cost>
+quadrille::internal::BuiltInPlacement placement_of_parts(const quadrille::SoupOptions& options) {
+  using quadrille::internal::BuiltInPlacement;
+  using Asked = quadrille::SoupOptions::Placement;
+  using Kind = BuiltInPlacement::Kind;
+  constexpr bool has_minimizer = quadrille::PlacementPolicy<quadrille::OptimalPlacement, Cost>;
+  if (options.placement == Asked::endpoint)
+    return BuiltInPlacement(Kind::endpoint);
+  if (options.placement == Asked::midpoint || !has_minimizer)
+    return BuiltInPlacement(Kind::midpoint);
+  return BuiltInPlacement(Kind::optimal);
+}
+
+inline quadrille::internal::DistanceChoice limit_of_parts(const quadrille::SoupOptions& options) {
+  using Kind = quadrille::internal::DistanceChoice::Kind;
+  if (!options.error && !options.relative_error)
+    return {};
+  return {options.both_ways ? Kind::both_ways : Kind::one_way,
+          options.error ? *options.error : *options.relative_error, !options.error};
+}
+
+/// Returns run(cost, stop) with these policies; half of the faces without a target.
+template <class Cost, class Run>
+auto with_stop_of_parts(const quadrille::SoupOptions& options, const Run& run) {
+  Cost cost;
+  if constexpr (requires { cost.boundary_weight; })
+    cost.boundary_weight = options.boundary_weight;
+  if (options.faces)
+    return run(cost, quadrille::FaceCount{*options.faces});
+  if ((options.error || options.relative_error) && !options.ratio)
+    return run(cost, quadrille::FaceCount{0});
+  return run(cost, quadrille::FaceRatio{options.ratio.value_or(0.5)});
+}
+
+/// The same with the cost that is asked for: one of those of positions alone.
+template <class Run>
+auto with_policies_of_parts(const quadrille::SoupOptions& options, const Run& run) {
+  switch (options.cost) {
+  case quadrille::SoupOptions::Cost::memoryless_quadric:
+    return with_stop_of_parts<quadrille::MemorylessQuadric>(options, run);
+  case quadrille::SoupOptions::Cost::thin_feature_quadric:
+    return with_stop_of_parts<quadrille::ThinFeatureQuadric>(options, run);
+  case quadrille::SoupOptions::Cost::edge_length:
+    return with_stop_of_parts<quadrille::EdgeLength>(options, run);
+  default:
+    return with_stop_of_parts<quadrille::Quadric>(options, run);
+  }
+}
+
+} // namespace quadrille_examples
+
+#endif
