@@ -105,7 +105,7 @@ private:
     }
   }
 
-  static constexpr std::size_t many = 20;         // times the faces there were
+  static constexpr std::size_t many = 20;         // faces have become one
   static constexpr double greatest_growth = 1.3;  // of the error, while a tenth of the faces goes
   static constexpr double next_to_nothing = 1e-4; // of the diagonal, over a square of it
 

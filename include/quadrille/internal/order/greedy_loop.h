@@ -275,22 +275,25 @@ private:
     return true;
   }
 
-  // To an end, if that moves the surface less.
-  QUADRILLE_NOINLINE void moves_where_measured(Contraction& contraction) {
-    const auto measured = [&] {
-      return contraction.error() * surface_.shape_check().excess(contraction);
-    };
+  // To an end, if that moves the surface less. Takes the excess where it is, and returns that of
+  // where it goes: see ShapeCheck.
+  QUADRILLE_NOINLINE double move_where_measured(Contraction& contraction, double excess) {
     Candidate best = contraction.candidate();
-    double least = measured();
+    double least = contraction.error() * excess;
     if constexpr (!looks_at_star<typename Policies::Placement>)
       internal::moves_to_end(surface_.evaluator(), contraction, [&](Contraction& c) {
-        if (!refusal(c) && measured() < least) {
-          least = measured();
-          best = c.candidate();
+        if (!refusal(c)) {
+          const double excess_there = surface_.shape_check().excess(c);
+          if (const double way = c.error() * excess_there; way < least) {
+            least = way;
+            excess = excess_there;
+            best = c.candidate();
+          }
         }
-        return true;
+        return true; // the other end is looked at as well
       });
     contraction.replace(best);
+    return excess;
   }
 
   // Does it move the surface further than its error says? It goes behind those that cost less than
@@ -298,11 +301,12 @@ private:
   bool costs_too_little(Contraction& contraction, const QueuedPair& pair) {
     if (!end_of_run_.is_near(waiting_.held()))
       return false;
-    if (surface_.shape_check().excess(contraction) > 1) [[unlikely]]
-      moves_where_measured(contraction);
-    const double excess = surface_.shape_check().excess(contraction);
+    double excess = surface_.shape_check().excess(contraction);
+    if (!(excess > 1)) [[likely]]
+      return false;
+    excess = move_where_measured(contraction, excess);
     const auto key = static_cast<float>((std::min)(excess * excess * contraction.key(), 1e37));
-    if (!(excess > 1 && key > pair.cost)) [[likely]]
+    if (!(excess > 1 && key > pair.cost))
       return false;
     queue_.push(pair.first, pair.second, key);
     return true;
