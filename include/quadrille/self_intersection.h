@@ -18,7 +18,8 @@ namespace quadrille {
 /// Two faces intersect if they have a point in common beside the vertices and edges that both have:
 /// so do faces that lie on each other in a plane, and those that touch where they have no common
 /// vertex. No pair of faces of the result intersects that did not in the input. Pairs of the input
-/// that intersect may stay or vanish: Report::self_intersections says how many there were, and how
+/// that intersect may stay or vanish, but those that only touch or overlap in a plane do not come
+/// to pass through each other: Report::self_intersections says how many there were, and how
 /// many are left. Faces without an area intersect none, and no face loses its area.
 ///
 /// What would make faces intersect is refused: Rejection::self_intersection. All is decided

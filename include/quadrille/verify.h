@@ -145,12 +145,20 @@ private:
   }
 
   void look_at_intersections(CheckProgress& progress) {
-    const std::size_t before = IntersectingPairs(input_).find(progress).count;
+    const IntersectingPairs::Found before = IntersectingPairs(input_).find(progress);
     progress.next_stage();
     const IntersectingPairs::Found after = IntersectingPairs(result_).find(progress);
     progress.next_stage();
-    Finding finding{"intersecting pairs of faces", static_cast<double>(before),
-                    static_cast<double>(after.count), 0, after.count <= before};
+    add_pairs("intersecting pairs of faces", before.meet, after.meet);
+    if (before.meet.count > before.pass_through.count)
+      add_pairs("pairs of faces that pass through each other", before.pass_through,
+                after.pass_through);
+  }
+
+  void add_pairs(const char* claim, const IntersectingPairs::Kind& before,
+                 const IntersectingPairs::Kind& after) {
+    Finding finding{claim, static_cast<double>(before.count), static_cast<double>(after.count), 0,
+                    after.count <= before.count};
     if (!finding.is_held) {
       const auto& p = result_.points[result_.faces[after.first][0]];
       finding.place = Vector<3>{{p.x(), p.y(), p.z()}};
@@ -186,7 +194,8 @@ concept CheckableSoup =
 /// roundings. What is beyond the promise by no more than that counts as held, so what is broken by
 /// twice as much, Finding::error, never does, and what is kept always does. What is beyond
 /// tolerances is measured in the same way, by the least of them. Angles are those of all pairs of
-/// faces. Faces intersect as for NoSelfIntersection; CGAL's exact predicates decide.
+/// faces. Faces intersect as for NoSelfIntersection; CGAL's exact predicates decide. Where some of
+/// the input only touch or overlap in a plane, those that pass through each other are counted, too.
 ///
 /// Solids are compared part by part, cut where a surface only touches itself. Which part has become
 /// which is told by where they are, and where that says little, since parts lie closer together

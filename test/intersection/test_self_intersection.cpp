@@ -5,10 +5,13 @@
 #include <quadrille/internal/intersection/face_sides.h>
 #include <quadrille/internal/intersection/flat_fan.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
+#include <quadrille/internal/verify/checked_surface.h>
+#include <quadrille/internal/verify/intersecting_pairs.h>
 #include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
+#include <quadrille/verify.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -196,6 +199,29 @@ bool do_intersect(const internal::FaceCorners& a, const internal::FaceCorners& b
          dot(upright(p[0]), upright(q[0])) > 0;
 }
 
+/// Two faces as verify() sees them.
+internal::CheckedSurface checked_pair(const internal::FaceCorners& a,
+                                      const internal::FaceCorners& b) {
+  internal::CheckedSurface surface;
+  surface.points.resize(6);
+  for (const internal::FaceCorners& face : {a, b})
+    for (std::size_t i = 0; i < 3; ++i)
+      surface.points[face.vertices[i]] = point(face.points[i]);
+  surface.faces = {{a.vertices[0], a.vertices[1], a.vertices[2]},
+                   {b.vertices[0], b.vertices[1], b.vertices[2]}};
+  return surface;
+}
+
+/// Two boxes side by side, each with vertices of its own where they touch, in waves that both have.
+Soup boxes_that_touch() {
+  const Soup box = test::surface_of_cubes(6, 6, 6, [](int, int, int) { return true; });
+  Soup soup = test::joined(box, box, {{6, 0, 0}});
+  for (Position& p : soup.points)
+    p = p + 0.1 * (std::sin(6 * p[0]) + std::sin(7 * p[1]) + std::sin(8 * p[2])) *
+                Position{{0.3, 0.4, 0.5}};
+  return soup;
+}
+
 } // namespace
 
 TEST_CASE("Triangles intersect as CGAL says, whatever they have in common") {
@@ -216,6 +242,28 @@ TEST_CASE("Triangles intersect as CGAL says, whatever they have in common") {
   for (std::size_t common = 0; common < 3; ++common)
     CHECK((met[common] > 300 && apart[common] > 300));
   CHECK((separated[0] > 300 && separated[1] > 300 && separated[2] == 0));
+}
+
+TEST_CASE(
+    "Triangles pass through each other as rational numbers say, and do not if they only touch") {
+  std::array<int, 2> through{}, touching{};
+  internal::CheckProgress progress({}, 1);
+  for_each_lattice_pair(
+      [&](const internal::FaceCorners& a, const internal::FaceCorners& b, Index common) {
+        const bool met = internal::TrianglePair(a, b).intersect();
+        if (common > 1 || !met) {
+          REQUIRE_FALSE(internal::TrianglePair(a, b).pass_through());
+          return;
+        }
+        const bool expected =
+            internal::IntersectingPairs(checked_pair(a, b)).find(progress).pass_through.count == 1;
+        CAPTURE(common);
+        REQUIRE(internal::TrianglePair(a, b).pass_through() == expected);
+        REQUIRE(internal::TrianglePair(b, a).pass_through() == expected);
+        ++(expected ? through : touching)[common];
+      });
+  for (std::size_t common = 0; common < 2; ++common)
+    CHECK((through[common] > 300 && touching[common] > 300));
 }
 
 TEST_CASE(
@@ -434,6 +482,26 @@ TEST_CASE("What intersects may stay so while its vertices move") {
   CHECK(report.faces_after <= 5);
   CHECK(report.self_intersections->before == 80);
   CHECK(report.self_intersections->after == report.faces_after - 1);
+}
+
+TEST_CASE("What touches may go on touching, but does not come to pass through") {
+  const Soup soup = boxes_that_touch();
+  const auto check = [&]<class Placement>(Placement) {
+    Soup result = soup;
+    const Report report =
+        simplify_soup_of<Quadric, Placement>(result, FaceRatio{0.2}, NoSelfIntersection{});
+    INFO(report);
+    CHECK(report.self_intersections->before > 1000);
+    CHECK(report.faces_after <= report.faces_before / 5);
+    const Verdict verdict = verify(test::points_of(soup), soup.triangles, test::points_of(result),
+                                   result.triangles, Claims{.no_self_intersection = true});
+    INFO(verdict);
+    REQUIRE(verdict.findings.size() == 2);
+    CHECK(verdict.findings[1].promised == 0);
+    CHECK(verdict.findings[1].measured == 0);
+  };
+  check(OptimalPlacement{});
+  check(EndpointPlacement{});
 }
 
 TEST_CASE("Pairs of the input that intersect are counted, and become no more") {

@@ -241,10 +241,13 @@ private:
     });
   }
 
-  // Do two faces intersect that do not now?
+  // Do two faces intersect that do not now, or pass through each other that only touch?
   bool begin_to_meet(const PlacedFace& a, const PlacedFace& b) const {
-    return TrianglePair(a.corners, b.corners).intersect() &&
-           !TrianglePair(corners_of(a.face), corners_of(b.face)).intersect();
+    const TrianglePair then(a.corners, b.corners);
+    if (!then.intersect())
+      return false;
+    const TrianglePair now(corners_of(a.face), corners_of(b.face));
+    return !now.intersect() || (then.pass_through() && !now.pass_through());
   }
 
   // Do two of the changed faces, or does one lose its area? It would meet others without being
@@ -312,8 +315,8 @@ private:
   std::vector<FaceSides> sides_;           // of those that change
   Index last_met_ = 0;
   std::vector<Index> old_; // faces that a contraction would change, or take away
-  Vector<3> target_{};                     // of the last contraction
-  SweptSpace swept_;                       // by old_ on the way there
+  Vector<3> target_{};     // of the last contraction
+  SweptSpace swept_;       // by old_ on the way there
   FlatFan fan_;
 };
 

@@ -88,6 +88,18 @@ public:
     }
   }
 
+  /// Have they points in common that are inside of both, and do not lie in one plane? Then each has
+  /// corners on both sides of the other's plane, and of the line that both planes have in common
+  /// each has a segment. Whether these overlap is told by the signs of two volumes: Guigue and
+  /// Devillers, Fast and robust triangle-triangle overlap test using orientation predicates, 2003.
+  QUADRILLE_NOINLINE bool pass_through() const {
+    std::array s{point(first_[0]), point(first_[1]), point(first_[2])};
+    std::array t{point(second_[0]), point(second_[1]), point(second_[2])};
+    return common_ < 2 && begin_alone(s, t) && begin_alone(t, s) &&
+           CGAL::orientation(s[0], s[1], t[0], t[1]) == CGAL::NEGATIVE &&
+           CGAL::orientation(s[0], s[2], t[2], t[0]) == CGAL::NEGATIVE;
+  }
+
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Point = Kernel::Point_3;
@@ -160,6 +172,24 @@ private:
     const CGAL::Orientation side = CGAL::orientation(a, b, c, others[2]);
     return side != CGAL::COPLANAR && CGAL::orientation(a, b, c, others[1]) == side &&
            (common_ == 1 || CGAL::orientation(a, b, c, others[0]) == side);
+  }
+
+  // Turns s so that its first corner is alone in front of the plane of t, and another one behind
+  // it; t is turned over if that is its back. False if no corner is.
+  static bool begin_alone(std::array<Point, 3>& s, std::array<Point, 3>& t) {
+    for (int i = 0; i < 3; ++i) {
+      const CGAL::Orientation side = CGAL::orientation(t[0], t[1], t[2], s[0]),
+                              next = CGAL::orientation(t[0], t[1], t[2], s[1]),
+                              last = CGAL::orientation(t[0], t[1], t[2], s[2]);
+      if (side != CGAL::COPLANAR && next != side && last != side &&
+          (next == -side || last == -side)) {
+        if (side == CGAL::NEGATIVE)
+          std::swap(t[1], t[2]);
+        return true;
+      }
+      std::rotate(s.begin(), s.begin() + 1, s.end());
+    }
+    return false;
   }
 
   Points first_, second_;

@@ -4,26 +4,40 @@
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// Counts pairs of faces that have a point in common beside the vertices and edges that both have.
-/// It shares nothing with NoSelfIntersection but CGAL's predicates, which are exact. Faces without
-/// an area, and pairs on the same three vertices, do not count.
+/// Counts pairs of faces that have a point in common beside the vertices and edges that both have,
+/// and those of them that pass through each other, so do not only touch or overlap in a plane. It
+/// shares nothing with NoSelfIntersection but CGAL's predicates, which are exact. Faces without an
+/// area, and pairs on the same three vertices, do not count.
 class IntersectingPairs {
 public:
   explicit IntersectingPairs(const CheckedSurface& surface) : surface_(surface) {}
 
-  struct Found {
+  struct Kind {
     std::size_t count = 0;
-    std::size_t first = 0; ///< the lowest number of a face that intersects, if there is any
+    std::size_t first = none; ///< the lowest number of a face that does, if there is any
+
+    void add(std::size_t a, std::size_t b) {
+      ++count;
+      first = (std::min)({first, a, b});
+    }
+  };
+  struct Found {
+    Kind meet;         ///< in any way
+    Kind pass_through; ///< each other
   };
 
   /// By a sweep over the boxes of the faces: O(n log³ n + k) for k pairs of boxes that meet.
@@ -33,19 +47,24 @@ public:
     for (std::size_t face = 0; face < surface_.faces.size(); ++face)
       if (const auto triangle = surface_.triangle(face); !triangle.is_degenerate())
         boxes.emplace_back(triangle.bbox(), face);
-    Found found{0, surface_.faces.size()};
+    Found found;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
       progress.step();
       if (!intersect(a.info(), b.info()))
         return;
-      ++found.count;
-      found.first = (std::min)({found.first, a.info(), b.info()});
+      found.meet.add(a.info(), b.info());
+      if (pass_through(a.info(), b.info()))
+        found.pass_through.add(a.info(), b.info());
     });
     return found;
   }
 
 private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
   using Segment = ExactKernel::Segment_3;
+  using Rational = CGAL::Exact_rational;
+  using RationalKernel = CGAL::Simple_cartesian<Rational>;
+  using RationalTriangle = std::array<RationalKernel::Point_3, 3>;
 
   bool intersect(std::size_t a, std::size_t b) const {
     const Corners& p = surface_.faces[a];
@@ -71,6 +90,64 @@ private:
     default:
       return false;
     }
+  }
+
+  // Of the line that both planes have in common, each face has a part. These are computed, as
+  // rational numbers.
+  bool pass_through(std::size_t a, std::size_t b) const {
+    if (!crosses_plane(a, b) || !crosses_plane(b, a))
+      return false;
+    const RationalTriangle s = rational(a), t = rational(b);
+    const auto normal = [](const RationalTriangle& face) {
+      return CGAL::cross_product(face[1] - face[0], face[2] - face[0]);
+    };
+    const auto along = CGAL::cross_product(normal(s), normal(t));
+    const auto of_s = part_of(s, t[0], normal(t), along), of_t = part_of(t, s[0], normal(s), along);
+    return of_s && of_t &&
+           (std::max)(of_s->first, of_t->first) < (std::min)(of_s->second, of_t->second);
+  }
+
+  // Are there corners of a face on both sides of the plane of another one?
+  bool crosses_plane(std::size_t face, std::size_t other) const {
+    const Corners& corners = surface_.faces[face];
+    const auto t = surface_.triangle(other);
+    const auto has = [&](CGAL::Orientation side) {
+      return std::any_of(corners.begin(), corners.end(), [&](std::size_t v) {
+        return CGAL::orientation(t[0], t[1], t[2], surface_.points[v]) == side;
+      });
+    };
+    return has(CGAL::POSITIVE) && has(CGAL::NEGATIVE);
+  }
+
+  // Where a face with corners on both sides of a plane cuts it: from where to where along a vector.
+  template <class Vector>
+  static std::optional<std::pair<Rational, Rational>>
+  part_of(const RationalTriangle& face, const RationalKernel::Point_3& in_plane,
+          const Vector& normal, const Vector& along) {
+    std::array<Rational, 3> height, place;
+    for (std::size_t i = 0; i < 3; ++i) {
+      height[i] = (face[i] - in_plane) * normal;
+      place[i] = (face[i] - CGAL::ORIGIN) * along;
+    }
+    const auto [low, high] = std::minmax_element(height.begin(), height.end());
+    if (!(*low < 0 && *high > 0))
+      return std::nullopt;
+    std::vector<Rational> cuts;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      if ((height[i] < 0) != (height[j] < 0))
+        cuts.push_back((place[i] * height[j] - place[j] * height[i]) / (height[j] - height[i]));
+    }
+    const auto [from, to] = std::minmax(cuts[0], cuts[1]);
+    return std::pair(from, to);
+  }
+
+  RationalTriangle rational(std::size_t face) const {
+    const auto point = [&](std::size_t corner) {
+      const auto& p = surface_.points[surface_.faces[face][corner]];
+      return RationalKernel::Point_3(p.x(), p.y(), p.z());
+    };
+    return {point(0), point(1), point(2)};
   }
 
   const CheckedSurface& surface_;
