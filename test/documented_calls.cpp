@@ -13,6 +13,7 @@
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>
 #include <quadrille/file.h>
+#include <quadrille/file_distance.h>
 #include <quadrille/hull.h>
 #include <quadrille/importance.h>
 #include <quadrille/level_mesh.h>

@@ -17,5 +17,6 @@ cat >"$folder/macros.cpp" <<END
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/distance.h>
+#include <quadrille/file_distance.h>
 END
 "$@" "-I$folder" "$folder/macros.cpp"

@@ -1470,7 +1470,18 @@ for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --
   run 0 whole.ply out.ply $limit --out-of-core scratch
   expect stdout '^whole.ply: 800 -> [0-9]+ faces .* from IN'
 done
-for option in '--error 1% --both-ways --calibrated' '--tolerance size' --measure --verify --weld --orient '--pairs 1' --solid \
+# What is measured by parts is what is measured in memory.
+run 0 whole.ply out.ply --error 1% --both-ways --measure --verify --out-of-core scratch --report report.json
+expect stdout '^whole.ply: .* nor of IN from OUT, by 1 part .*, measured [0-9.]+ % of the diagonal apart, [0-9.]+ % of the diagonal RMS$'
+expect stdout '^out.ply: verified: distance of the result from the input: [0-9.e-]+ promised, [0-9.e-]+ measured; distance of the input '
+expect report.json '"held": true'
+measured=$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)
+run 0 whole.ply out.ply --error 1% --both-ways --measure --verify --report report.json
+[ "$measured" = "$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)" ] || fail "measured otherwise by parts"
+[ ! -e scratch ] || fail "the scratch folder is there"
+run 2 whole.ply out.ply --measure --verify --out-of-core scratch
+expect stderr '^--verify needs something that is promised: '
+for option in '--error 1% --both-ways --calibrated' '--tolerance size' --weld --orient '--pairs 1' --solid \
   --no-self-intersection '--normals 30' '--levels 50%' '--record a.qlv' '--vertices 9' '--order relaxed' '--region a' \
   '--labels a' '--seams held' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
   # shellcheck disable=SC2086

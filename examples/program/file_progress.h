@@ -65,7 +65,7 @@ private:
   // In seconds, once there is enough to tell from.
   std::optional<double> to_go(const quadrille::FileStatus& status) const {
     const double done = status.progress - from_;
-    if (passed() < 5 || done < 0.02)
+    if (passed() < 5 || done < 0.02 || status.stage == quadrille::FileStage::check)
       return std::nullopt;
     return passed() * (1 - status.progress) / done;
   }

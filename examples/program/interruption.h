@@ -30,7 +30,10 @@ private:
 
 /// Thrown where the program ends because it was interrupted.
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted") {}
+  explicit Interrupted(bool is_there = false)
+      : std::runtime_error("interrupted"), is_output_there(is_there) {}
+
+  bool is_output_there; ///< it had been written, and was being measured
 };
 
 } // namespace quadrille_examples

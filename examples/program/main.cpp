@@ -108,9 +108,11 @@ int run_or_complain(const Options& options, ProgressLine& progress) {
   };
   try {
     return run(options, progress) ? done : target_not_reached;
-  } catch (const Interrupted&) {
-    complain("interrupted: " + options.output + " is as it was" +
-             (options.scratch.empty() ? "" : "; --restart goes on where it was"));
+  } catch (const Interrupted& interrupted) {
+    complain("interrupted: " + options.output +
+             (interrupted.is_output_there ? " is there, but was not measured to the end"
+              : options.scratch.empty()   ? " is as it was"
+                                          : " is as it was; --restart goes on where it was"));
     return Interruption::exit_status();
   } catch (const BrokenPromise& broken) {
     complain(broken.what());

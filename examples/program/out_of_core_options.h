@@ -28,10 +28,6 @@ inline constexpr NotByParts not_by_parts[] = {
     {"--calibrated",
      "each of its runs measures the surface as a whole, which is not in memory; --both-ways "
      "without it keeps the limit, too"},
-    {"--measure", "it looks at all of IN and OUT, which are not in memory"},
-    {"--verify",
-     "it looks at all of IN and OUT, which are not in memory; the figure that is printed with "
-     "--error is what all parts have kept"},
     {"--weld",
      "vertices that are close may lie in different parts; corners of STL that lie at exactly the "
      "same place become one anyway"},

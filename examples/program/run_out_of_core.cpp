@@ -1,3 +1,4 @@
+#include "check_parts.h"
 #include "file_progress.h"
 #include "launch.h"
 #include "outcome.h"
@@ -167,12 +168,14 @@ private:
   }
 
   bool tell_of(const FileReport& report, bool is_step = false) {
-    line_.clear();
     if (report.stop == quadrille::StopReason::cancelled)
       throw Interrupted();
-    progress_->end("done", report.faces_after);
     if (launch_ && !launch_->is_first())
       return true;
+    Outcome outcome{options_.output, options_.target, report, report.diagonal, {}, {}, report};
+    check(outcome);
+    line_.clear();
+    progress_->end("done", report.faces_after);
     for (const std::string& dropped : report.dropped)
       print_remark(options_, "left out: " + dropped);
     if (!report.is_count_exact)
@@ -188,8 +191,23 @@ private:
                                  std::to_string(report.doubled_faces));
     Options options = options_;
     options.is_quiet = options.is_quiet || is_step;
-    return tell(options,
-                {{options_.output, options_.target, report, report.diagonal, {}, {}, report}});
+    return tell(options, {outcome});
+  }
+
+  /// Of what is written, in the folder in which parts have been.
+  void check(Outcome& outcome) {
+    if (outcome.report.faces_after == 0 || !(options_.measures || options_.verifies))
+      return;
+    const quadrille::OutOfCore how = out_of_core(options_, *progress_);
+    const quadrille::SurfaceFiles input = surface_files(options_), result = result_files(options_);
+    try {
+      if (options_.measures)
+        outcome.measured = measure_files(input, result, how);
+      if (options_.verifies)
+        outcome.verdict = verify_files(outcome.report, input, result, how);
+    } catch (const quadrille::internal::JobCancelled&) {
+      throw Interrupted(true);
+    }
   }
 
   const Options& options_;

@@ -43,6 +43,16 @@ inline bool keeps_tiles(const Options& options) {
          (is_pattern(options) && std::filesystem::is_directory(options.output));
 }
 
+/// OUT, or the tiles in it.
+inline quadrille::SurfaceFiles result_files(const Options& options) {
+  if (!keeps_tiles(options))
+    return options.output;
+  std::vector<std::filesystem::path> tiles;
+  for (const std::filesystem::path& tile : surface_files(options).paths)
+    tiles.push_back(options.output / tile.filename().replace_extension(".ply"));
+  return tiles;
+}
+
 } // namespace quadrille_examples
 
 #endif

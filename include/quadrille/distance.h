@@ -68,31 +68,57 @@ inline DistancePoint at(const DistanceTriangle& triangle, double s, double t) {
   return triangle[0] + s * (triangle[1] - triangle[0]) + t * (triangle[2] - triangle[0]);
 }
 
-/// Points spread evenly by area. One point is drawn in each of `samples` strips of equal area along
-/// the list of faces, so that no face has more than its share, which makes the mean converge faster
-/// than with independent points. A surface without area is given by its vertices.
+/// Points spread evenly by area, of faces that come one after the other and have this area in all.
+/// One point is drawn in each of `samples` strips of equal area along the list of faces, so that no
+/// face has more than its share, which makes the mean converge faster than with independent points.
+class StripSampling {
+public:
+  /// Both are above 0.
+  StripSampling(double area, const DistanceSampling& sampling)
+      : samples_(sampling.samples), strip_(area / static_cast<double>(sampling.samples)),
+        generator_(sampling.seed) {
+    draw();
+  }
+
+  /// Appends the points of the next face.
+  void take(const DistanceTriangle& face, std::vector<DistancePoint>& points) {
+    area_up_to_ += std::sqrt(face.squared_area());
+    last_ = face;
+    while (drawn_ <= samples_ && area_of_next_ < area_up_to_)
+      append(face, points);
+  }
+  /// After the last face, to which those belong that roundings have left.
+  void end(std::vector<DistancePoint>& points) {
+    while (drawn_ <= samples_)
+      append(last_, points);
+  }
+
+private:
+  void draw() { area_of_next_ = (static_cast<double>(drawn_++) + uniform(generator_)) * strip_; }
+  void append(const DistanceTriangle& face, std::vector<DistancePoint>& points) {
+    const double s = uniform(generator_);
+    points.push_back(at(face, s, uniform(generator_)));
+    draw();
+  }
+
+  std::size_t samples_, drawn_ = 0;
+  double strip_, area_up_to_ = 0, area_of_next_ = 0;
+  std::mt19937_64 generator_;
+  DistanceTriangle last_;
+};
+
+/// A surface without area is given by its vertices.
 inline std::vector<DistancePoint> sample(const DistanceSurface& surface,
                                          const DistanceSampling& sampling) {
-  std::vector<double> area_up_to;
-  area_up_to.reserve(surface.triangles.size());
-  double total = 0;
-  for (const DistanceTriangle& t : surface.triangles)
-    area_up_to.push_back(total += std::sqrt(t.squared_area()));
-  if (!(total > 0) || sampling.samples == 0)
+  const double area = surface.area();
+  if (!(area > 0) || sampling.samples == 0)
     return surface.vertices;
-
-  std::mt19937_64 generator(sampling.seed);
-  const double strip = total / static_cast<double>(sampling.samples);
+  StripSampling strips(area, sampling);
   std::vector<DistancePoint> points;
   points.reserve(sampling.samples);
-  std::size_t face = 0;
-  for (std::size_t i = 0; i < sampling.samples; ++i) {
-    const double area = (static_cast<double>(i) + uniform(generator)) * strip;
-    while (face + 1 < area_up_to.size() && area_up_to[face] <= area)
-      ++face;
-    const double s = uniform(generator);
-    points.push_back(at(surface.triangles[face], s, uniform(generator)));
-  }
+  for (const DistanceTriangle& face : surface.triangles)
+    strips.take(face, points);
+  strips.end(points);
   return points;
 }
 
@@ -115,6 +141,17 @@ inline OneSidedDistance one_sided_distance(const DistanceSurface& from, const Di
   return {std::sqrt(sum / static_cast<double>(points.size())), std::sqrt(largest)};
 }
 
+/// Of both sides, in the unit outside of the frame.
+inline SurfaceDistance symmetric_distance(const OneSidedDistance& ab, const OneSidedDistance& ba,
+                                          const DistanceFrame& frame) {
+  return {.rms = frame.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
+          .hausdorff = frame.from((std::max)(ab.hausdorff, ba.hausdorff)),
+          .rms_a_to_b = frame.from(ab.rms),
+          .rms_b_to_a = frame.from(ba.rms),
+          .hausdorff_a_to_b = frame.from(ab.hausdorff),
+          .hausdorff_b_to_a = frame.from(ba.hausdorff)};
+}
+
 inline SurfaceDistance distance_between(DistanceSurface a, DistanceSurface b,
                                         const DistanceSampling& sampling) {
   const DistanceFrame frame(bounding_box(a.vertices) + bounding_box(b.vertices));
@@ -122,12 +159,7 @@ inline SurfaceDistance distance_between(DistanceSurface a, DistanceSurface b,
   frame.apply(b);
   const auto ab = one_sided_distance(a, DistanceTree(b.triangles), sampling);
   const auto ba = one_sided_distance(b, DistanceTree(a.triangles), sampling);
-  return {.rms = frame.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
-          .hausdorff = frame.from((std::max)(ab.hausdorff, ba.hausdorff)),
-          .rms_a_to_b = frame.from(ab.rms),
-          .rms_b_to_a = frame.from(ba.rms),
-          .hausdorff_a_to_b = frame.from(ab.hausdorff),
-          .hausdorff_b_to_a = frame.from(ba.hausdorff)};
+  return symmetric_distance(ab, ba, frame);
 }
 
 using DistanceMesh = CGAL::Surface_mesh<DistancePoint>;

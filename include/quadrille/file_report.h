@@ -23,13 +23,14 @@ enum class FileStage {
   sample,    ///< pieces of parts are simplified, to learn up to which cost a phase goes
   simplify,  ///< parts are simplified
   regroup,   ///< what is left is cut into other parts
-  sew        ///< what is left is written
+  sew,       ///< what is left is written
+  check      ///< surfaces are compared, by file_distance or verify_files
 };
 
 /// In words.
 constexpr std::string_view to_string(FileStage stage) {
   constexpr std::string_view names[] = {"weld",     "survey",  "partition", "sample",
-                                        "simplify", "regroup", "sew"};
+                                        "simplify", "regroup", "sew",       "check"};
   return names[static_cast<std::size_t>(stage)];
 }
 

@@ -44,6 +44,8 @@ struct Claims {
   /// No claim, but how to follow what takes long: told again and again which part of it is done,
   /// from 0 to 1. If it returns false, verify() ends soon: Verdict::is_cancelled.
   std::function<bool(double part)> progress = {};
+
+  bool are_distances_claimed() const { return distance || distance_both_ways; }
 };
 
 /// A claim, and what has been measured.

@@ -14,15 +14,14 @@
 #include <quadrille/internal/verify/checked_distance.h>
 #include <quadrille/internal/verify/checked_surface.h>
 #include <quadrille/internal/verify/claimed_maps.h>
+#include <quadrille/internal/verify/distance_findings.h>
 #include <quadrille/internal/verify/intersecting_pairs.h>
 #include <quadrille/internal/verify/normal_angles.h>
 #include <quadrille/internal/verify/solid_check.h>
 #include <quadrille/vector.h>
 #include <quadrille/verdict.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <ranges>
 #include <stdexcept>
 #include <utility>
@@ -52,18 +51,14 @@ public:
   }
 
 private:
-  static bool are_distances_claimed(const Claims& claims) {
-    return claims.distance || claims.distance_both_ways;
-  }
   static std::size_t stages(const Claims& claims) {
-    return std::size_t{are_distances_claimed(claims)} + claims.distance_both_ways.has_value() +
+    return std::size_t{claims.are_distances_claimed()} + claims.distance_both_ways.has_value() +
            2 * std::size_t{!claims.tolerances.empty()} +
            2 * std::size_t{claims.no_self_intersection} + std::size_t{claims.solid};
   }
 
   static void require_sense(const Claims& claims) {
-    if (!(claims.distance.value_or(0) >= 0 && claims.distance_both_ways.value_or(0) >= 0))
-      throw std::invalid_argument("quadrille::verify: what is claimed is not a distance");
+    DistanceFindings::require_sense(claims);
     if (!(claims.normal_deviation.value_or(0) >= 0))
       throw std::invalid_argument("quadrille::verify: what is claimed is not an angle");
   }
@@ -79,8 +74,9 @@ private:
   }
 
   void look_at_all(const Claims& claims, CheckProgress& progress) {
-    if (are_distances_claimed(claims))
-      look_at_distance(claims, progress);
+    if (claims.are_distances_claimed())
+      DistanceFindings::look(claims, CheckedDistance(input_, {}, result_, progress), progress,
+                             verdict_);
     if (!claims.tolerances.empty())
       look_at_tolerances(claims.tolerances, progress);
     if (claims.no_self_intersection)
@@ -94,46 +90,15 @@ private:
       look_at_normals(*claims.normal_deviation, claims.images);
   }
 
-  void look_at_distance(const Claims& claims, CheckProgress& progress) {
-    const CheckedDistance distance(input_, {}, result_, progress);
-    const double greatest = (std::min)(claims.distance.value_or(infinity),
-                                       claims.distance_both_ways.value_or(infinity));
-    add_distance("distance of the result from the input", greatest,
-                 error_of(greatest, distance.diagonal_of_both()),
-                 [&](double error) { return distance.of_result(error); });
-    progress.next_stage();
-    if (!claims.distance_both_ways)
-      return;
-    add_distance("distance of the input from the result", *claims.distance_both_ways,
-                 error_of(*claims.distance_both_ways, distance.diagonal_of_both()),
-                 [&](double error) { return distance.of_input(error); });
-    progress.next_stage();
-  }
-
   void look_at_tolerances(const std::vector<double>& tolerances, CheckProgress& progress) {
     const CheckedDistance distance(input_, tolerances, result_, progress);
-    const double error = error_of(distance.least_tolerance(), distance.diagonal_of_both());
-    add_distance("distance of the input from the result, beyond its tolerances", 0, error,
-                 [&](double e) { return distance.of_input(e); });
+    DistanceFindings findings(verdict_, distance.diagonal_of_both());
+    findings.add("distance of the input from the result, beyond its tolerances", 0,
+                 distance.least_tolerance(), [&](double e) { return distance.of_input(e); });
     progress.next_stage();
-    add_distance("distance of the result from the input, beyond its tolerances", 0, error,
-                 [&](double e) { return distance.of_result(e); });
+    findings.add("distance of the result from the input, beyond its tolerances", 0,
+                 distance.least_tolerance(), [&](double e) { return distance.of_result(e); });
     progress.next_stage();
-  }
-
-  // What is measured is no more than the truth but for roundings, and less by no more than half of
-  // the error. So what is beyond the promise by half of the error is broken, and what is broken by
-  // all of it is found.
-  template <class Measure>
-  void add_distance(const char* claim, double promised, double error, Measure measure) {
-    const auto [measured, place] = measure(error / 2);
-    verdict_.findings.push_back(
-        {claim, promised, measured, error, measured <= promised + error / 2, place});
-  }
-
-  // It takes the longer the less it may be wrong, so a small part of the promise is enough.
-  static double error_of(double promised, double diagonal) {
-    return (std::max)((std::min)(promised / 20, 1e-3 * diagonal), 1e-5 * diagonal);
   }
 
   void look_at_normals(double promised, const std::vector<std::size_t>& images) {
@@ -170,8 +135,6 @@ private:
     verdict_.findings.push_back({claim, static_cast<double>(promised),
                                  static_cast<double>(measured), 0, promised == measured});
   }
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   CheckedSurface input_, result_;
   Verdict verdict_;

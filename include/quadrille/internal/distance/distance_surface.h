@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -31,6 +32,13 @@ using DistanceTriangle = CGAL::Simple_cartesian<double>::Triangle_3;
 struct DistanceSurface {
   std::vector<DistanceTriangle> triangles;
   std::vector<DistancePoint> vertices;
+
+  double area() const {
+    double sum = 0;
+    for (const DistanceTriangle& t : triangles)
+      sum += std::sqrt(t.squared_area());
+    return sum;
+  }
 };
 
 template <class Point>

@@ -26,11 +26,11 @@ public:
   FirstParts(const PlyInput& input, const InputSurvey& survey)
       : input_(input), survey_(survey), facts_(survey.facts()) {}
 
-  /// Writes them to the folder. `tell(part)` is called with the part of the work that is done, from
-  /// 0 to 1, and may throw.
+  /// Writes them to the folder, as parts of that phase. `tell(part)` is called with the part of the
+  /// work that is done, from 0 to 1, and may throw.
   template <class Tell>
-  PartScatter write(const JobFolder& folder, std::uint64_t part_vertices, std::uint64_t buffers,
-                    Tell tell) {
+  PartScatter write(const JobFolder& folder, unsigned phase, std::uint64_t part_vertices,
+                    std::uint64_t buffers, Tell tell) {
     const auto from = [&](double begin, double end, std::uint64_t count) {
       return [=, &tell](std::uint64_t i) {
         if (i % (1 << 18) == 0)
@@ -40,7 +40,7 @@ public:
     const PartTree cut = count(part_vertices, from(0, 0.15, facts_.vertices));
     const std::vector<PartNumber> homes = find_homes(cut, from(0.15, 0.3, facts_.vertices));
     LabelTable labels = survey_.labels();
-    PartScatter scatter(folder, 1, cut.size(), facts_.vertices, buffers, has_labels(), false);
+    PartScatter scatter(folder, phase, cut.size(), facts_.vertices, buffers, has_labels(), false);
     give_faces(scatter, homes, labels, from(0.3, 0.65, facts_.faces));
     give_vertices(scatter, homes, from(0.65, 1, facts_.vertices));
     if (has_labels())

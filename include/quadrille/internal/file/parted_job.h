@@ -102,7 +102,7 @@ public:
     const bool is_whole = input.faces() <= (std::min)(budget_.part_faces(), budget_.whole_faces());
     FirstParts parts(input, survey);
     PartScatter scatter =
-        parts.write(folder_, is_whole ? plan.input.used_vertices : part_vertices(plan.input),
+        parts.write(folder_, 1, is_whole ? plan.input.used_vertices : part_vertices(plan.input),
                     budget_.buffers(), [&](double part) { tell(FileStage::partition, part); });
     plan.input.doubled_faces = scatter.count_doubled();
     plan.input.counted_faces -= plan.input.doubled_faces;

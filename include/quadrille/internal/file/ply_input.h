@@ -40,6 +40,11 @@ public:
     input->is_welded_ = true;
     return input;
   }
+  /// From here on labels are read over, and vertices that no other face has are no fault.
+  void read_shape_only() {
+    labels_.clear();
+    is_welded_ = true;
+  }
   PlyInput(const PlyInput&) = delete;
   PlyInput& operator=(const PlyInput&) = delete;
 

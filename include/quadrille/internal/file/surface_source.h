@@ -50,6 +50,13 @@ public:
       tiles_in(""); // throws where names are the same
   }
 
+  /// Files of which nothing counts but the shape.
+  static SurfaceSource shape_of(std::vector<std::filesystem::path> paths) {
+    SurfaceSource source(std::move(paths), true, false);
+    source.is_shape_ = true;
+    return source;
+  }
+
   std::uint64_t key() const { return key_; } ///< of its content
   /// As far as it is known before anything is read.
   const InputSize& size() const { return size_; }
@@ -66,14 +73,10 @@ public:
   /// `ask()` is called now and then, and may throw.
   template <class Ask>
   const PlyInput& surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
-    if (!is_stl_ && !is_tiled())
-      return *ply_;
-    const std::filesystem::path welded = folder.welded(key_);
-    if (!is_welded(folder) && is_tiled())
-      sew_tiles(welded, folder, memory, ask);
-    else if (!is_welded(folder))
-      StlWeld::run(paths_.front(), welded, folder.welding(), memory, positions_only_, ask);
-    ply_ = PlyInput::welded(welded, paths_.front());
+    if (is_stl_ || is_tiled())
+      make_surface(folder, memory, ask);
+    if (is_shape_)
+      ply_->read_shape_only();
     return *ply_;
   }
 
@@ -134,6 +137,16 @@ private:
   }
 
   template <class Ask>
+  void make_surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
+    const std::filesystem::path welded = folder.welded(key_);
+    if (!is_welded(folder) && is_tiled())
+      sew_tiles(welded, folder, memory, ask);
+    else if (!is_welded(folder))
+      StlWeld::run(paths_.front(), welded, folder.welding(), memory, positions_only_, ask);
+    ply_ = PlyInput::welded(welded, paths_.front());
+  }
+
+  template <class Ask>
   void sew_tiles(const std::filesystem::path& welded, const JobFolder& folder, std::uint64_t memory,
                  const Ask& ask) const {
     std::vector<std::filesystem::path> tiles;
@@ -161,7 +174,7 @@ private:
   }
 
   std::vector<std::filesystem::path> paths_;
-  bool positions_only_, keeps_tiles_, is_stl_ = false;
+  bool positions_only_, keeps_tiles_, is_stl_ = false, is_shape_ = false;
   std::uint64_t key_ = 0;
   InputSize size_;
   std::unique_ptr<PlyInput> ply_;

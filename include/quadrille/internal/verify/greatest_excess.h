@@ -22,9 +22,10 @@ namespace quadrille::internal {
 /// many pieces as both have faces there, however small the error is.
 class GreatestExcess {
 public:
-  /// `error`: by how much less than the truth it may tell; positive.
-  GreatestExcess(const AllowedFaces& faces, double error, CheckProgress& progress)
-      : faces_(faces), error_(error), progress_(progress) {}
+  /// `error`: by how much less than the truth it may tell; positive. `known` is what other
+  /// triangles exceed: what is less is not looked for.
+  GreatestExcess(const AllowedFaces& faces, double error, CheckProgress& progress, double known = 0)
+      : faces_(faces), error_(error), greatest_(known), progress_(progress) {}
 
   double greatest() const { return greatest_; }
   /// The point that has it, if any does.
@@ -162,7 +163,7 @@ private:
   }
 
   const AllowedFaces& faces_;
-  double error_, greatest_ = 0;
+  double error_, greatest_;
   CheckProgress& progress_;
   DistancePoint place_{0, 0, 0};
   std::size_t guess_ = 0;

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+//
+// How far apart are two surfaces that lie in files and do not fit into memory, and does one keep
+// what was promised of it? This header measures; it takes no part in simplifying, and
+// quadrille/file.h never includes it.
+//
+// Licence: this file is MIT, but it includes <quadrille/distance.h>, which includes parts of CGAL
+// that are GPL-3.0-or-later (or commercial). A program that includes it is bound by their terms.
+
+#ifndef QUADRILLE_FILE_DISTANCE_H
+#define QUADRILLE_FILE_DISTANCE_H
+
+#include <quadrille/distance.h>
+#include <quadrille/file_report.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/job_lock.h>
+#include <quadrille/internal/file/job_watch.h>
+#include <quadrille/internal/file/surface_source.h>
+#include <quadrille/internal/verify/check_progress.h>
+#include <quadrille/internal/verify/distance_findings.h>
+#include <quadrille/internal/verify/parted_distance.h>
+#include <quadrille/internal/verify/parted_nearest.h>
+#include <quadrille/internal/verify/parted_surface.h>
+#include <quadrille/verdict.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace quadrille {
+
+namespace internal {
+
+/// The folder of a job while two files are compared in it, which is gone then.
+class FolderOfCheck {
+public:
+  explicit FolderOfCheck(const std::filesystem::path& scratch) : folder_(scratch), lock_(folder_) {
+    if (folder_.phase_at_work() > 0)
+      fail_file(folder_.path(), "has a job in it: give another folder to compare files in");
+    folder_.remove_phases();
+  }
+  FolderOfCheck(const FolderOfCheck&) = delete;
+  FolderOfCheck& operator=(const FolderOfCheck&) = delete;
+  ~FolderOfCheck() {
+    try {
+      if (folder_.phase_at_work() == 0)
+        lock_.remove_job();
+    } catch (const std::exception&) { // what can't be removed stays
+    }
+  }
+
+  const JobFolder& folder() const { return folder_; }
+
+private:
+  JobFolder folder_;
+  JobLock lock_;
+};
+
+/// Two files, cut into parts that are compared.
+class FileComparison {
+public:
+  FileComparison(const SurfaceFiles& a, const SurfaceFiles& b, const OutOfCore& options)
+      : options_(options), folder_(options.scratch), a_(cut(1, a, 0)), b_(cut(2, b, 0.1)),
+        box_(a_.box_in_file() + b_.box_in_file()), frame_(box_) {
+    a_.enter(frame_);
+    b_.enter(frame_);
+  }
+
+  SurfaceDistance distance(const DistanceSampling& sampling) const {
+    const auto ab = one_sided(a_, b_, sampling, 0.2), ba = one_sided(b_, a_, sampling, 0.6);
+    return symmetric_distance(ab, ba, frame_);
+  }
+
+  Verdict verdict(const Claims& claims) const {
+    Verdict verdict;
+    CheckProgress progress([&](double part) { return tell(0.2 + 0.8 * part), true; },
+                           claims.distance_both_ways ? 2 : 1);
+    const PartedDistance apart(a_, b_, frame_, diagonal(box_), DistanceFindings::least(claims),
+                               most_faces(), progress);
+    DistanceFindings::look(claims, apart, progress, verdict);
+    return verdict;
+  }
+
+private:
+  // Of a part that is measured, with what it is measured against; parts may have twice as many as
+  // they are meant to.
+  static constexpr std::uint64_t base = 64'000'000, bytes_of_face = 1000;
+  std::size_t most_faces() const {
+    const std::uint64_t fit = ((std::max)(options_.memory, base) - base) / bytes_of_face;
+    return static_cast<std::size_t>(options_.part_faces > 0 ? options_.part_faces
+                                                            : std::max<std::uint64_t>(fit, 10'000));
+  }
+
+  PartedSurface cut(unsigned number, const SurfaceFiles& files, double begin) const {
+    SurfaceSource source = SurfaceSource::shape_of(files.paths);
+    const PlyInput& input =
+        source.surface(folder_.folder(), options_.memory / 2, [&] { tell(begin); });
+    PartedSurface surface(folder_.folder(), number, input, most_faces(), options_.memory / 16,
+                          [&](double part) { tell(begin + 0.1 * part); });
+    folder_.folder().remove_welded();
+    return surface;
+  }
+
+  // As one_sided_distance() has it of surfaces in memory.
+  OneSidedDistance one_sided(const PartedSurface& from, const PartedSurface& to,
+                             const DistanceSampling& sampling, double begin) const {
+    std::optional<StripSampling> strips;
+    if (from.area() > 0 && sampling.samples > 0)
+      strips.emplace(from.area(), sampling);
+    double sum = 0, largest = 0;
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < from.size(); ++p) {
+      std::vector<DistancePoint> points;
+      const std::size_t samples = add_points(from, p, strips, points);
+      const double done = begin + 0.4 * static_cast<double>(p) / static_cast<double>(from.size());
+      const std::vector<double> squares =
+          PartedNearest(to, points).squared_distances([&] { tell(done); });
+      for (std::size_t i = 0; i < squares.size(); ++i) {
+        sum += i < samples ? squares[i] : 0;
+        largest = (std::max)(largest, squares[i]);
+      }
+      count += samples;
+    }
+    return {std::sqrt(sum / static_cast<double>(count)), std::sqrt(largest)};
+  }
+
+  // Returns how many are samples, which come first.
+  static std::size_t add_points(const PartedSurface& from, std::size_t p,
+                                std::optional<StripSampling>& strips,
+                                std::vector<DistancePoint>& points) {
+    const DistanceSurface part = from.part(p);
+    if (strips) {
+      for (const DistanceTriangle& face : part.triangles)
+        strips->take(face, points);
+      if (p + 1 == from.size())
+        strips->end(points);
+    }
+    const std::size_t samples = points.size();
+    points.insert(points.end(), part.vertices.begin(), part.vertices.end());
+    return strips ? samples : points.size();
+  }
+
+  void tell(double part) const {
+    FileStatus status;
+    status.stage = FileStage::check;
+    status.progress = part;
+    if (options_.proceed && !options_.proceed(status))
+      throw JobCancelled();
+  }
+
+  const OutOfCore& options_;
+  FolderOfCheck folder_;
+  PartedSurface a_, b_;
+  CGAL::Bbox_3 box_;
+  DistanceFrame frame_;
+};
+
+} // namespace internal
+
+/// The sampled distance between two surfaces in files, as surface_distance() has it of surfaces in
+/// memory: of as many samples, other ones, and all vertices.
+///
+/// Files are what simplify_file reads and writes. They are cut into compact parts in
+/// `options.scratch`, in a folder of their own that is gone at the end, about 30 bytes for each
+/// face of both; a part is measured against those of the other surface that are near it, one at a
+/// time, so that `options.memory` is kept. Of OutOfCore nothing else counts but `part_faces` and
+/// `proceed`, which is told FileStage::check and the progress.
+///
+/// Complexity: O((n + s) log n) for n faces and s samples, as far as parts are near to those that
+/// they are measured against. Throws std::runtime_error with the name of the file for one that
+/// can't be read or has no faces, and for a scratch folder that has a job in it; and
+/// internal::JobCancelled where `proceed` ends it.
+inline SurfaceDistance file_distance(const SurfaceFiles& a, const SurfaceFiles& b,
+                                     const OutOfCore& options,
+                                     const DistanceSampling& sampling = {}) {
+  return internal::FileComparison(a, b, options).distance(sampling);
+}
+
+/// Looks whether a result in a file keeps the distances that are claimed of it, as verify() does of
+/// surfaces in memory: by pieces of faces, and not by samples.
+///
+/// Claims are of distances, one way or both; for others, which need a surface as a whole, it throws
+/// std::invalid_argument. `claims.progress` is not asked, but `options.proceed`. A part is measured
+/// against all faces within what is claimed of it, which keeps `options.memory` as long as there
+/// are no more of them than a part has: where much more is broken than was claimed, it takes more.
+/// Otherwise as file_distance().
+inline Verdict verify_files(const SurfaceFiles& input, const SurfaceFiles& result,
+                            const Claims& claims, const OutOfCore& options) {
+  internal::DistanceFindings::require_sense(claims);
+  if (!claims.tolerances.empty() || claims.no_self_intersection || claims.solid ||
+      claims.normal_deviation)
+    throw std::invalid_argument("quadrille::verify_files: of surfaces in files distances can be "
+                                "claimed, and nothing else");
+  if (!claims.are_distances_claimed())
+    return {};
+  return internal::FileComparison(input, result, options).verdict(claims);
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_FILE_DISTANCE_H

@@ -1,0 +1,137 @@
+#ifndef QUADRILLE_INTERNAL_VERIFY_PARTED_SURFACE_H
+#define QUADRILLE_INTERNAL_VERIFY_PARTED_SURFACE_H
+
+#include <quadrille/internal/distance/distance_surface.h>
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/first_parts.h>
+#include <quadrille/internal/file/input_survey.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/loaded_part.h>
+#include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/ply_input.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A box that reaches further by so much on all sides.
+inline CGAL::Bbox_3 grown(const CGAL::Bbox_3& box, double by) {
+  return {(box.min)(0) - by, (box.min)(1) - by, (box.min)(2) - by,
+          (box.max)(0) + by, (box.max)(1) + by, (box.max)(2) + by};
+}
+
+/// The squared distance of two boxes.
+inline double squared_distance(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double d = (std::max)({(a.min)(i) - (b.max)(i), 0.0, (b.min)(i) - (a.max)(i)});
+    sum += d * d;
+  }
+  return sum;
+}
+
+/// A surface cut into compact parts that lie in the folder of a job, as those of its phases do, of
+/// which one at a time is in memory.
+class PartedSurface {
+public:
+  /// `number` is that of the phase whose names the files have. `tell(part)` is called now and then,
+  /// and may throw.
+  template <class Tell>
+  PartedSurface(const JobFolder& folder, unsigned number, const PlyInput& input,
+                std::uint64_t part_faces, std::uint64_t buffers, Tell tell)
+      : folder_(folder) {
+    const InputSurvey survey(input, [&](double part) { tell(part / 2); });
+    plan_.phase = number;
+    plan_.input = survey.facts();
+    folder_.begin_phase(number);
+    const std::uint64_t all = plan_.input.used_vertices;
+    const std::uint64_t parts = plan_.input.counted_faces / part_faces + 1;
+    const std::uint64_t most = parts == 1 ? all : (std::max)(all / parts, least_vertices);
+    plan_.parts =
+        FirstParts(input, survey)
+            .write(folder_, number, most, buffers, [&](double part) { tell((1 + part) / 2); })
+            .parts();
+    WholeFile no_borders(folder_.borders(number));
+    no_borders.finish();
+    plan_.borders.checksum = FileChecksum().value();
+  }
+
+  /// Of the vertices that faces use, in their unit.
+  CGAL::Bbox_3 box_in_file() const {
+    const auto& [low, high] = plan_.input.box;
+    return {low[0], low[1], low[2], high[0], high[1], high[2]};
+  }
+  std::uint64_t faces() const { return plan_.input.counted_faces; }
+
+  /// From here on all is in this frame.
+  void enter(const DistanceFrame& frame) {
+    frame_ = frame;
+    boxes_.clear();
+    area_ = 0;
+    for (std::size_t p = 0; p < size(); ++p) {
+      const DistanceSurface surface = part(p);
+      boxes_.push_back(bounding_box(surface.vertices));
+      area_ += surface.area();
+    }
+  }
+
+  std::size_t size() const { return plan_.parts.size(); }
+  double area() const { return area_; }
+  const CGAL::Bbox_3& box(std::size_t p) const { return boxes_[p]; }
+
+  DistanceSurface part(std::size_t p) const {
+    const LoadedPart loaded = LoadedPart::read(folder_, plan_, p, 0);
+    DistanceSurface surface;
+    surface.vertices.reserve(loaded.positions.size());
+    for (const Vector<3>& q : loaded.positions)
+      surface.vertices.push_back(frame_.to(DistancePoint(q[0], q[1], q[2])));
+    surface.triangles.reserve(loaded.triangles.size());
+    for (const auto& [a, b, c] : loaded.triangles)
+      surface.triangles.emplace_back(surface.vertices[a], surface.vertices[b], surface.vertices[c]);
+    return surface;
+  }
+
+  /// The faces of a part whose boxes meet this one.
+  std::vector<DistanceTriangle> near(std::size_t p, const CGAL::Bbox_3& place) const {
+    std::vector<DistanceTriangle> faces = part(p).triangles;
+    std::erase_if(faces, [&](const DistanceTriangle& t) { return !do_overlap(t.bbox(), place); });
+    return faces;
+  }
+  /// Of all parts; nothing if there are more than that.
+  std::optional<std::vector<DistanceTriangle>> near(const CGAL::Bbox_3& place,
+                                                    std::size_t most) const {
+    std::vector<DistanceTriangle> faces;
+    for (std::size_t p = 0; p < size(); ++p)
+      if (do_overlap(boxes_[p], place)) {
+        const std::vector<DistanceTriangle> more = near(p, place);
+        if (faces.size() + more.size() > most)
+          return std::nullopt;
+        faces.insert(faces.end(), more.begin(), more.end());
+      }
+    return faces;
+  }
+
+private:
+  // Of smaller parts borders are the most.
+  static constexpr std::uint64_t least_vertices = 1000;
+
+  JobFolder folder_;
+  PhasePlan plan_; // what LoadedPart has to know
+  DistanceFrame frame_{CGAL::Bbox_3()};
+  std::vector<CGAL::Bbox_3> boxes_;
+  double area_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_VERIFY_PARTED_SURFACE_H
