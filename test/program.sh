@@ -1479,6 +1479,8 @@ measured=$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)
 run 0 whole.ply out.ply --error 1% --both-ways --measure --verify --report report.json
 [ "$measured" = "$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)" ] || fail "measured otherwise by parts"
 [ ! -e scratch ] || fail "the scratch folder is there"
+run 2 whole.ply ./whole.ply --measure --out-of-core scratch
+expect stderr '^whole.ply: is both IN and OUT, '
 run 2 whole.ply out.ply --measure --verify --out-of-core scratch
 expect stderr '^--verify needs something that is promised: '
 for option in '--error 1% --both-ways --calibrated' '--tolerance size' --weld --orient '--pairs 1' --solid \

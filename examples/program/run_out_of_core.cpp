@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -96,10 +97,24 @@ private:
           "--out-of-core reads and writes files, not standard input or output");
     if (options_.memory < 128'000'000)
       throw std::runtime_error("--memory: that is too little; it has to be at least 128M");
+    if (options_.measures || options_.verifies)
+      require_input_stays();
     if (keeps_tiles(options_))
       return;
     require_replaceable(options_.output, options_.is_forced);
     quadrille::internal::require_writable(options_.output);
+  }
+
+  /// What is measured by parts is measured between files.
+  void require_input_stays() const {
+    std::set<std::filesystem::path> results;
+    for (const std::filesystem::path& result : result_files(options_).paths)
+      results.insert(std::filesystem::weakly_canonical(result));
+    for (const std::filesystem::path& input : surface_files(options_).paths)
+      if (results.count(std::filesystem::weakly_canonical(input)) > 0)
+        throw std::runtime_error(input.string() +
+                                 ": is both IN and OUT, so there will be nothing that OUT could be "
+                                 "measured against by parts");
   }
 
   bool run_cost() {
