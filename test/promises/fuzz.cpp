@@ -3,8 +3,8 @@
 // Prints what is broken, writes it to broken_SEED_in.off and broken_SEED_out.off, and fails if
 // anything is.
 //   fuzz FIRST_SEED COUNT [MODEL.off...]    models are simplified beside the others, in their turn
-#include "hard_surfaces.h"
 #include "models.h"
+#include "random_surfaces.h"
 
 #include <quadrille/compiled.h>
 #include <quadrille/verify.h>
@@ -30,56 +30,7 @@ using namespace quadrille;
 using test::Position;
 using test::Random;
 using test::Soup;
-
-/// A surface and its name.
-struct Surface {
-  std::string name;
-  Soup soup;
-};
-
-Surface plain_surface(std::uint64_t seed, const std::vector<Surface>& models) {
-  Random random(seed);
-  switch (seed % 10) {
-  case 0:
-    return {"spiral", test::spiral_wall(random(1, 3), 40, 5)};
-  case 1:
-    return {"comb", test::comb(5, 6, 3)};
-  case 2:
-    return {"linked tori", test::tori_in_each_other(12)};
-  case 3:
-    return {"close sheets", test::close_sheets(12, std::pow(10, random(-6, -1)))};
-  case 4:
-    return {"spikes", test::spiked(3, seed)};
-  case 5:
-    return {"flat fan", test::flat_fan(40, 4)};
-  case 6:
-    return {"cubes", test::random_cubes(4, seed)};
-  case 7:
-    if (!models.empty())
-      return models[seed / 10 % models.size()];
-    return {"borders", test::random_with_borders(seed)};
-  default:
-    return {"closed", test::random_closed(seed)};
-  }
-}
-
-/// With noise, turned, in another unit, far from the origin, by the seed.
-Surface surface_of(std::uint64_t seed, const std::vector<Surface>& models) {
-  Surface surface = plain_surface(seed, models);
-  Random random(seed + 77);
-  Soup& soup = surface.soup;
-  const double edge = test::diagonal(soup) / std::sqrt(double(soup.triangles.size()));
-  if (random.below(2) == 0)
-    soup = test::with_noise(soup, seed, edge * random(0, 0.2));
-  if (random.below(2) == 0)
-    soup = test::tilted(soup);
-  const double unit = random.below(3) == 0 ? std::pow(10, random(-6, 6)) : 1;
-  const double far = random.below(4) == 0 ? 1e5 * test::diagonal(soup) : 0;
-  soup = test::mapped(soup, [&](const Position& p) {
-    return unit * (p + Position{{far, -far, far}});
-  });
-  return surface;
-}
+using test::Surface;
 
 class Fuzz {
 public:
@@ -212,7 +163,7 @@ int main(int argc, char** argv) {
   std::uint64_t broken = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed)
     try {
-      broken += !Fuzz(seed, surface_of(seed, models)).check();
+      broken += !Fuzz(seed, test::surface_of(seed, models)).check();
     } catch (const std::exception& error) {
       std::printf("seed %llu: BROKEN: %s\n", static_cast<unsigned long long>(seed), error.what());
       ++broken;

@@ -1,6 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
 #define QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
 
+#include <quadrille/internal/call/intersection_choice.h>
+#include <quadrille/internal/call/normal_choice.h>
 #include <quadrille/internal/file/cost_samples.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/loaded_part.h>
@@ -30,6 +32,16 @@ public:
   static_assert(!asks_for_indices<Placement>,
                 "quadrille: each part of a file counts its vertices anew: a placement that asks "
                 "for indices in the input is for surfaces in memory");
+  static_assert(!(IsIntersection<Policies> || ...),
+                "quadrille: each part of a file is simplified without the others, which its faces "
+                "could come to intersect: NoSelfIntersection and keep_solid() are for surfaces in "
+                "memory");
+  static_assert(!(IsNormalLimit<Policies> || ...),
+                "quadrille: each phase of a file begins with the normals that the one before it "
+                "has left, so that angles would add up: NormalDeviation is for surfaces in memory");
+  static_assert(!needs_closed_surface<Placement>,
+                "quadrille: a part of a file is no closed surface: hulls are for surfaces in "
+                "memory");
 
   /// Do vertices of the boundary stay?
   PartRunner(bool locks_boundary, Cost cost, Placement placement, const Policies&... policies)

@@ -1,0 +1,192 @@
+#ifndef QUADRILLE_TEST_PART_ATTACK_H
+#define QUADRILLE_TEST_PART_ATTACK_H
+
+#include "farthest.h"
+#include "folder.h"
+#include "random_surfaces.h"
+#include "soups.h"
+#include "surface_files.h"
+
+#include <quadrille/distance_limits.h>
+#include <quadrille/file.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/placement.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// A surface of which each face has a label.
+struct LabelledSoup {
+  Soup soup;
+  std::vector<std::int32_t> labels;
+};
+
+/// As ply_of, with labels of faces.
+inline std::string labelled_ply_of(const LabelledSoup& surface) {
+  const std::string plain = ply_of<double>(surface.soup);
+  const std::size_t header = plain.find("end_header\n") + 11;
+  const std::size_t faces = header + 24 * surface.soup.points.size();
+  std::string ply = plain.substr(0, header - 11) + "property int region\n" +
+                    plain.substr(header - 11, faces - header + 11);
+  for (std::size_t f = 0; f < surface.labels.size(); ++f) {
+    ply += plain.substr(faces + 13 * f, 13);
+    put_number(ply, surface.labels[f]);
+  }
+  return ply;
+}
+
+inline LabelledSoup read_labelled_ply(const std::filesystem::path& path) {
+  const std::string content = content_of(path);
+  const std::size_t begin = content.find("end_header\n") + 11;
+  const auto number_behind = [&](const std::string& words) {
+    return std::stoul(content.substr(content.find(words) + words.size()));
+  };
+  LabelledSoup surface;
+  surface.soup.points.resize(number_behind("element vertex "));
+  const std::size_t faces = number_behind("element face ");
+  const char* at = content.data() + begin;
+  const auto take = [&](auto& number) {
+    std::memcpy(&number, at, sizeof number);
+    at += sizeof number;
+  };
+  for (Position& p : surface.soup.points)
+    for (double& x : p.coordinates)
+      take(x);
+  for (std::size_t f = 0; f < faces; ++f) {
+    ++at;
+    for (std::uint32_t& v : surface.soup.triangles.emplace_back())
+      take(v);
+    take(surface.labels.emplace_back());
+  }
+  return surface;
+}
+
+/// Simplifies a random surface by small parts, to a distance or to a count, and looks at what holds
+/// of a run in memory as well: distances, topology, regions of labels and which of them meet; and
+/// that the bytes are the same however many parts are in flight.
+class PartAttack {
+public:
+  PartAttack(std::uint64_t seed, const Surface& surface)
+      : seed_(seed), random_(seed + 21), name_(surface.name), input_{surface.soup, {}} {
+    const double width = random_(0.1, 0.6) * diagonal(input_.soup);
+    const double begin = input_.soup.points.front()[0];
+    for (const Triangle& t : input_.soup.triangles)
+      input_.labels.push_back(
+          static_cast<std::int32_t>(std::floor((input_.soup.points[t[0]][0] - begin) / width)));
+  }
+
+  /// What is broken, in a line each.
+  std::vector<std::string> broken() {
+    const Folder folder;
+    folder.file("in.ply", labelled_ply_of(input_));
+    part_faces_ = 60 + random_.below(300);
+    const double part = std::pow(10, random_(-3, -1));
+    switch (random_.below(3)) {
+    case 0:
+      limited(folder, quadrille::ErrorLimit::relative(part));
+      break;
+    case 1:
+      limited(folder, quadrille::HausdorffLimit::relative(part));
+      break;
+    default:
+      run(folder, quadrille::FaceRatio{random_(0.02, 0.3)});
+    }
+    return broken_;
+  }
+
+private:
+  template <class Limit>
+  void limited(const Folder& folder, const Limit& limit) {
+    const quadrille::FileReport report = run(folder, limit);
+    const Soup output = read_labelled_ply(folder.path("out1.ply")).soup;
+    const double rounding = 1e-13 * greatest_coordinate(input_.soup);
+    check("a bound beyond the limit",
+          report.distance_bound <= limit.distance(report.diagonal) * (1 + 1e-6));
+    check("a distance beyond its bound",
+          farthest(output, input_.soup, 3) <= report.distance_bound + rounding);
+    if (std::isfinite(report.hausdorff_bound))
+      check("a distance of the input beyond its bound",
+            farthest(input_.soup, output, 3) <= report.hausdorff_bound + rounding);
+  }
+
+  template <class Stop>
+  quadrille::FileReport run(const Folder& folder, const Stop& stop) {
+    quadrille::FileReport report;
+    for (const unsigned in_flight : {1U, 3U}) {
+      quadrille::OutOfCore options;
+      options.scratch = folder.path("scratch");
+      options.part_faces = options.whole_faces = part_faces_;
+      options.parts_in_flight = in_flight;
+      report = quadrille::simplify_file<quadrille::MemorylessQuadric, quadrille::OptimalPlacement>(
+          folder.path("in.ply"), folder.path("out" + std::to_string(in_flight) + ".ply"), stop,
+          options);
+    }
+    check("bytes that depend on how many parts are in flight",
+          content_of(folder.path("out1.ply")) == content_of(folder.path("out3.ply")));
+    const LabelledSoup output = read_labelled_ply(folder.path("out1.ply"));
+    const SoupTopology before = topology_of(input_.soup), after = topology_of(output.soup);
+    if (before.is_manifold)
+      check("topology", is_same_topology(before, after) && !after.has_duplicate_faces &&
+                            !after.has_collapsed_faces);
+    check("regions", regions_of(input_) == regions_of(output));
+    check("regions that meet", meetings_of(input_) == meetings_of(output));
+    return report;
+  }
+
+  /// How many parts, connected by edges, each label has.
+  static std::map<std::int32_t, std::size_t> regions_of(const LabelledSoup& surface) {
+    std::map<std::int32_t, Soup> faces;
+    for (std::size_t f = 0; f < surface.labels.size(); ++f)
+      faces[surface.labels[f]].triangles.push_back(surface.soup.triangles[f]);
+    std::map<std::int32_t, std::size_t> regions;
+    for (auto& [label, soup] : faces) {
+      soup.points = surface.soup.points;
+      regions[label] = topology_of(soup).components;
+    }
+    return regions;
+  }
+  /// Pairs of labels of faces that have an edge in common.
+  static std::set<std::array<std::int32_t, 2>> meetings_of(const LabelledSoup& surface) {
+    std::map<std::array<std::uint32_t, 2>, std::set<std::int32_t>> edges;
+    for (std::size_t f = 0; f < surface.labels.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Triangle& t = surface.soup.triangles[f];
+        const auto [v, w] = std::minmax(t[i], t[(i + 1) % 3]);
+        edges[{v, w}].insert(surface.labels[f]);
+      }
+    std::set<std::array<std::int32_t, 2>> meetings;
+    for (const auto& [edge, labels] : edges)
+      if (labels.size() == 2)
+        meetings.insert({*labels.begin(), *labels.rbegin()});
+    return meetings;
+  }
+
+  void check(const std::string& what, bool holds) {
+    if (!holds)
+      broken_.push_back("seed " + std::to_string(seed_) + ", " + name_ + ", parts of " +
+                        std::to_string(part_faces_) + ": " + what);
+  }
+
+  std::uint64_t seed_;
+  Random random_;
+  std::string name_;
+  LabelledSoup input_;
+  std::uint64_t part_faces_ = 0;
+  std::vector<std::string> broken_;
+};
+
+} // namespace test
+
+#endif // QUADRILLE_TEST_PART_ATTACK_H

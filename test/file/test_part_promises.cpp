@@ -1,0 +1,15 @@
+// What a run by parts promises holds of random surfaces, told by nothing but the points: over many
+// seeds sh test/promises/parts.sh looks at it.
+#include "part_attack.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+TEST_CASE("By parts, distances, topology and regions hold of random surfaces") {
+  for (std::uint64_t seed = 0; seed < 14; ++seed)
+    CHECK(test::PartAttack(seed, test::surface_of(seed, {})).broken() ==
+          std::vector<std::string>{});
+}

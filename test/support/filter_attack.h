@@ -1,0 +1,134 @@
+#ifndef TEST_SUPPORT_FILTER_ATTACK_H
+#define TEST_SUPPORT_FILTER_ATTACK_H
+
+#include "farthest.h"
+#include "filter_promises.h"
+#include "random_surfaces.h"
+#include "soups.h"
+
+#include <quadrille/distance_limits.h>
+#include <quadrille/filters.h>
+#include <quadrille/levels.h>
+#include <quadrille/simplify.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace test {
+
+/// A cost, a placement and an order.
+template <class CostType, class PlacementType, class OrderType>
+struct Way {
+  using Cost = CostType;
+  using Placement = PlacementType;
+  using Order = OrderType;
+};
+
+/// Simplifies a surface with each filter, and with limits of the distance, each in one of some
+/// ways, and looks at levels of the record: is no face worse than its filter says, or than the face
+/// of the input that it has been, and is no level further away than it tells?
+template <class... Ways>
+class FilterAttack {
+public:
+  FilterAttack(std::uint64_t seed, const Surface& surface)
+      : seed_(seed), random_(seed + 9), surface_(surface), diagonal_(diagonal(surface.soup)),
+        edge_(diagonal_ / std::sqrt(double(surface.soup.triangles.size()))),
+        rounding_(1e-13 * greatest_coordinate(surface.soup)) {}
+
+  /// What is broken, in a line each.
+  std::vector<std::string> broken() {
+    const double degrees = random_(3, 40), quality = random_(0.05, 0.8),
+                 length = edge_ * std::pow(10, random_(-0.5, 1)),
+                 limit = diagonal_ * std::pow(10, random_(-3.5, -1));
+    const std::size_t degree = 6 + random_.below(6);
+    run("smallest angle", quadrille::SmallestAngle(degrees),
+        [&](const FilterPromises& p, const quadrille::Level&) {
+          return p.lost_degrees(degrees) <= 1e-5;
+        });
+    run("shape", quadrille::TriangleShape(quality),
+        [&](const FilterPromises& p, const quadrille::Level&) {
+          return p.lost_quality(quality) <= 1e-9;
+        });
+    run("longest edge", quadrille::LongestEdge(length),
+        [&](const FilterPromises& p, const quadrille::Level&) {
+          return p.gained_length(length) <= 1e-12;
+        });
+    run("degree", quadrille::HighestDegree(degree),
+        [&](const FilterPromises& p, const quadrille::Level&) {
+          return p.gained_faces(degree) == 0;
+        });
+    run("distance", quadrille::ErrorLimit(limit),
+        [&](const FilterPromises& p, const quadrille::Level& level) {
+          return farthest(p.result(), surface_.soup, 3) <= level.distance_bound + rounding_ &&
+                 level.distance_bound <= limit * (1 + 1e-6);
+        });
+    run("both ways", quadrille::HausdorffLimit(limit),
+        [&](const FilterPromises& p, const quadrille::Level& level) {
+          return farthest(p.result(), surface_.soup, 3) <= level.distance_bound + rounding_ &&
+                 farthest(surface_.soup, p.result(), 3) <= level.hausdorff_bound + rounding_ &&
+                 level.hausdorff_bound <= limit * (1 + 1e-6);
+        });
+    return broken_;
+  }
+
+private:
+  template <class Policy, class Holds>
+  void run(const char* promise, const Policy& policy, Holds holds) {
+    quadrille::Levels levels;
+    constexpr std::array topologies{quadrille::Topology::kept, quadrille::Topology::kept,
+                                    quadrille::Topology::free,
+                                    quadrille::Topology::parts_may_vanish};
+    const quadrille::Topology topology = topologies[random_.below(4)];
+    const std::size_t way = random_.below(sizeof...(Ways));
+    std::size_t next = 0;
+    (void)((next++ == way && (record<Ways>(levels, policy, topology), true)) || ...);
+    const std::size_t count = levels.coarsest().contractions;
+    for (std::size_t i = 1; i <= 5; ++i) {
+      const quadrille::Level level =
+          levels.at(quadrille::AfterContractions{count - count * (i * i - 1) / 25});
+      if (level.faces == 0)
+        continue; // it is at no distance
+      const std::vector<std::uint32_t> images = levels.images(level);
+      if (!holds(FilterPromises(surface_.soup, level, images), level))
+        tell(promise, level);
+    }
+  }
+
+  template <class Way, class Policy>
+  void record(quadrille::Levels& levels, const Policy& policy, quadrille::Topology topology) {
+    using Cost = typename Way::Cost;
+    using Placement = typename Way::Placement;
+    std::vector<std::array<double, 3>> points;
+    for (const Position& p : surface_.soup.points)
+      points.push_back(p.coordinates);
+    std::vector<Triangle> triangles = surface_.soup.triangles;
+    const typename Way::Order order;
+    if constexpr (quadrille::StopPolicy<Policy>)
+      quadrille::simplify<Cost, Placement>(points, triangles, policy, topology, order,
+                                           record_into(levels));
+    else
+      quadrille::simplify<Cost, Placement>(points, triangles,
+                                           quadrille::FaceRatio{random_(0.01, 0.4)}, policy,
+                                           topology, order, record_into(levels));
+  }
+
+  void tell(const char* promise, const quadrille::Level& level) {
+    broken_.push_back("seed " + std::to_string(seed_) + ", " + surface_.name + ", " + promise +
+                      ": at " + std::to_string(level.faces) + " of " +
+                      std::to_string(surface_.soup.triangles.size()) + " faces");
+  }
+
+  std::uint64_t seed_;
+  Random random_;
+  const Surface& surface_;
+  double diagonal_, edge_, rounding_;
+  std::vector<std::string> broken_;
+};
+
+} // namespace test
+
+#endif // TEST_SUPPORT_FILTER_ATTACK_H
