@@ -960,8 +960,32 @@ expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promis
 grep -q '"calibrated": true' out.json || fail "no word of calibration"
 [ "$(sed -n 2p out.off | cut -d' ' -f2)" -lt "$(sed -n 2p plain_limit.off | cut -d' ' -f2)" ] ||
   fail "a limit that is measured leaves as many faces as one that is added up"
+run 0 ball.off ball.glb --keep 100%
+run 0 ball.glb out.glb --error 2% --both-ways
+mv stdout added_up
+run 0 ball.glb out.glb --error 2% --both-ways --calibrated --verify
+expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promised, [0-9.e-]+ measured; '
+[ "$(grep -o '[0-9]* faces' stdout | cut -d' ' -f1)" -lt "$(grep -o '[0-9]* faces' added_up | cut -d' ' -f1)" ] ||
+  fail "of glTF, a limit that is measured leaves as many faces as one that is added up"
+run 2 ball.off out.html --error 2% --both-ways --calibrated
+expect stderr '^out.html: a page shows what one run has recorded, and --calibrated runs several times$'
 run 2 ball.off out.off --error 2% --both-ways --calibrated --record out.qlv
 expect stderr '^--calibrated does not go with --record'
+# Another placement is named where it comes nearer: three shells close to each other
+awk '{ line[NR] = $0 }
+END {
+  split(line[2], n)
+  print "OFF\n" 3 * n[1], 3 * n[2], 0
+  for (s = 0; s < 3; ++s) for (v = 1; v <= n[1]; ++v) {
+    split(line[2 + v], p); r = 1 - 0.01 * s; print r * p[1], r * p[2], r * p[3]
+  }
+  for (s = 0; s < 3; ++s) for (f = 1; f <= n[2]; ++f) {
+    split(line[2 + n[1] + f], t); o = s * n[1]
+    print 3, t[2] + o, t[s == 1 ? 4 : 3] + o, t[s == 1 ? 3 : 4] + o
+  }
+}' ball.off >shells.off
+run 1 shells.off out.off --no-self-intersection --faces 12 --placement midpoint
+expect stderr '^out.off: with --placement (endpoint|optimal) it comes to [0-9]* faces, error about [0-9.]* % of the diagonal$'
 run 0 --solid --verify --faces 100 ball.off out.off
 expect stdout ', 0 -> 0 pairs of faces intersect, [0-9.]+ % of the volume$'
 expect stdout 'verified: .*; parts: 1 promised, 1 measured; .*; parts that lie in others than before: 0 promised, 0 measured$'
@@ -1234,6 +1258,19 @@ else
   expect stderr '^out.off: the target was not reached: cancelled$'
   cmp -s out.off plain.off && fail "nothing is kept"
   run 0 out.off again.off --ratio 1
+fi
+# SIGTERM while it verifies, which takes eight times as long there as all before: it ends within a second
+cp plain.off out.off
+arguments="large.off out.off --verify, ended"
+timeout --foreground --preserve-status --signal=TERM --kill-after=1 0.8 \
+  "$program" large.off out.off --keep 100% --error 1% --both-ways --verify >stdout 2>stderr
+status=$?
+if [ $status -eq 0 ]; then
+  echo "skipped: the machine is too fast to be interrupted"
+else
+  [ $status -eq 143 ] || fail "exit status $status instead of 143"
+  expect stderr '^interrupted: out.off is as it was$'
+  cmp -s out.off plain.off || fail "out.off has changed"
 fi
 if command -v script >/dev/null; then # a terminal has a line that tells how far it is
   script -qec "'$program' large.off out.off --cost memoryless --keep 20%" /dev/null >terminal </dev/null

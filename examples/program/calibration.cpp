@@ -3,11 +3,12 @@
 #include "calibration.h"
 
 #include "../bounding_box.h"
-#include "options.h"
 
 #include <quadrille/calibrated.h>
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace quadrille_examples {
 
@@ -20,31 +21,51 @@ struct Coarse {
   double factor;
 };
 
-} // namespace
+Options times(Options options, double factor) {
+  options.target.error->value *= factor;
+  return options;
+}
 
-quadrille::Report simplify_calibrated(IndexedMesh& mesh, const Options& options,
-                                      std::vector<std::size_t>* image, const Simplify& simplify) {
+/// Of what run(factor) makes.
+template <class Run>
+Coarse coarsest(const IndexedMesh& mesh, const Options& options, Run run) {
   namespace internal = quadrille::internal;
   const internal::CheckedSurface input = internal::checked_surface(mesh.points, mesh.triangles);
   const double distance = length_of(*options.target.error, diagonal(mesh.points, mesh.triangles));
-  Coarse best = internal::calibrate(
-      distance, quadrille::Calibration{},
-      [&](double factor) {
-        Coarse next{mesh, {}, {}, factor};
-        Options coarser = options;
-        coarser.target.error->value *= factor;
-        next.report = simplify(next.mesh, coarser, image ? &next.image : nullptr);
-        return next;
-      },
-      [&](const Coarse& coarse, double error) {
+  return internal::calibrate(
+      distance, quadrille::Calibration{}, run, [&](const Coarse& coarse, double error) {
         return internal::proved_distance(
             input, internal::checked_surface(coarse.mesh.points, coarse.mesh.triangles), distance,
             error);
       });
+}
+
+} // namespace
+
+quadrille::Report simplify_calibrated(IndexedMesh& mesh, const Options& options,
+                                      std::vector<std::size_t>* image, const Simplify& simplify) {
+  Coarse best = coarsest(mesh, options, [&](double factor) {
+    Coarse next{mesh, {}, {}, factor};
+    next.report = simplify(next.mesh, times(options, factor), image ? &next.image : nullptr);
+    return next;
+  });
   mesh = std::move(best.mesh);
   if (image)
     *image = std::move(best.image);
   return best.report;
+}
+
+CalibratedLimit calibrated_limit(const IndexedMesh& input, const Options& options,
+                                 const SimplifyCopy& simplify) {
+  const Coarse best = coarsest(input, options, [&](double factor) {
+    Coarse next{{}, {}, {}, factor};
+    next.report = simplify(times(options, factor), next.mesh);
+    return next;
+  });
+  CalibratedLimit limit{times(options, best.factor), {}};
+  if (best.factor > 1)
+    limit.bound = best.report.hausdorff_bound;
+  return limit;
 }
 
 } // namespace quadrille_examples

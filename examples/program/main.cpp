@@ -56,10 +56,9 @@ bool run(Options options, ProgressLine& progress) {
   };
   if (options.verifies && is_page(output_extension(options)))
     throw std::runtime_error(options.output + ": --verify is for files of meshes, not for pages");
-  if (options.target.is_calibrated &&
-      (is_page(output_extension(options)) || is_gltf(output_extension(options))))
-    throw std::runtime_error(options.output + ": --calibrated is for files of one mesh, not for " +
-                             "glTF and pages");
+  if (options.target.is_calibrated && is_page(output_extension(options)))
+    throw std::runtime_error(options.output + ": a page shows what one run has recorded, and "
+                                              "--calibrated runs several times");
   if (!options.report.empty() && !is_standard_output(options.report))
     require_replaceable(options.report, options.is_forced);
   const bool writes_gltf = is_gltf(output_extension(options)) && options.scratch.empty();

@@ -1,5 +1,6 @@
 #include "../gltf.h"
 #include "../gltf/compression.h"
+#include "calibration.h"
 #include "outcome.h"
 #include "runs.h"
 #include "simplify_mesh.h"
@@ -142,6 +143,25 @@ private:
     });
   }
 
+  /// With the greatest multiple of --error that is proved to be within it, as the file has it.
+  quadrille::Report simplify_calibrated(GltfSceneSurface& scene, const Surfaces& surfaces,
+                                        const Options& options) {
+    const CalibratedLimit limit =
+        calibrated_limit(mesh_of(scene.points(), scene.triangles()), options,
+                         [&](const Options& coarser, IndexedMesh& left) {
+                           Surfaces copy = surfaces;
+                           GltfSceneSurface trial(copy, placements_);
+                           const quadrille::Report report = simplify(trial, coarser);
+                           const GltfSceneSurface written(copy, placements_);
+                           left = mesh_of(written.points(), written.triangles());
+                           return report;
+                         });
+    quadrille::Report report = simplify(scene, limit.options);
+    if (limit.bound)
+      report.distance_bound = report.hausdorff_bound = *limit.bound;
+    return report;
+  }
+
   /// Once the result is written.
   void try_more(const Surfaces& input) {
     if (!input.empty())
@@ -156,7 +176,9 @@ private:
     const Surfaces input = options.measures ? surfaces : Surfaces();
     GltfSceneSurface scene(surfaces, placements_);
     const double diagonal = quadrille_examples::diagonal(scene.points(), scene.triangles());
-    const quadrille::Report report = simplify(scene, options);
+    const quadrille::Report report = options.target.is_calibrated
+                                         ? simplify_calibrated(scene, surfaces, options)
+                                         : simplify(scene, options);
     if (options.promises())
       for (GltfSurface& surface : surfaces)
         surface.write_positions_as_floats();

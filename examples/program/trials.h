@@ -28,6 +28,14 @@ struct AskedTrial {
   Options options;
 };
 
+/// Is anything refused for where vertices would go, which another placement might choose better?
+inline bool is_place_in_the_way(const Options& options, const quadrille::Report& report) {
+  using quadrille::Rejection;
+  const std::size_t refused = report.rejected(Rejection::self_intersection) +
+                              report.rejected(Rejection::normal_deviation);
+  return options.cost != "length" && refused > 0;
+}
+
 /// What holds a run of these options more than it has to, unless it was asked for.
 inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille::Report& report) {
   std::vector<AskedTrial> trials;
@@ -48,6 +56,11 @@ inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille
     });
   if (options.seams == quadrille::Seams::kept && report.rejected(quadrille::Rejection::seam) > 0)
     add("--seams held", [](Options& o) { o.seams = quadrille::Seams::held; });
+  if (is_place_in_the_way(options, report))
+    for (const char* const placement : {"endpoint", "optimal"})
+      if (placement != (options.placement.empty() ? "optimal" : options.placement))
+        add(std::string("--placement ") + placement,
+            [placement](Options& o) { o.placement = placement; });
   return trials;
 }
 

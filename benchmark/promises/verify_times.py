@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""python3 times.py PROGRAM [--csv FILE]
+"""python3 verify_times.py PROGRAM [--csv FILE]
 
 How long --verify takes: twenty flat and twenty curved surfaces of about 10,000 faces are simplified to three limits of the
 distance, both ways, with and without --verify. Prints a table, and fails if a promise is called broken or a look at it takes
@@ -14,45 +14,13 @@ import time
 
 import numpy as np
 
+from surfaces import cubes, sheet, tube, write_off
+
 LIMITS = ("0.1%", "0.5%", "1%")
 MOST_SECONDS = 10
 
 
-# Surfaces: points and triangles
-
-def sheet(columns, rows, place):
-    """A grid whose point at (u, v) in the unit square is place(u, v)."""
-    u, v = np.meshgrid(np.linspace(0, 1, columns + 1), np.linspace(0, 1, rows + 1), indexing="ij")
-    points = np.stack(place(u.ravel(), v.ravel()), 1)
-    k = np.arange((columns + 1) * (rows + 1)).reshape(columns + 1, rows + 1)
-    a, b, c, d = (x.ravel() for x in (k[:-1, :-1], k[1:, :-1], k[1:, 1:], k[:-1, 1:]))
-    return points, np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-
-
-def tube(columns, rows, place):
-    """The same, closed in u."""
-    points, triangles = sheet(columns, rows, place)
-    triangles = np.where(triangles // (rows + 1) == columns, triangles - columns * (rows + 1), triangles)
-    return points, triangles
-
-
-def cubes(is_solid):
-    """The faces between full and empty cells of a lattice, which need not be manifold."""
-    full = np.pad(is_solid, 1)
-    corners, triangles = {}, []
-
-    def corner(p):
-        return corners.setdefault(tuple(p), len(corners))
-    for axis in range(3):
-        step = np.eye(3, dtype=int)[axis]
-        u, v = np.eye(3, dtype=int)[(axis + 1) % 3], np.eye(3, dtype=int)[(axis + 2) % 3]
-        for cell in np.argwhere(full != np.roll(full, -1, axis)):
-            base = cell + step
-            a, b, c, d = (corner(base + w) for w in (0 * u, u, u + v, v))
-            turned = not full[tuple(cell)]
-            triangles += [(a, c, b), (a, d, c)] if turned else [(a, b, c), (a, c, d)]
-    return np.array(list(corners), float), np.array(triangles)
-
+# Surfaces
 
 def blob(seed, size=36):
     random = np.random.default_rng(seed)
@@ -114,14 +82,6 @@ def curved_surfaces():
 
 
 # Runs
-
-def write_off(path, surface):
-    points, triangles = surface
-    with open(path, "w") as file:
-        file.write("OFF\n%d %d 0\n" % (len(points), len(triangles)))
-        np.savetxt(file, points, "%.17g")
-        np.savetxt(file, np.column_stack([np.full(len(triangles), 3), triangles]), "%d")
-
 
 def seconds_of(command):
     begin = time.perf_counter()
