@@ -60,9 +60,9 @@ public:
       if (is_smooth(old_[i])) {
         channel_of_[i] = channels_.size();
         channels_.emplace_back(components(old_[i].values), mesh);
-        const auto range = std::minmax_element(old_[i].values.begin(), old_[i].values.end());
-        ranges_.push_back(old_[i].values.empty() ? std::pair(0., 0.)
-                                                 : std::pair(*range.first, *range.second));
+        ranges_.push_back(channels_.back().corners.triples.empty()
+                              ? std::pair(0., 0.)
+                              : range_of(channels_.back().corners));
       }
   }
 
@@ -103,6 +103,18 @@ private:
   static bool is_smooth(const NamedNumbers& numbers) {
     return !numbers.type.is_integer && std::all_of(numbers.values.begin(), numbers.values.end(),
                                                    [](double x) { return std::abs(x) < 0x1p170; });
+  }
+
+  /// Of the values that faces have: vertices without a face say nothing.
+  static std::pair<double, double> range_of(const CornerValues<1>& corners) {
+    const double first = corners.values[corners.triples[0][0]][0];
+    std::pair range(first, first);
+    for (const auto& triple : corners.triples)
+      for (const std::uint32_t v : triple) {
+        range.first = std::min(range.first, corners.values[v][0]);
+        range.second = std::max(range.second, corners.values[v][0]);
+      }
+    return range;
   }
 
   static std::vector<std::array<double, 1>> components(const std::vector<double>& values) {

@@ -93,7 +93,7 @@ inline std::optional<std::uint64_t> parse_bytes(std::string word) {
 /// Files that do not fit into memory. Called after all options that do not go with it.
 inline void add_out_of_core(CLI::App& app, Options& options) {
   const char* const group =
-      "Files that do not fit into memory: binary PLY and STL, to PLY; IN may be "
+      "Files that do not fit into memory: PLY and binary STL, to PLY; IN may be "
       "a pattern as 'tiles/*.ply', of tiles whose borders coincide, and OUT a "
       "folder, in which they are tiles again";
   CLI::Option* const parts = app.add_option(

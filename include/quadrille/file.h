@@ -116,7 +116,7 @@ public:
       cut_file();
     } catch (const internal::JobCancelled&) {
       job_.folder().remove_phases();
-      if (!source_.is_welded(job_.folder()))
+      if (!source_.is_made(job_.folder()))
         remove_job();
       throw;
     } catch (...) {
@@ -293,7 +293,7 @@ private:
 
   void cut_file() {
     const auto tell = [&](FileStage stage, double part) { watch_.tell(job_, stage, part); };
-    const std::uint64_t made = source_.is_welded(job_.folder()) ? source_.size().made : 0;
+    const std::uint64_t made = source_.is_made(job_.folder()) ? source_.size().made : 0;
     internal::require_space(options_.scratch, estimate().scratch - made, "the job");
     const auto ask = [&] { tell(FileStage::weld, 0); };
     if (source_.size().making > 0)
@@ -331,9 +331,9 @@ private:
 /// ```
 ///
 /// - input: one file, or several that are tiles of one surface: see SurfaceFiles
-/// - what it is: binary PLY of triangles, little or big endian, float or double; or binary STL, of
-/// which
-///   corners at exactly the same place become one vertex
+/// - what it is: PLY, of float or double; best binary and of triangles, since text, polygons and
+///   loose faces become that first; or binary STL, of which corners at exactly the same place become
+///   one vertex
 /// - output: binary PLY, little endian, float or double as the input; vertices in the order of the
 ///   input
 /// - colours, normals and other numbers of vertices go along as channels, and integers of faces as

@@ -17,7 +17,7 @@ namespace quadrille {
 
 /// What simplify_file is at.
 enum class FileStage {
-  weld,      ///< corners of STL become vertices, or tiles one surface
+  weld,      ///< corners of STL become vertices, other PLY binary triangles, or tiles one surface
   survey,    ///< the file is read, before anything else is written
   partition, ///< it is cut into parts
   sample,    ///< pieces of parts are simplified, to learn up to which cost a phase goes

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <vector>
 
 /// \file
 /// Soups as PLY and STL files, and back, by code of its own.
@@ -47,6 +48,25 @@ std::string ply_of(const Soup& soup, bool is_big = false) {
       put_number(ply, static_cast<std::int32_t>(v), is_big);
   }
   return ply;
+}
+
+/// The same as text, of polygons.
+inline std::string text_ply_of(const std::vector<Position>& points,
+                               const std::vector<std::vector<std::uint32_t>>& polygons) {
+  std::ostringstream ply;
+  ply.precision(17);
+  ply << "ply\nformat ascii 1.0\nelement vertex " << points.size()
+      << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << polygons.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Position& p : points)
+    ply << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const std::vector<std::uint32_t>& polygon : polygons) {
+    ply << polygon.size();
+    for (const std::uint32_t v : polygon)
+      ply << ' ' << v;
+    ply << '\n';
+  }
+  return ply.str();
 }
 
 /// A binary STL file.

@@ -176,7 +176,7 @@ def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Op
 
         result = quadrille.simplify_file("in.ply", "out.ply", faces=1_000_000, scratch="/scratch/a", memory="4G")
 
-    source    binary PLY of triangles, or binary STL; a list of these, or a pattern as 'tiles/*.ply': tiles of one
+    source    PLY, or binary STL; a list of these, or a pattern as 'tiles/*.ply': tiles of one
               surface, whose borders coincide
     target    PLY, binary; with keep_tiles a folder
     scratch   a folder for what lies on disk meanwhile; it is as it was at the end

@@ -154,6 +154,8 @@ public:
       fail_file(beside_, std::string("cannot be written in full: ") + std::strerror(errno));
   }
   std::uint64_t written() const { return written_; }
+  /// Where it is until it is finished.
+  const std::filesystem::path& unfinished() const { return beside_; }
 
   /// Now it is there.
   void finish() {

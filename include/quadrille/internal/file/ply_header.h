@@ -107,15 +107,16 @@ struct PlyElement {
 
 /// What the header of a PLY file tells.
 struct PlyHeader {
-  bool is_big_endian = false;
+  bool is_big_endian = false, is_text = false;
   std::vector<PlyElement> elements;
   std::vector<std::string> textures; ///< comments that name one: "TextureFile wall.png"
   std::uint64_t size = 0;            ///< of the header, in bytes
+  std::uint64_t lines = 0;           ///< of the header
 
   bool is_swapped() const { return is_big_endian != (std::endian::native == std::endian::big); }
 };
 
-/// Reads the header of a binary PLY file. Throws std::runtime_error, naming the line.
+/// Reads the header of a PLY file. Throws std::runtime_error, naming the line.
 class PlyHeaderReader {
 public:
   static PlyHeader read(const InputFile& file) { return PlyHeaderReader(file).header(); }
@@ -131,6 +132,7 @@ private:
     while (read_line(next_line())) {
     }
     header_.size = position_;
+    header_.lines = line_;
     return std::move(header_);
   }
 
@@ -173,11 +175,10 @@ private:
   void read_format(std::istream& words) {
     std::string format;
     words >> format;
-    if (format == "ascii")
-      fail("is text; a file is read in parts if it is binary");
-    if (format != "binary_little_endian" && format != "binary_big_endian")
-      fail("unknown format '" + format + "'");
+    header_.is_text = format == "ascii";
     header_.is_big_endian = format == "binary_big_endian";
+    if (format != "binary_little_endian" && !header_.is_big_endian && !header_.is_text)
+      fail("unknown format '" + format + "'");
   }
 
   void read_element(std::istream& words) {

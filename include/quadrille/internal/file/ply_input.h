@@ -5,6 +5,7 @@
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/label_table.h>
 #include <quadrille/internal/file/ply_header.h>
+#include <quadrille/internal/file/ply_rows.h>
 #include <quadrille/internal/file/rows.h>
 #include <quadrille/internal/file/vertex_scalars.h>
 
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -23,8 +25,8 @@
 
 namespace quadrille::internal {
 
-/// A binary PLY file of triangles whose vertices and faces are read one after the other, as often
-/// as is wanted. It is never in memory as a whole.
+/// A PLY file whose vertices and faces are read one after the other, as often as is wanted, if it
+/// is binary and of triangles. It is never in memory as a whole.
 ///
 /// Beside positions and corners it has scalars of vertices, labels of faces, and whatever is told
 /// by dropped(), which scalars are too if only positions are to be read. Functions throw
@@ -33,11 +35,12 @@ class PlyInput {
 public:
   explicit PlyInput(const std::filesystem::path& path, bool positions_only = false)
       : PlyInput(InputFile(path), positions_only) {}
-  /// One that was made of a soup, whose corners at one place are one vertex.
-  static std::unique_ptr<PlyInput> welded(const std::filesystem::path& path,
-                                          const std::filesystem::path& soup) {
-    std::unique_ptr<PlyInput> input(new PlyInput(InputFile(path, soup), false));
-    input->is_welded_ = true;
+  /// One that was made of another one, by whose name the user knows it. `is_welded`: of a soup,
+  /// whose corners at one place are one vertex.
+  static std::unique_ptr<PlyInput> made(const std::filesystem::path& path,
+                                        const std::filesystem::path& from, bool is_welded) {
+    std::unique_ptr<PlyInput> input(new PlyInput(InputFile(path, from), false));
+    input->is_welded_ = is_welded;
     return input;
   }
   /// From here on labels are read over, and vertices that no other face has are no fault.
@@ -50,6 +53,13 @@ public:
 
   const InputFile& file() const { return file_; }
   bool is_welded() const { return is_welded_; }
+  /// Can for_vertices() and for_faces() read it? Else it is text, or has faces that are no
+  /// triangles, or lists before what is to be read: see PlyConversion.
+  bool is_ready() const { return is_placed_ && has_triangles_only(); }
+  const PlyHeader& header() const { return header_; }
+  const PlyElement& vertex_element() const { return *vertices_; }
+  const PlyElement& face_element() const { return *faces_; }
+  std::size_t corners_property() const { return corners_; } ///< its place in the element
   std::uint64_t vertices() const { return vertices_->count; }
   std::uint64_t faces() const { return faces_->count; }
   bool has_doubles() const { return coordinates_[0].type.size == 8; }
@@ -91,26 +101,25 @@ private:
     std::size_t offset = 0; // in the row
   };
 
+  // Where they begin, if what stands before them tells that.
   void place_elements() {
-    std::uint64_t offset = header_.size;
+    std::optional<std::uint64_t> offset = header_.size;
+    if (header_.is_text)
+      offset.reset();
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex" && !vertices_) {
         vertices_ = &element;
-        vertices_begin_ = offset;
+        vertices_begin_ = offset.value_or(0);
       } else if (element.name == "face" && !faces_) {
         faces_ = &element;
-        faces_begin_ = offset;
+        faces_begin_ = offset.value_or(0);
       } else if (element.count > 0) {
         dropped_.push_back("element " + element.name);
       }
-      if (vertices_ && faces_)
-        continue;
+      is_placed_ = is_placed_ && offset;
       const auto size = &element == faces_ ? triangle_size(element) : element.row_size();
-      if (!size)
-        fail_file(file_.path(), "element '" + element.name +
-                                    "' has lists and stands before "
-                                    "what is to be read");
-      offset += element.count * *size;
+      if (!(vertices_ && faces_))
+        offset = offset && size ? std::optional(*offset + element.count * *size) : std::nullopt;
     }
     if (!vertices_ || !faces_)
       fail_file(file_.path(), "has no elements 'vertex' and 'face'");
@@ -119,7 +128,8 @@ private:
     if (vertices_->count > most_vertex_ids)
       fail_file(file_.path(), "has " + std::to_string(vertices_->count) +
                                   " vertices, more than corners of faces can name");
-    require_size();
+    if (is_placed_)
+      require_size();
   }
 
   // Of a face, if corners are all the lists that it has: with other than three it will be refused.
@@ -134,6 +144,35 @@ private:
         size += p.type.size;
     return size;
   }
+
+  // Of the file, if all faces are triangles, as far as that is known.
+  std::optional<std::uint64_t> size_with_triangles() const {
+    std::uint64_t size = header_.size;
+    for (const PlyElement& element : header_.elements) {
+      const auto row = &element == faces_ ? triangle_size(element) : element.row_size();
+      if (!row)
+        return std::nullopt;
+      size += element.count * *row;
+    }
+    return size;
+  }
+
+  // Mostly the size of the file tells. Else faces are read up to the first one that is another;
+  // what is wrong with it is told later.
+  bool has_triangles_only() const {
+    if (size_with_triangles() == file_.size())
+      return true;
+    bool is_so = true;
+    try {
+      PlyRows(file_, header_)
+          .for_items(*faces_, [&](std::uint64_t, const PlyRows::Row& row, auto&) {
+            return is_so = row[corners_].size() == 3;
+          });
+    } catch (const std::runtime_error&) {
+    }
+    return is_so;
+  }
+
   static bool is_corners(const PlyProperty& p) {
     return (p.name == "vertex_indices" || p.name == "vertex_index") && p.is_list();
   }
@@ -295,8 +334,8 @@ private:
       if (number == corners_ ? told != 3 : told < 0)
         fail_file(file_.path(), "face " + std::to_string(face) + " has " +
                                     std::to_string(static_cast<std::int64_t>(told)) +
-                                    (number == corners_ ? " corners; a file that is read in parts "
-                                                          "has triangles only"
+                                    (number == corners_ ? " corners, where by the size of the file "
+                                                          "all have three"
                                                         : " values in '" + property.name + "'"));
       count = static_cast<std::size_t>(told);
     }
@@ -341,6 +380,7 @@ private:
   std::array<Placed, 3> coordinates_;
   VertexScalars scalars_;
   std::vector<Placed> scalar_places_;
+  bool is_placed_ = true;   // is it known where both begin?
   std::size_t corners_ = 0; // the place of the property
   std::vector<PlyProperty> labels_;
   std::vector<std::string> dropped_;

@@ -5,6 +5,7 @@
 #include <quadrille/internal/file/byte_stream.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/place_sort.h>
 #include <quadrille/internal/file/rows.h>
 
 #include <algorithm>
@@ -15,9 +16,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <functional>
-#include <memory>
-#include <queue>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +39,7 @@ public:
     remove_files(folder);
     std::filesystem::create_directories(folder);
     StlWeld weld(input, folder, memory);
-    weld.sort_runs(positions_only, ask);
+    weld.sort_corners(positions_only, ask);
     WholeFile file(output);
     weld.merge_runs(file, ask);
     weld.write_faces(file, ask);
@@ -74,22 +72,14 @@ public:
   }
 
 private:
-  struct Corner {
-    std::array<std::uint32_t, 3> place; // the bits of the coordinates, in an order of their own
-    std::uint32_t number_low, number_high;
-
-    std::uint64_t number() const { return std::uint64_t{number_high} << 32 | number_low; }
-    friend bool operator<(const Corner& a, const Corner& b) {
-      return a.place != b.place ? a.place < b.place : a.number() < b.number();
-    }
-  };
   struct Named {
     std::uint32_t corner; // of the piece
     VertexId vertex;
   };
 
   StlWeld(const std::filesystem::path& input, std::filesystem::path folder, std::uint64_t memory)
-      : file_(input), folder_(std::move(folder)), memory_(memory), faces_(count_faces(file_)) {}
+      : file_(input), folder_(std::move(folder)), memory_(memory), faces_(count_faces(file_)),
+        corners_(folder_, memory, 3 * faces_) {}
 
   static std::uint64_t count_faces(const InputFile& file) {
     std::array<char, 84> header{};
@@ -121,11 +111,7 @@ private:
   static constexpr std::uint64_t often = 1 << 16;
 
   template <class Ask>
-  void sort_runs(bool positions_only, const Ask& ask) {
-    std::vector<Corner> run;
-    const auto most = static_cast<std::size_t>(
-        std::clamp<std::uint64_t>(memory_ / 2 / sizeof(Corner), 1000, most_sorted));
-    run.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, 3 * faces_)));
+  void sort_corners(bool positions_only, const Ask& ask) {
     ByteStream stream(file_, 84);
     for (std::uint64_t face = 0; face < faces_; ++face) {
       const char* const row = stream.next(50);
@@ -136,81 +122,24 @@ private:
       if (!positions_only && (row[49] & 0x80) != 0) // bit 15 of the attribute
         fail_colors(file_.path());
       for (std::uint64_t i = 0; i < 3; ++i)
-        run.push_back(corner(row + 12 + 12 * i, 3 * face + i));
-      if (run.size() + 3 > most)
-        write_run(run);
+        corners_.add(place(row + 12 + 12 * i, face), 3 * face + i);
     }
-    write_run(run);
+    corners_.end();
   }
 
-  Corner corner(const char* bytes, std::uint64_t number) const {
-    Corner result{{}, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32)};
+  std::array<float, 3> place(const char* bytes, std::uint64_t face) const {
+    std::array<float, 3> result{};
     for (std::size_t i = 0; i < 3; ++i) {
       std::uint32_t bits = 0;
       std::memcpy(&bits, bytes + 4 * i, 4);
       if constexpr (std::endian::native == std::endian::big)
         bits = swapped(bits);
-      const float x = std::bit_cast<float>(bits) + 0.0F; // −0 is 0
-      if (!std::isfinite(x))
-        fail_file(file_.path(), "face " + std::to_string(number / 3) +
-                                    " has a corner that is not "
-                                    "finite");
-      bits = std::bit_cast<std::uint32_t>(x);
-      result.place[i] = (bits & sign) != 0 ? ~bits : bits | sign;
+      result[i] = std::bit_cast<float>(bits);
+      if (!std::isfinite(result[i]))
+        fail_file(file_.path(),
+                  "face " + std::to_string(face) + " has a corner that is not finite");
     }
     return result;
-  }
-
-  static float coordinate(std::uint32_t place) {
-    return std::bit_cast<float>((place & sign) != 0 ? place & ~sign : ~place);
-  }
-
-  void write_run(std::vector<Corner>& run) {
-    std::sort(run.begin(), run.end());
-    append_to_file(folder_ / ("run-" + std::to_string(runs_++)), run.data(),
-                   run.size() * sizeof(Corner));
-    run.clear();
-  }
-
-  // --- Merging -------------------------------------------------------------------------------
-
-  struct Run {
-    Run(const std::filesystem::path& path, std::size_t block)
-        : file(path), stream(file, 0, block) {}
-
-    bool next() {
-      const char* const bytes = stream.next(sizeof(corner));
-      if (bytes)
-        std::memcpy(&corner, bytes, sizeof(corner));
-      return bytes != nullptr;
-    }
-
-    InputFile file;
-    ByteStream stream;
-    Corner corner{};
-  };
-
-  template <class Take>
-  void for_sorted(Take take) const {
-    std::vector<std::unique_ptr<Run>> runs;
-    const auto is_later = [&](std::size_t a, std::size_t b) {
-      return runs[b]->corner < runs[a]->corner;
-    };
-    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(is_later)> queue(is_later);
-    const auto block = static_cast<std::size_t>(
-        std::clamp<std::uint64_t>(memory_ / 4 / (std::max)(runs_, 1U), 1 << 14, 1 << 20));
-    for (unsigned r = 0; r < runs_; ++r) {
-      runs.push_back(std::make_unique<Run>(folder_ / ("run-" + std::to_string(r)), block));
-      if (runs[r]->next())
-        queue.push(r);
-    }
-    while (!queue.empty()) {
-      const std::size_t r = queue.top();
-      queue.pop();
-      take(runs[r]->corner);
-      if (runs[r]->next())
-        queue.push(r);
-    }
   }
 
   // Corners of a piece of the file, a multiple of three.
@@ -230,14 +159,12 @@ private:
     std::string text = header(0);
     file.write(text.data(), text.size());
     std::vector<char> buffer;
-    std::array<std::uint32_t, 3> last{};
     std::uint64_t corners = 0;
-    for_sorted([&](const Corner& c) {
+    corners_.for_sorted([&](const PlaceSort<float>::Item& c, bool is_new) {
       if (corners++ % often == 0)
         ask();
-      if (vertices_ == 0 || c.place != last)
-        put_vertex(buffer, c);
-      last = c.place;
+      if (is_new)
+        put_vertex(buffer, c.position());
       const Named named{static_cast<std::uint32_t>(c.number() % piece()),
                         static_cast<VertexId>(vertices_ - 1)};
       pieces.add(static_cast<std::size_t>(c.number() / piece()), &named, sizeof(named));
@@ -248,15 +175,13 @@ private:
     contents_ = pieces.finish();
     text = header(vertices_);
     file.write_at_begin(text.data(), text.size());
-    for (unsigned r = 0; r < runs_; ++r)
-      std::filesystem::remove(folder_ / ("run-" + std::to_string(r)));
   }
 
-  void put_vertex(std::vector<char>& buffer, const Corner& c) {
+  void put_vertex(std::vector<char>& buffer, const std::array<float, 3>& position) {
     if (vertices_++ == most_vertex_ids)
       fail_file(file_.path(), "has more vertices than corners of faces can name");
-    for (const std::uint32_t place : c.place) {
-      const auto bytes = std::bit_cast<std::array<char, 4>>(coordinate(place));
+    for (const float x : position) {
+      const auto bytes = std::bit_cast<std::array<char, 4>>(x);
       buffer.insert(buffer.end(), bytes.begin(), bytes.end());
     }
   }
@@ -297,13 +222,12 @@ private:
     flush(buffer, file);
   }
 
-  static constexpr std::uint32_t sign = 0x80000000U;
-  static constexpr std::uint64_t most_sorted = 9'000'000; // corners, which takes about a second
+  static constexpr std::uint64_t most_sorted = 9'000'000; // corners
 
   InputFile file_;
   std::filesystem::path folder_;
   std::uint64_t memory_, faces_, vertices_ = 0;
-  unsigned runs_ = 0;
+  PlaceSort<float> corners_;
   std::vector<FileContent> contents_; // of the pieces
 };
 

@@ -6,9 +6,11 @@
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/part_cut.h>
+#include <quadrille/internal/file/ply_conversion.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/stl_weld.h>
 #include <quadrille/internal/file/tile_sewing.h>
+#include <quadrille/internal/file/vertex_weld.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -21,8 +23,9 @@
 
 namespace quadrille::internal {
 
-/// The file that is simplified: PLY, or STL whose corners are made vertices first; or tiles of
-/// these, which are made one surface first.
+/// The file that is simplified: binary PLY of triangles; or what is made that first, PLY of other
+/// kinds and STL whose corners become vertices; or tiles of these, which are made one surface
+/// first.
 class SurfaceSource {
 public:
   /// Throws for a file that is nothing that can be read in parts, as far as its beginning tells.
@@ -32,7 +35,7 @@ public:
       throw std::invalid_argument("quadrille::simplify_file: " + std::to_string(paths_.size()) +
                                   " files are no surface; from 1 to " + std::to_string(most_parts) +
                                   " may be tiles of one");
-    is_stl_ = has_extension(paths_.front(), ".stl");
+    kinds_.resize(paths_.size());
     JobKey key;
     for (const std::filesystem::path& path : paths_)
       key.add_file(InputFile(path));
@@ -40,10 +43,10 @@ public:
     if (is_tiled())
       key.add_number(std::uint64_t{keeps_tiles});
     key_ = key.value();
-    std::uint64_t largest = 0;
+    std::uint64_t making = 0;
     for (std::size_t i = paths_.size(); i-- > 0;) // the first one stays open
-      largest = (std::max)(largest, add_size(paths_[i]));
-    end_size(largest);
+      making = (std::max)(making, add_file(i));
+    end_size(making);
     if (ply_)
       dropped_ = ply_->dropped();
     if (keeps_tiles)
@@ -65,15 +68,15 @@ public:
   /// What is read over.
   const std::vector<std::string>& dropped() const { return dropped_; }
 
-  /// Is there a surface that has been made of a soup?
-  bool is_welded(const JobFolder& folder) const {
-    return (is_stl_ || is_tiled()) && std::filesystem::exists(folder.welded(key_));
+  /// Is there a surface that has been made of the input?
+  bool is_made(const JobFolder& folder) const {
+    return has_to_be_made() && std::filesystem::exists(folder.welded(key_));
   }
-  /// The surface. Where it has to be welded, that is done now, if it has not been.
+  /// The surface. Where it has to be made, that is done now, if it has not been.
   /// `ask()` is called now and then, and may throw.
   template <class Ask>
   const PlyInput& surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
-    if (is_stl_ || is_tiled())
+    if (has_to_be_made())
       make_surface(folder, memory, ask);
     if (is_shape_)
       ply_->read_shape_only();
@@ -95,68 +98,121 @@ public:
   }
 
 private:
-  bool is_tiled() const { return paths_.size() > 1 || keeps_tiles_; }
+  // What one file is. Of a soup each face has vertices of its own; other PLY is text, or of
+  // polygons.
+  enum class Kind { ready, other_ply, soup, other_soup, stl };
 
-  // Returns the faces of this file.
-  std::uint64_t add_size(const std::filesystem::path& path) {
-    require_readable(path);
-    const std::uint64_t faces = is_stl_ ? StlWeld::faces(path) : ply_->faces();
-    size_.faces += faces;
-    size_.vertices += is_stl_ ? faces / 2 + 2 : ply_->vertices();
-    return faces;
+  bool is_tiled() const { return paths_.size() > 1 || keeps_tiles_; }
+  bool has_to_be_made() const { return is_tiled() || is_any_made(); }
+  bool is_any_made() const {
+    return std::any_of(kinds_.begin(), kinds_.end(), [](Kind k) { return k != Kind::ready; });
   }
 
-  void end_size(std::uint64_t largest) {
+  // Returns how many bytes lie on the disk while it is made ready.
+  std::uint64_t add_file(std::size_t i) {
+    const std::filesystem::path& path = paths_[i];
+    if (has_extension(path, ".stl") != has_extension(paths_.front(), ".stl"))
+      fail_file(path, "is no tile of a surface with " + paths_.front().string() +
+                          ": all have to be PLY, or all STL");
+    return has_extension(path, ".stl") ? add_stl(i) : add_ply(i);
+  }
+  std::uint64_t add_stl(std::size_t i) {
+    kinds_[i] = Kind::stl;
+    StlWeld::require_readable(paths_[i], positions_only_);
+    const std::uint64_t faces = StlWeld::faces(paths_[i]);
+    size_.faces += faces;
+    size_.vertices += faces / 2 + 2;
+    return StlWeld::bytes_of_face * faces;
+  }
+  std::uint64_t add_ply(std::size_t i) {
+    open(paths_[i]);
+    const bool is_ready = ply_->is_ready(), is_soup = VertexWeld::is_soup(*ply_);
+    kinds_[i] = is_soup    ? is_ready ? Kind::soup : Kind::other_soup
+                : is_ready ? Kind::ready
+                           : Kind::other_ply;
+    if (is_soup && !ply_->scalars().empty())
+      fail_file(paths_[i], "has vertices of its own for each face, which become one where they lie "
+                           "at the same place; " +
+                               ply_->scalars().properties()[0].name +
+                               " can't go along then: 'positions only' leaves it out");
+    const std::uint64_t faces = is_ready ? ply_->faces() : PlyConversion::triangles(*ply_);
+    size_.faces += faces;
+    size_.vertices += is_soup ? faces / 2 + 2 : ply_->vertices();
+    return (is_ready ? 0 : bytes_of(faces, ply_->vertices())) +
+           (is_soup ? VertexWeld::bytes_of_vertex(*ply_) * ply_->vertices() : 0);
+  }
+
+  // Of a file that is made.
+  std::uint64_t bytes_of(std::uint64_t faces, std::uint64_t vertices) const {
+    std::uint64_t row = 12, face = 13;
+    if (ply_) {
+      row = 3 * (ply_->has_doubles() ? 8 : 4);
+      for (const PlyProperty& p : ply_->scalars().properties())
+        row += p.type.size;
+      for (const PlyProperty& p : ply_->labels())
+        face += p.type.size;
+    }
+    return faces * (keeps_tiles_ ? face + 4 : face) + vertices * row;
+  }
+
+  // `making` is the most that a file takes while it is made ready.
+  void end_size(std::uint64_t making) {
     size_.has_labels = keeps_tiles_ || (ply_ && !ply_->labels().empty());
     if (ply_) {
       size_.scalars = ply_->scalars().size();
-      size_.row = 3 * (ply_->has_doubles() ? 8 : 4);
-      for (const PlyProperty& p : ply_->scalars().properties())
-        size_.row += p.type.size;
+      size_.row = bytes_of(0, 1);
     }
-    if (!is_stl_ && !is_tiled())
+    if (!has_to_be_made())
       return;
-    size_.made = size_.faces * (size_.has_labels ? 17 : 13) + size_.vertices * size_.row;
-    size_.making = is_stl_ ? StlWeld::bytes_of_face * largest : 0;
+    size_.made = bytes_of(size_.faces, size_.vertices);
+    size_.making = making;
     if (is_tiled())
-      size_.making = (std::max)(size_.making + size_.made, is_stl_ ? 2 * size_.made : size_.made);
+      size_.making =
+          (std::max)(size_.making + size_.made, is_any_made() ? 2 * size_.made : size_.made);
     size_.keeps_tiles = keeps_tiles_;
-  }
-
-  void require_readable(const std::filesystem::path& path) {
-    if (has_extension(path, ".stl") != is_stl_)
-      fail_file(path, "is no tile of a surface with " + paths_.front().string() +
-                          ": all have to be PLY, or all STL");
-    if (is_stl_)
-      StlWeld::require_readable(path, positions_only_);
-    else
-      open(path);
-    if (is_tiled() && ply_ && !ply_->scalars().textures().empty())
-      fail_file(path, "names a texture, which can't go along with tiles; 'positions only' leaves "
-                      "it out");
   }
 
   template <class Ask>
   void make_surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
-    const std::filesystem::path welded = folder.welded(key_);
-    if (!is_welded(folder) && is_tiled())
-      sew_tiles(welded, folder, memory, ask);
-    else if (!is_welded(folder))
-      StlWeld::run(paths_.front(), welded, folder.welding(), memory, positions_only_, ask);
-    ply_ = PlyInput::welded(welded, paths_.front());
+    const std::filesystem::path made = folder.welded(key_);
+    if (!is_made(folder) && is_tiled())
+      sew_tiles(made, folder, memory, ask);
+    else if (!is_made(folder))
+      make_ready(0, made, folder, memory, ask);
+    const bool is_welded = is_tiled() || (kinds_[0] != Kind::ready && kinds_[0] != Kind::other_ply);
+    ply_ = PlyInput::made(made, paths_.front(), is_welded);
   }
 
   template <class Ask>
-  void sew_tiles(const std::filesystem::path& welded, const JobFolder& folder, std::uint64_t memory,
+  void make_ready(std::size_t i, const std::filesystem::path& output, const JobFolder& folder,
+                  std::uint64_t memory, const Ask& ask) const {
+    if (kinds_[i] == Kind::stl)
+      return StlWeld::run(paths_[i], output, folder.welding(), memory, positions_only_, ask);
+    const PlyInput input(paths_[i], positions_only_);
+    if (kinds_[i] == Kind::other_ply)
+      return PlyConversion::run(input, output, memory, ask);
+    if (kinds_[i] == Kind::soup)
+      return VertexWeld::run(input, output, folder.welding(), memory, ask);
+    const std::filesystem::path triangles = folder.welded_tile(paths_.size());
+    PlyConversion::run(input, triangles, memory, ask);
+    VertexWeld::run(*PlyInput::made(triangles, paths_[i], false), output, folder.welding(), memory,
+                    ask);
+    std::filesystem::remove(triangles);
+  }
+
+  template <class Ask>
+  void sew_tiles(const std::filesystem::path& output, const JobFolder& folder, std::uint64_t memory,
                  const Ask& ask) const {
-    std::vector<std::filesystem::path> tiles;
-    for (std::size_t i = 0; is_stl_ && i < paths_.size(); ++i) {
-      tiles.push_back(folder.welded_tile(i));
-      StlWeld::run(paths_[i], tiles[i], folder.welding(), memory, positions_only_, ask);
-    }
-    TileSewing::run(is_stl_ ? tiles : paths_, paths_, positions_only_, keeps_tiles_, welded);
-    for (const std::filesystem::path& tile : tiles)
-      std::filesystem::remove(tile);
+    std::vector<std::filesystem::path> tiles = paths_;
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+      if (kinds_[i] != Kind::ready) {
+        tiles[i] = folder.welded_tile(i);
+        make_ready(i, tiles[i], folder, memory, ask);
+      }
+    TileSewing::run(tiles, paths_, positions_only_, keeps_tiles_, output);
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+      if (kinds_[i] != Kind::ready)
+        std::filesystem::remove(tiles[i]);
   }
 
   static bool has_extension(const std::filesystem::path& path, const std::string& extension) {
@@ -171,10 +227,14 @@ private:
     if (!positions_only_ && !ply_->dropped().empty())
       fail_file(path, "has " + ply_->dropped().front() +
                           ", which can't go along in parts; 'positions only' leaves it out");
+    if (is_tiled() && !ply_->scalars().textures().empty())
+      fail_file(path, "names a texture, which can't go along with tiles; 'positions only' leaves "
+                      "it out");
   }
 
   std::vector<std::filesystem::path> paths_;
-  bool positions_only_, keeps_tiles_, is_stl_ = false, is_shape_ = false;
+  std::vector<Kind> kinds_; // of the files
+  bool positions_only_, keeps_tiles_, is_shape_ = false;
   std::uint64_t key_ = 0;
   InputSize size_;
   std::unique_ptr<PlyInput> ply_;

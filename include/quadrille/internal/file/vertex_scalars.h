@@ -38,7 +38,7 @@ struct ScalarRanges {
 class VertexScalars {
 public:
   /// A limit of channels, since each takes time and memory.
-  static constexpr std::size_t most_channels = 8;
+  static constexpr std::size_t most_channels = 64;
 
   VertexScalars() = default;
   explicit VertexScalars(std::vector<PlyProperty> properties) : properties_(std::move(properties)) {
