@@ -46,16 +46,23 @@ public:
     result.output = target.is_limited() ? 0 : job.output_bytes();
     result.scratch = job.scratch_bytes();
     result.memory = budget.expected(input.faces, input.vertices, job.target_);
-    result.seconds =
-        static_cast<double>(input.faces) * (serial_seconds + parallel_seconds / budget.in_flight() +
-                                            (input.making > 0 ? making_seconds : 0));
+    result.seconds = static_cast<double>(input.faces) *
+                     (serial_seconds + job.parallel_seconds() / budget.in_flight() +
+                      (input.making > 0 ? making_seconds : 0));
     return result;
   }
 
 private:
-  // For a face, as it was measured on one core of 2 GHz or so.
-  static constexpr double serial_seconds = 0.9e-6, parallel_seconds = 3.4e-6,
-                          making_seconds = 1.5e-6;
+  // For a face, as it was measured on one core of 2 GHz or so, with a disk that is not idle.
+  static constexpr double serial_seconds = 0.9e-6, making_seconds = 1.5e-6,
+                          seconds_of_scalar = 0.35e-6, seconds_of_limit = 6e-6;
+  // To read a part, and more the more of it goes.
+  double parallel_seconds() const {
+    const double gone = 1 - static_cast<double>((std::min)(target_, input_.faces)) /
+                                static_cast<double>((std::max<std::uint64_t>)(input_.faces, 1));
+    return 0.9e-6 + 1.3e-6 * gone + (is_limited_ ? seconds_of_limit : 0) +
+           static_cast<double>(input_.scalars) * seconds_of_scalar;
+  }
 
   JobEstimate(const InputSize& input, const FileTarget& target, const MemoryBudget& budget,
               std::size_t memory_size)
