@@ -967,6 +967,17 @@ run 0 ball.glb out.glb --error 2% --both-ways --calibrated --verify
 expect stdout 'verified: distance of the result from the input: [0-9.e-]+ promised, [0-9.e-]+ measured; '
 [ "$(grep -o '[0-9]* faces' stdout | cut -d' ' -f1)" -lt "$(grep -o '[0-9]* faces' added_up | cut -d' ' -f1)" ] ||
   fail "of glTF, a limit that is measured leaves as many faces as one that is added up"
+# What is promised is about the files: welding counts, and so do floats of OUT
+run 2 ball.off out.off --weld 20% --error 1%
+expect stderr '^ball.off: before anything is simplified, it is up to [0-9.]+ from the file, by --weld or by the numbers of OUT, and --error allows '
+run 0 ball.off out.off --weld 1% --error 3% --both-ways --verify
+run 2 ball.glb out.off --weld 1% --error 3%
+expect stderr '^ball.glb: --weld is not for glTF, of which vertices are one anyway where edges of faces meet at exactly the same place$'
+run 0 ball.off ball.gltf --keep 100%
+sed 's/"nodes":\[{/"nodes":[{"translation":[300000.3,0,0],/' ball.gltf >far.gltf
+run 2 far.gltf out.stl --error 0.1%
+expect stderr '^far.gltf: before anything is simplified, it is up to 0.01[0-9]* from the file'
+run 0 far.gltf out.stl --error 1% --both-ways --verify
 run 2 ball.off out.html --error 2% --both-ways --calibrated
 expect stderr '^out.html: a page shows what one run has recorded, and --calibrated runs several times$'
 run 2 ball.off out.off --error 2% --both-ways --calibrated --record out.qlv

@@ -65,6 +65,10 @@ bool run(Options options, ProgressLine& progress) {
   if (!options.compression.empty() && !writes_gltf)
     throw std::runtime_error(options.output + ": --compress is for OUT that is .glb or .gltf");
   compression_of(options.compression); // throws if it cannot be done
+  if (options.weld && options.from.empty() && is_gltf(extension_of(options.input, options)))
+    throw std::runtime_error(options.input +
+                             ": --weld is not for glTF, of which vertices are one " +
+                             "anyway where edges of faces meet at exactly the same place");
   if (!options.scratch.empty())
     return run_out_of_core(options, progress);
   if (is_page(output_extension(options)))
@@ -91,9 +95,6 @@ bool run(Options options, ProgressLine& progress) {
   if (!options.region.empty())
     throw std::runtime_error(options.input + ": --region is for files whose faces have names or " +
                              "scalars (.obj, .ply), not for glTF");
-  if (options.weld)
-    throw std::runtime_error(options.input + ": --weld is not for glTF, of which vertices at " +
-                             "exactly the same place are one anyway");
   return run_gltf(options, progress);
 }
 

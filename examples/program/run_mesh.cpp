@@ -236,8 +236,11 @@ private:
   /// Where something is promised: what is simplified is as OUT can hold it, and how far it is then
   /// from what IN is, without any welding, counts.
   void compare_with_file(const Source& source, IndexedMesh& mesh) {
-    if (!options_.promises() || is_gltf(extension_of(options_.input, options_)))
+    if (!options_.promises())
       return;
+    std::optional<IndexedMesh> scene; // of glTF, which is not welded
+    if (is_gltf(extension_of(options_.input, options_)))
+      scene = mesh;
     const bool is_rounded = writes_floats(options_) && round_to_floats(mesh);
     if (!is_rounded && options_.weld.value_or(Amount{}).value == 0)
       return;
@@ -245,7 +248,7 @@ private:
       throw std::runtime_error(options_.input + ": --weld, or an OUT of floats, moves points, " +
                                "which --tolerance does not count: make a file of what is welded, " +
                                "and simplify that into a format of doubles");
-    file_ = read_mesh(source, format_of(options_.input, options_));
+    file_ = scene ? std::move(*scene) : read_mesh(source, format_of(options_.input, options_));
     progress_.show_stage("measuring");
     moved_ = distance_between(*file_, mesh, progress_);
   }
