@@ -59,7 +59,7 @@ struct Finding {
   /// truth is beyond it by more than the error.
   bool is_held = false;
   /// Where it is broken, in the unit of the surfaces: a point of the farthest, of a face that
-  /// intersects another one, of a part that has changed.
+  /// intersects another one or has a normal too far away, of a part that has changed.
   std::optional<Vector<3>> place = {};
 };
 

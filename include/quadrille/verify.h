@@ -102,11 +102,14 @@ private:
   }
 
   void look_at_normals(double promised, const std::vector<std::size_t>& images) {
-    const auto [at_least, at_most, unknown] = NormalAngles(input_, images, result_).measure();
+    const NormalAngles::Greatest greatest = NormalAngles(input_, images, result_).measure();
     constexpr double rounding = 1e-6; // degrees
-    verdict_.findings.push_back({"degrees between normals", promised, at_least,
-                                 at_most - at_least + rounding, at_least <= promised + rounding});
-    add_number("faces of the result that none of the input has become", 0, unknown);
+    add({"degrees between normals", promised, greatest.at_least,
+         greatest.at_most - greatest.at_least + rounding, greatest.at_least <= promised + rounding},
+        greatest.face);
+    add({"faces of the result that none of the input has become", 0,
+         static_cast<double>(greatest.unknown), 0, greatest.unknown == 0},
+        greatest.first_unknown);
   }
 
   void look_at_intersections(CheckProgress& progress) {
@@ -122,10 +125,15 @@ private:
 
   void add_pairs(const char* claim, const IntersectingPairs::Kind& before,
                  const IntersectingPairs::Kind& after) {
-    Finding finding{claim, static_cast<double>(before.count), static_cast<double>(after.count), 0,
-                    after.count <= before.count};
+    add({claim, static_cast<double>(before.count), static_cast<double>(after.count), 0,
+         after.count <= before.count},
+        after.first);
+  }
+
+  // Where it is not held, it is so at a face of the result.
+  void add(Finding finding, std::size_t face) {
     if (!finding.is_held) {
-      const auto& p = result_.points[result_.faces[after.first][0]];
+      const auto& p = result_.points[result_.faces[face][0]];
       finding.place = Vector<3>{{p.x(), p.y(), p.z()}};
     }
     verdict_.findings.push_back(std::move(finding));

@@ -2,7 +2,9 @@
 #include "hard_surfaces.h"
 #include "meshes.h"
 #include "soups.h"
+#include "winding_number.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/hull.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
@@ -28,6 +30,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -177,6 +180,42 @@ TEST_CASE("keep_solid: walls lose no more than twice a limit of both ways") {
   CHECK(report.faces_after < report.faces_before);
   CHECK(report.hausdorff_bound <= limit);
   CHECK(wall(mesh) >= before - 2 * limit);
+}
+
+TEST_CASE("keep_solid: a limit of the distance goes with hulls") {
+  const Soup ball = test::sphere(3);
+  const Soup soup = with_bumps(test::joined(ball, turned(scaled(ball, {{0.9, 0.9, 0.9}}))), 0.06);
+  const double limit = 0.1;
+  const auto check = [&]<class Hull>(Hull) {
+    test::PointSoup hull(soup);
+    const Report report = simplify<MemorylessQuadric, Hull>(hull.points, hull.triangles,
+                                                            HausdorffLimit{limit}, keep_solid());
+    INFO(report);
+    CHECK(report.faces_after < report.faces_before / 2);
+    CHECK(report.hausdorff_bound <= limit);
+    const Soup result = test::to_soup(hull);
+    const Verdict verdict = verify(test::points_of(soup), soup.triangles, test::points_of(result),
+                                   result.triangles, {.distance_both_ways = limit, .solid = true});
+    INFO(verdict);
+    CHECK(verdict);
+    // No point that is inside of the smaller one is outside of the larger one.
+    const bool is_outer = std::is_same_v<Hull, OuterHull>;
+    const Soup &inner = is_outer ? soup : result, &outer = is_outer ? result : soup;
+    const test::WindingNumber of_inner(inner), of_outer(outer);
+    test::Random random(5);
+    std::size_t seen = 0, outside = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Position p = random(0.8, 1.1) * soup.points[random.below(soup.points.size())];
+      const auto in_inner = of_inner(p), in_outer = of_outer(p);
+      seen += in_inner == 1;
+      outside += in_inner && in_outer && *in_inner > *in_outer;
+    }
+    CHECK(seen > 100);
+    CHECK(outside == 0);
+    CHECK((*report.volume_after > *report.volume_before) == is_outer);
+  };
+  check(OuterHull{});
+  check(InnerHull{});
 }
 
 TEST_CASE("keep_solid: closed models") {

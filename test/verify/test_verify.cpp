@@ -253,6 +253,7 @@ TEST_CASE("verify: normals are compared with those of faces that are gone") {
   CHECK(std::abs(verdict.findings[0].measured - 45) < 1e-9);
   CHECK(verdict.findings[1].measured == 0);
   CHECK_FALSE(verdict);
+  CHECK_FALSE(verdict.findings[1].place);
   claims.normal_deviation = 45;
   CHECK(verify_soups(roof, slope, claims));
   claims.images = {0, 1, 2, 3, 2, 2}; // one of its faces onto the edge, the other to a point of it
@@ -261,9 +262,21 @@ TEST_CASE("verify: normals are compared with those of faces that are gone") {
   CHECK(verify_soups(roof, slope, claims).findings[0].measured < 1e-9);
   claims.images[0] = 1; // no map of these faces
   CHECK(verify_soups(roof, slope, claims).findings[1].measured == 1);
+  CHECK(verify_soups(roof, slope, claims).findings[1].place == slope.points[0]);
   claims.images[0] = 0;
   std::swap(slope.triangles[0][0], slope.triangles[0][1]); // a face that is turned over
   CHECK(std::abs(verify_soups(roof, slope, claims).findings[0].measured - 180) < 1e-9);
+
+  // The place is that of the face: one of many that has been turned.
+  const Soup sheet = test::grid(6, 5);
+  Soup bent = sheet;
+  bent.points[17][2] += 2;
+  Claims as_before{.normal_deviation = 30, .images = {}};
+  for (std::size_t v = 0; v < sheet.points.size(); ++v)
+    as_before.images.push_back(v);
+  const Finding broken = verify_soups(sheet, bent, as_before).findings[0];
+  REQUIRE(broken.place);
+  CHECK(squared_distance(*broken.place, sheet.points[17]) < 2 * 2 + 0.2);
 }
 
 TEST_CASE("verify: crossings are found, and counted as CGAL counts them") {

@@ -25,7 +25,9 @@ public:
   /// In degrees. The truth is between both, which differ by how well doubles know the normals.
   struct Greatest {
     double at_least = 0, at_most = 0;
-    std::size_t unknown = 0; ///< faces of the result that none of the input has become
+    std::size_t face = 0;          ///< of the result, where that is
+    std::size_t unknown = 0;       ///< faces of the result that none of the input has become
+    std::size_t first_unknown = 0; ///< the first of these
   };
 
   /// `images`: of each vertex of the input the one of the result that it has become; no vertex of
@@ -60,11 +62,13 @@ public:
       if (const auto normal = normal_of(input_, face))
         for (std::size_t image : images)
           if (const auto other = normal_of(result_, result_.faces[image]))
-            take(*normal, *other, greatest);
+            take(*normal, *other, image, greatest);
     }
     for (const auto& [corners, faces] : faces_)
-      greatest.unknown += static_cast<std::size_t>(std::count_if(
-          faces.begin(), faces.end(), [&](std::size_t face) { return !known.contains(face); }));
+      for (const std::size_t face : faces)
+        if (!known.contains(face))
+          greatest.first_unknown =
+              greatest.unknown++ == 0 ? face : (std::min)(greatest.first_unknown, face);
     return greatest;
   }
 
@@ -130,12 +134,15 @@ private:
     return Normal{1 / length * n, error / length};
   }
 
-  static void take(const Normal& a, const Normal& b, Greatest& greatest) {
+  static void take(const Normal& a, const Normal& b, std::size_t face, Greatest& greatest) {
     const double angle = std::atan2(std::sqrt(squared_length(cross(a.direction, b.direction))),
                                     dot(a.direction, b.direction));
     const double error = a.error + b.error;
     constexpr double degrees = 180 / std::numbers::pi;
-    greatest.at_least = (std::max)(greatest.at_least, degrees * (angle - error));
+    if (degrees * (angle - error) > greatest.at_least) {
+      greatest.at_least = degrees * (angle - error);
+      greatest.face = face;
+    }
     greatest.at_most = (std::max)(greatest.at_most, degrees * (angle + error));
   }
 
