@@ -31,6 +31,18 @@ inline Soup many_parts(std::uint64_t seed) {
   return soup;
 }
 
+/// Two boxes side by side, each with points of its own where they touch.
+inline Soup touching_boxes(std::uint64_t seed) {
+  const Soup box = surface_of_cubes(5, 5, 5, [](int, int, int) { return true; });
+  Soup other = surface_of_cubes(5, 4, 6, [](int, int, int) { return true; });
+  if (seed % 2 == 0)
+    other = box;
+  return mapped(joined(box, other, {{5, 0, 0}}), [](const Position& p) {
+    return p + 0.1 * (std::sin(6 * p[0]) + std::sin(7 * p[1]) + std::sin(8 * p[2])) *
+                   Position{{0.3, 0.4, 0.5}};
+  });
+}
+
 inline Surface plain_surface(std::uint64_t seed, const std::vector<Surface>& models) {
   Random random(seed);
   switch (seed % 14) {
@@ -60,12 +72,27 @@ inline Surface plain_surface(std::uint64_t seed, const std::vector<Surface>& mod
     return {"flat", grid(25, 20)};
   case 11:
     return {"parts", many_parts(seed)};
+  case 12:
+    return {"touching boxes", touching_boxes(seed / 14)};
   default:
     return {"closed", random_closed(seed)};
   }
 }
 
-/// With noise, turned, in another unit, far from the origin, by the seed.
+/// On whole multiples of a length, so that much lies on each other, without faces that lose a
+/// corner.
+inline Soup on_lattice(Soup soup, double step) {
+  for (Position& p : soup.points)
+    for (double& x : p.coordinates)
+      x = step * std::round(x / step);
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    const auto& p = soup.points;
+    return p[t[0]] == p[t[1]] || p[t[1]] == p[t[2]] || p[t[2]] == p[t[0]];
+  });
+  return soup;
+}
+
+/// With noise, turned, on a lattice, in another unit, far from the origin, by the seed.
 inline Surface surface_of(std::uint64_t seed, const std::vector<Surface>& models) {
   Surface surface = plain_surface(seed, models);
   Random random(seed + 77);
@@ -75,6 +102,8 @@ inline Surface surface_of(std::uint64_t seed, const std::vector<Surface>& models
     soup = with_noise(soup, seed, edge * random(0, 0.2));
   if (random.below(2) == 0)
     soup = tilted(soup);
+  if (random.below(6) == 0)
+    soup = on_lattice(soup, diagonal(soup) / 255);
   const double unit = random.below(3) == 0 ? std::pow(10, random(-6, 6)) : 1;
   const double far = random.below(4) == 0 ? 1e5 * diagonal(soup) : 0;
   soup = mapped(soup, [&](const Position& p) { return unit * (p + Position{{far, -far, far}}); });
