@@ -267,6 +267,9 @@ TEST_CASE("Phases aim at four and two times the target, by steps that are not to
   CHECK(counts(1000, 500, 100).empty());
   CHECK(counts(1000, 250, 100) == Counts{500});
   CHECK(counts(1000, 100, 100) == Counts{400, 200});
+  CHECK(counts(1'000'000, 100'000, 33'000) == Counts{200'000}); // four times are much
+  CHECK(counts(1'000'000, 100'000, 31'000) == Counts{400'000, 200'000});
+  CHECK(counts(1'000'000, 50'000, 2'000'000) == Counts{200'000, 100'000});
   CHECK(counts(1'000'000'000, 10'000'000, 2'000'000) == Counts{40'000'000, 20'000'000});
   CHECK(counts(64'000, 640, 500) == Counts{16'000, 4'000, 2'560, 1'280});
   CHECK(Schedule(100, 0, 10).wanted(0, 0) <= 25);

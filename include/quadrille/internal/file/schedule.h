@@ -15,8 +15,10 @@ namespace quadrille::internal {
 /// Vertices that parts share stay for a phase. A part of V vertices that keeps r of them has about
 /// 2 / (r √V) of those among what is left, since a compact patch has 4 √V around it; so no phase
 /// keeps less than 40 / √V, with 5 % of them. It ends with four and two times the target, then
-/// the whole. Where that does not fit into memory, it aims a little above the target, as samples do
-/// not tell it exactly, and the few faces that are too many then are shared out among all parts.
+/// the whole; without four times where that would be more than a fifth of the input and parts are
+/// large enough. Where the whole does not fit into memory, it aims a little above the target, as
+/// samples do not tell it exactly, and the few faces that are too many then are shared out among
+/// all parts.
 class Schedule {
 public:
   Schedule(std::uint64_t faces, std::uint64_t target, std::uint64_t part_vertices) {
@@ -26,7 +28,8 @@ public:
     double count = static_cast<double>(faces);
     while (count * least_part > 4 * n)
       add(count *= least_part);
-    if (count > 5.6 * n)
+    const bool is_much = 4 * n > most_left * static_cast<double>(faces);
+    if (count > 5.6 * n && !(is_much && 2 * n >= 0.9 * least_part * count))
       add(count = 4 * n);
     if (count > 2.8 * n)
       add(2 * n);
@@ -84,6 +87,9 @@ public:
 
 private:
   void add(double count) { wanted_.push_back(static_cast<std::uint64_t>(count)); }
+
+  // Of the input. Four times the target would lie on the disk twice when parts are made anew.
+  static constexpr double most_left = 0.2;
 
   std::vector<std::uint64_t> wanted_;
 };
