@@ -1586,7 +1586,7 @@ if free=$(df -Pk $memory_disk 2>/dev/null | awk 'NR == 2 && $1 == "tmpfs" { prin
   printf 'ply\nformat binary_little_endian 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' \
     $((faces / 2)) >large.ply
   printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' $faces >>large.ply
-  truncate -s $((faces * 19 + 300)) large.ply
+  truncate -s $((faces * 19 + $(wc -c <large.ply))) large.ply
   run 2 large.ply out.ply --keep 1% --out-of-core $memory_disk/quadrille-$$/scratch --memory 16G
   expect stderr '^/dev/shm/quadrille-[0-9]*/scratch: only [0-9.]+ GB are free there, and the job takes about [0-9.]+ GB$'
   [ ! -e $memory_disk/quadrille-$$ ] || fail "the scratch folder is left"

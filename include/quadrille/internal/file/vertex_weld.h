@@ -40,7 +40,9 @@ public:
       PlyRows(input.file(), input.header())
           .for_items(input.face_element(),
                      [&](std::uint64_t, const PlyRows::Row& row, const auto&) {
-                       for (const double corner : row[input.corners_property()])
+                       const std::vector<double>& corners = row[input.corners_property()];
+                       is_loose = corners.size() >= 3;
+                       for (const double corner : corners)
                          is_loose = is_loose && corner == static_cast<double>(next++);
                        return is_loose;
                      });
