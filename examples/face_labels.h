@@ -35,7 +35,8 @@ public:
       if (is_color(numbers.name))
         divide(colors, numbers.values);
       else if (numbers.type.is_integer && numbers.name != "flags")
-        divide_by(numbers.values, regions_.size() / 2);
+        is_segmented_ |=
+            divide_by(numbers.values, regions_.size() / 2) && numbers.name != "texnumber";
     divide_by(colors, std::min(most_colors, regions_.size() / 2));
   }
 
@@ -45,6 +46,9 @@ public:
                                     [&](std::uint32_t region) { return region == regions_[0]; });
     return is_one ? std::vector<std::uint32_t>() : regions_;
   }
+
+  /// Do integers tell regions apart that are no materials, as those of a segmentation?
+  bool is_segmented() const { return is_segmented_; }
 
 private:
   static constexpr std::size_t most_colors = 64;
@@ -71,15 +75,18 @@ private:
   static std::uint64_t key_of(double value) { return std::bit_cast<std::uint64_t>(value); }
   static std::uint64_t key_of(std::uint32_t value) { return value; }
 
-  /// The same, unless there are more values than `most`.
+  /// The same, unless there are more values than `most`. Are there several, and no more?
   template <class Value>
-  void divide_by(const std::vector<Value>& values, std::size_t most) {
+  bool divide_by(const std::vector<Value>& values, std::size_t most) {
     std::vector<std::uint32_t> alone(regions_.size());
-    if (divide(alone, values) <= most)
+    const std::size_t count = divide(alone, values);
+    if (count <= most)
       divide(regions_, values);
+    return count > 1 && count <= most;
   }
 
   std::vector<std::uint32_t> regions_; // of the faces
+  bool is_segmented_ = false;
 };
 
 /// Gives the faces of a mesh that are left what they had of their own: which ones they were, in

@@ -141,14 +141,14 @@ inline bool is_of_assets(const Options& options) {
 }
 
 /// As it is asked for; else free if there are pairs that are no edges, and of assets kept but for
-/// small parts, unless they are simplified by parts of files.
+/// small parts, unless regions are labels or they are simplified by parts of files.
 inline quadrille::Topology topology(const Options& options) {
   using quadrille::Topology;
   if (options.topology == "free" || (options.topology.empty() && options.joins_pairs()))
     return Topology::free;
   const bool is_by_default = options.topology.empty() && !options.keeps_parts &&
                              !options.keeps_solid && options.scratch.empty() &&
-                             is_of_assets(options);
+                             options.labels.empty() && is_of_assets(options);
   return options.drops_parts || is_by_default ? Topology::parts_may_vanish : Topology::kept;
 }
 

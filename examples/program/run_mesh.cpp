@@ -271,12 +271,13 @@ private:
   /// A run to one target; `simplify` is what simplifies a mesh, and tells what points become.
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& asked_options,
                    const Simplify& simplify) {
-    const Options options = with_rest_of_limit(asked_options);
+    const FaceRegions regions(mesh);
+    Options options = with_rest_of_limit(asked_options);
+    options.keeps_parts |= regions.is_segmented() && !options.drops_parts;
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
     std::vector<std::size_t> images;
     std::vector<std::size_t>* const asked = options.verifies ? &images : nullptr;
-    const bool has_labels = !FaceRegions(mesh).labels().empty();
     quadrille::Report report = with_errors_of_file(options, [&] {
       return options.target.is_calibrated ? simplify_calibrated(mesh, options, asked, simplify)
                                           : simplify(mesh, options, asked);
@@ -285,7 +286,7 @@ private:
     report.distance_bound += moved_;
     report.hausdorff_bound += moved_;
     outcomes_.push_back({file, asked_options.target, report, diagonal_});
-    outcomes_.back().has_labels = has_labels;
+    outcomes_.back().has_labels = !regions.labels().empty();
     contents_.push_back(content(file, mesh));
     if (input)
       progress_.show_stage("measuring");

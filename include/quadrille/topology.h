@@ -21,9 +21,9 @@ enum class Topology {
   /// of the cost. The distance of the part to what is left does not count in that, so a duplicate of
   /// a large sheet costs as much as the sheet; Report::error tells it. A large part stays, whose box
   /// has a twentieth of the diagonal of the whole or more, and one with a constrained vertex or
-  /// edge; the last faces of a label stay, and so does the part that costs most. Where the stop policy asks
-  /// for distances, as ErrorLimit does, no part vanishes whose diameter (twice the radius, in
-  /// space) it would stop at. Filters are not asked. Takes eight bytes more a vertex, and time that
+  /// edge, and so does the part that costs most. The last faces of a label may go with their part.
+  /// Where the stop policy asks for distances, as ErrorLimit does, no part vanishes whose diameter
+  /// (twice the radius, in space) it would stop at. Filters are not asked. Takes eight bytes more a vertex, and time that
   /// is linear at the beginning and after each pass of RelaxedOrder.
   parts_may_vanish
 };

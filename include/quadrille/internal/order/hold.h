@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_ORDER_HOLD_H
 
 #include <quadrille/internal/complex/edge_sides.h>
-#include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -62,8 +61,6 @@ private:
   static constexpr std::size_t least_part = 8; // of the pairs wait
 
   bool counts_most() {
-    // One part alone, whose regions nothing holds, may go as far as it can.
-    counts_topology_ = !surface_.labels().empty() || count_components(surface_.complex()) > 1;
     if (!scratch_)
       scratch_.emplace(surface_.complex().vertex_capacity());
     const auto& geometry = surface_.evaluator().geometry();
@@ -91,14 +88,13 @@ private:
 
   // The topology of what may vanish is no reason to.
   bool stays(Index v) const {
-    return counts_topology_ && (surface_.policies().topology != Topology::parts_may_vanish ||
-                                surface_.parts().stays(v));
+    return surface_.policies().topology != Topology::parts_may_vanish || surface_.parts().stays(v);
   }
 
   WorkingSurface<Policies>& surface_;
   std::optional<Scratch> scratch_; // that of the surface holds the contraction at hand
   std::size_t faces_counted_ = ~std::size_t{0} / 16;
-  bool is_of_most_ = false, counts_topology_ = false;
+  bool is_of_most_ = false;
 };
 
 } // namespace quadrille::internal

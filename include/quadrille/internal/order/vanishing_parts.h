@@ -40,7 +40,7 @@ public:
         cost_stop_(surface) {
     if (surface.policies().topology != Topology::parts_may_vanish || parts().size() < 2)
       return;
-    lists_ = PartLists(surface.complex(), parts(), surface.labels());
+    lists_ = PartLists(surface.complex(), parts());
     for (Index part = 0; part < parts().size(); ++part)
       if (!parts().stays(parts()[part]) && !vertices(part).empty())
         heap_.push_back({price(part), part});
@@ -75,7 +75,7 @@ public:
     const std::span<const Index> vertices = this->vertices(part);
     surface_.remove_part(part, vertices);
     std::for_each(vertices.begin(), vertices.end(), gone);
-    lists_.remove(part);
+    lists_.count_vanished();
     surface_.progress().count(surface_.scratch().tally);
     return true;
   }
@@ -96,7 +96,7 @@ private:
   bool has_cheap(float limit, bool is_last_resort) {
     while (!heap_.empty() && heap_.front().first < limit) {
       const Index part = heap_.front().second;
-      if (lists_.left() < 2 || lists_.has_last_of_a_label(part))
+      if (lists_.left() < 2)
         take(); // for good
       else if (!has_become_dearer())
         return is_last_resort || !has_to_wait(part);
