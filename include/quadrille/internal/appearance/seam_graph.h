@@ -59,6 +59,11 @@ public:
 
   /// Has the surface any seam but those of edges of other than two faces?
   bool is_empty() const { return kind_.empty(); }
+  /// Are the seams of any channel kept?
+  bool keeps_channels() const {
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [](const Channel& channel) { return channel.are_seams_kept(); });
+  }
   /// Of each face; or empty.
   const Array<Index>& labels() const { return label_; }
   bool is_corner(Index v) const { return kind_[v] == SeamKind::corner; }
@@ -107,11 +112,6 @@ public:
   }
 
 private:
-  bool keeps_channels() const {
-    return std::any_of(channels_.begin(), channels_.end(),
-                       [](const Channel& channel) { return channel.are_seams_kept(); });
-  }
-
   // Calls visit(other, is_seam, sides) for each edge at a vertex, in the order of the other ends.
   template <class Visit>
   void for_each_edge(EdgeSides& edges, Index v, Visit visit) const {

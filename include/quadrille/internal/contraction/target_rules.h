@@ -53,13 +53,13 @@ public:
     return is_passed ? StopReason::target_passed : StopReason::target_met;
   }
 
-  /// Is the error of the contraction more than a tenth of the distance to the farthest neighbour?
-  /// An edge of a cube of twelve faces is, a corner of a sheet of two. Only a cost that tells its
-  /// error as a distance to the surface can say so.
-  bool is_coarse(const Contraction& contraction) const {
+  /// Is the error of the contraction more than that part of the distance to the farthest neighbour?
+  /// An edge of a cube of twelve faces is more than a tenth, a corner of a sheet of two. Only a cost
+  /// that tells its error as a distance to the surface can say so.
+  bool is_coarse(const Contraction& contraction, double part = 0.1) const {
     if constexpr (knows_errors<Cost>)
       return contraction.error() >
-             0.1 * scale_.length_of_mesh(std::sqrt(contraction.pair().squared_reach));
+             part * scale_.length_of_mesh(std::sqrt(contraction.pair().squared_reach));
     else
       return false;
   }

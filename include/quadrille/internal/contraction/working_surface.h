@@ -150,6 +150,7 @@ public:
       parts_ = Parts<dimension>(complex_, geometry_, scale_, scale_.diagonal());
   }
   const Array<Index>& labels() const { return appearance_.seams().labels(); }
+  bool are_seams_kept() const { return appearance_.seams().keeps_channels(); }
   PairFinder<Policies>& pairs() { return pairs_; }
   const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
   const Checks<Policies>& checks() const { return checks_; }

@@ -56,13 +56,21 @@ private:
       return false;
     take_note();
     return (is_cliff(contraction) || surface_.shape_check().spoils(contraction) ||
-            (has_kept_seams() && surface_.target_rules().is_coarse(contraction))) &&
+            is_coarse(contraction)) &&
            hold_.is_of_most();
   }
 
-  // Charts that are kept hold each on its own, so what is left of one counts beside its neighbours.
+  // Charts that are kept hold each on its own, and so do regions of labels: what is left of one
+  // counts beside its neighbours.
+  bool is_coarse(const Contraction& contraction) const {
+    const TargetRules<Policies>& rules = surface_.target_rules();
+    return has_kept_seams()
+               ? rules.is_coarse(contraction)
+               : !surface_.labels().empty() && rules.is_coarse(contraction, coarse_in_regions);
+  }
   bool has_kept_seams() const {
-    return Policies::has_channels && surface_.progress().rejected(Rejection::seam) > 0;
+    return Policies::has_channels && surface_.are_seams_kept() &&
+           surface_.progress().rejected(Rejection::seam) > 0;
   }
 
   // What had been moved when so many faces were left.
@@ -105,9 +113,10 @@ private:
     }
   }
 
-  static constexpr std::size_t many = 20;         // faces have become one
-  static constexpr double greatest_growth = 1.3;  // of the error, while a tenth of the faces goes
-  static constexpr double next_to_nothing = 1e-4; // of the diagonal, over a square of it
+  static constexpr std::size_t many = 20;          // faces have become one
+  static constexpr double greatest_growth = 1.3;   // of the error, while a tenth of the faces goes
+  static constexpr double coarse_in_regions = 0.2; // of the distance to the farthest neighbour
+  static constexpr double next_to_nothing = 1e-4;  // of the diagonal, over a square of it
 
   WorkingSurface<Policies>& surface_;
   Hold<Policies> hold_;
