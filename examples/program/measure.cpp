@@ -63,39 +63,38 @@ std::optional<Measurement> measure(const IndexedMesh& input, const IndexedMesh& 
                        .to_input = distance.hausdorff_a_to_b,
                        .from_input = distance.hausdorff_b_to_a,
                        .texture = std::nullopt};
-  if (has_textures(input) && has_textures(result))
-    measured.texture = quadrille::texture_deviation(textured_soup(result), textured_soup(input));
+  if (const auto texture = measure_texture(input, result))
+    measured.texture = texture->deviation;
   return measured;
 }
 
-Measurement united(const std::vector<Measurement>& surfaces) {
-  Measurement sum;
+std::optional<TextureMeasurement> measure_texture(const IndexedMesh& input,
+                                                  const IndexedMesh& result) {
+  if (!has_textures(input) || !has_textures(result))
+    return std::nullopt;
+  const quadrille::TexturedSoup before = textured_soup(input), after = textured_soup(result);
+  if (before.triangles.empty() || after.triangles.empty())
+    return std::nullopt;
+  return TextureMeasurement{area(result), quadrille::texture_deviation(after, before)};
+}
+
+std::optional<quadrille::TextureDeviation> united(const std::vector<TextureMeasurement>& surfaces) {
   quadrille::TextureDeviation texture;
-  double textured_area = 0;
-  for (const Measurement& one : surfaces) {
-    sum.area += one.area;
-    sum.rms += one.area * one.rms * one.rms;
-    sum.greatest = std::max(sum.greatest, one.greatest);
-    sum.to_input = std::max(sum.to_input, one.to_input);
-    sum.from_input = std::max(sum.from_input, one.from_input);
-    if (!one.texture)
-      continue;
-    textured_area += one.area;
-    texture.rms += one.area * one.texture->rms * one.texture->rms;
-    texture.bleeding += one.area * one.texture->bleeding;
-    texture.flipped += one.area * one.texture->flipped;
-    texture.greatest = std::max(texture.greatest, one.texture->greatest);
-    texture.percentile_99 = std::max(texture.percentile_99, one.texture->percentile_99);
+  double sum = 0;
+  for (const auto& [area, one] : surfaces) {
+    sum += area;
+    texture.rms += area * one.rms * one.rms;
+    texture.bleeding += area * one.bleeding;
+    texture.flipped += area * one.flipped;
+    texture.greatest = std::max(texture.greatest, one.greatest);
+    texture.percentile_99 = std::max(texture.percentile_99, one.percentile_99);
   }
-  if (sum.area > 0)
-    sum.rms = std::sqrt(sum.rms / sum.area);
-  if (textured_area > 0) {
-    texture.rms = std::sqrt(texture.rms / textured_area);
-    texture.bleeding /= textured_area;
-    texture.flipped /= textured_area;
-    sum.texture = texture;
-  }
-  return sum;
+  if (!(sum > 0))
+    return std::nullopt;
+  texture.rms = std::sqrt(texture.rms / sum);
+  texture.bleeding /= sum;
+  texture.flipped /= sum;
+  return texture;
 }
 
 } // namespace quadrille_examples

@@ -25,8 +25,19 @@ struct Measurement {
 /// Nothing where one of the two has no face.
 std::optional<Measurement> measure(const IndexedMesh& input, const IndexedMesh& result);
 
-/// The measurement of several surfaces, each of which is measured by itself: means by area.
-Measurement united(const std::vector<Measurement>& surfaces);
+/// Of a result.
+struct TextureMeasurement {
+  double area;
+  quadrille::TextureDeviation deviation;
+};
+
+/// Nothing where one of the two has no face with a texture.
+std::optional<TextureMeasurement> measure_texture(const IndexedMesh& input,
+                                                  const IndexedMesh& result);
+
+/// That of several surfaces, each of which is measured by itself: means by area. Nothing if there
+/// are none.
+std::optional<quadrille::TextureDeviation> united(const std::vector<TextureMeasurement>& surfaces);
 
 } // namespace quadrille_examples
 

@@ -83,15 +83,31 @@ IndexedMesh measurable(const GltfSurface& surface, const GltfPlacement& placemen
   return mesh;
 }
 
+void append(IndexedMesh& mesh, const IndexedMesh& other) {
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for (const auto& [a, b, c] : other.triangles)
+    mesh.triangles.push_back({first + a, first + b, first + c});
+}
+
+/// Distances of the scene as a whole, in which meshes may have gone, and textures of each surface.
 std::optional<Measurement> measure(const Surfaces& input, const Surfaces& result,
                                    const std::vector<GltfPlacement>& placements) {
-  std::vector<Measurement> measured;
+  IndexedMesh scene_before, scene_after;
+  std::vector<TextureMeasurement> textures;
   for (std::size_t i = 0; i < input.size(); ++i) {
     const GltfPlacement& placement = placements[input[i].mesh()];
-    if (const auto one = measure(measurable(input[i], placement), measurable(result[i], placement)))
-      measured.push_back(*one);
+    const IndexedMesh before = measurable(input[i], placement),
+                      after = measurable(result[i], placement);
+    if (const auto texture = measure_texture(before, after))
+      textures.push_back(*texture);
+    append(scene_before, before);
+    append(scene_after, after);
   }
-  return measured.empty() ? std::nullopt : std::optional(united(measured));
+  std::optional<Measurement> measured = measure(scene_before, scene_after);
+  if (measured)
+    measured->texture = united(textures);
+  return measured;
 }
 
 IndexedMesh mesh_of(const quadrille::SoupPoints& points,
