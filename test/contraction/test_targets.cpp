@@ -3,6 +3,7 @@
 
 #include "meshes.h"
 
+#include <quadrille/channels.h>
 #include <quadrille/distance.h>
 #include <quadrille/labels.h>
 #include <quadrille/simplify.h>
@@ -269,11 +270,21 @@ TEST_CASE("Bodies of labels keep their volume where their walls hold the rest") 
     REQUIRE(expected > 50);
     CHECK(volume_of(body, walls, labels) == Approx(expected).epsilon(0.3));
   }
+
+  // Channels whose seams are not kept hold nothing more than labels do.
+  Soup with_channel = before;
+  labels = labels_before;
+  std::vector<std::array<double, 3>> grey(before.points.size(), {0.5, 0.5, 0.5});
+  const Report beside_channel =
+      simplify(with_channel.points, with_channel.triangles, FaceRatio{0.02},
+               Labels{CGAL::make_property_map(labels)}, Colors{CGAL::make_property_map(grey)});
+  CHECK(beside_channel.faces_after == report.faces_after);
 }
 
 TEST_CASE("A torus near its floor has no spikes: coarse contractions are measured there") {
   const double radius = 0.1;
-  Soup torus = test::torus(100, 20); // across, it is narrower than that
+  const auto [around, across] = GENERATE(std::pair(100u, 20u), std::pair(50u, 30u));
+  Soup torus = test::torus(around, across); // across, it is narrower than that
   for (Position& p : torus.points) {
     const double from_axis = std::hypot(p[0], p[1]);
     const double factor = (1 + radius / 0.4 * (from_axis - 1)) / from_axis;
