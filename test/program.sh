@@ -1513,6 +1513,13 @@ for option in '--boundary lock' '--boundary 0' '--boundary 1000' --drop-parts; d
   # shellcheck disable=SC2086
   run 0 whole.ply out.ply $option --faces 300 --out-of-core scratch
 done
+# A ball of two halves becomes one, as in memory.
+awk 'NR == 2 { print "ply\nformat ascii 1.0\nelement vertex " $1 "\nproperty double x\nproperty double y\nproperty double z"
+  print "element face " $2 "\nproperty list uchar int vertex_indices\nend_header" } NR > 2' halves.off >halves.ply
+run 0 halves.ply out.ply --weld --faces 100 --out-of-core scratch
+run 0 halves.ply in_memory.ply --weld --faces 100
+[ "$(sed '1,/end_header/d' out.ply | od -c)" = "$(sed '1,/end_header/d' in_memory.ply | od -c)" ] ||
+  fail "welded otherwise by parts"
 for limit in '--error 0.01' '--error 1%' '--error 1% --both-ways' '--error 1% --faces 200'; do
   # shellcheck disable=SC2086
   run 0 whole.ply out.ply $limit --out-of-core scratch
@@ -1531,7 +1538,7 @@ run 2 whole.ply ./whole.ply --measure --out-of-core scratch
 expect stderr '^whole.ply: is both IN and OUT, '
 run 2 whole.ply out.ply --measure --verify --out-of-core scratch
 expect stderr '^--verify needs something that is promised: '
-for option in '--error 1% --both-ways --calibrated' '--tolerance size' --weld --orient '--pairs 1' --solid \
+for option in '--error 1% --both-ways --calibrated' '--tolerance size' '--weld 1' --orient '--pairs 1' --solid \
   --no-self-intersection '--normals 30' '--levels 50%' '--record a.qlv' '--vertices 9' '--order relaxed' '--region a' \
   '--labels a' '--seams held' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
   # shellcheck disable=SC2086

@@ -28,9 +28,6 @@ inline constexpr NotByParts not_by_parts[] = {
     {"--calibrated",
      "each of its runs measures the surface as a whole, which is not in memory; --both-ways "
      "without it keeps the limit, too"},
-    {"--weld",
-     "vertices that are close may lie in different parts; corners of STL that lie at exactly the "
-     "same place become one anyway"},
     {"--orient", "a part does not know how the others are wound"},
     {"--pairs", "pairs that are no edges may lie in different parts"},
     {"--no-self-intersection", "a part does not see the faces of the others"},
@@ -60,6 +57,11 @@ inline void require_by_parts(const CLI::App& app, const Options& options) {
     return;
   for (const NotByParts& refused : not_by_parts)
     refuse_beside(app, {refused.option, "--out-of-core", refused.reason});
+  if (options.weld && options.weld->value > 0)
+    refuse_beside(app, {"--weld", "--out-of-core",
+                        "which vertices a distance makes one depends on the order of points in the "
+                        "file, in chains that go on into other parts; without a distance it makes "
+                        "those one that lie at exactly the same place"});
 }
 
 /// Bytes: 4G, 500M, 1.5G, 4GB, 4g; 4GiB is a little more.

@@ -45,6 +45,7 @@ quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress)
   result.positions_only = options.positions_only;
   result.locks_boundary = options.locks_boundaries;
   result.keeps_tiles = keeps_tiles(options);
+  result.welds = options.weld.has_value();
   result.proceed = [&](const quadrille::FileStatus& status) {
     progress.show(status);
     return !Interruption::is_asked();

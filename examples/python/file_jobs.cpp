@@ -147,6 +147,7 @@ void add_file_jobs(py::module_& m) {
       .def_readwrite("attribute_importance", &OutOfCore::attribute_importance)
       .def_readwrite("keeps_tiles", &OutOfCore::keeps_tiles)
       .def_readwrite("locks_boundary", &OutOfCore::locks_boundary)
+      .def_readwrite("welds", &OutOfCore::welds)
       .def_readwrite("positions_only", &OutOfCore::positions_only);
   using Unlocked = py::call_guard<py::gil_scoped_release>;
   py::class_<FileJob>(m, "FileJob")

@@ -76,7 +76,8 @@ public:
   template <class Stop>
   PartitionedSimplifier(const SurfaceFiles& input, const Stop& stop, const OutOfCore& options,
                         Cost cost, Placement placement, Policies... policies)
-      : options_(options), source_(input.paths, options.positions_only, options.keeps_tiles),
+      : options_(options),
+        source_(input.paths, options.positions_only, options.keeps_tiles, options.welds),
         runner_(options.locks_boundary, std::move(cost), std::move(placement), policies...),
         watch_(options.proceed), job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
     if (options.scratch.empty())
@@ -332,8 +333,8 @@ private:
 ///
 /// - input: one file, or several that are tiles of one surface: see SurfaceFiles
 /// - what it is: PLY, of float or double; best binary and of triangles, since text, polygons and
-///   loose faces become that first; or binary STL, of which corners at exactly the same place become
-///   one vertex
+///   loose faces become that first; or binary STL, of which corners at exactly the same place
+///   become one vertex
 /// - output: binary PLY, little endian, float or double as the input; vertices in the order of the
 ///   input
 /// - colours, normals and other numbers of vertices go along as channels, and integers of faces as

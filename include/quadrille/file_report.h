@@ -99,6 +99,11 @@ struct OutOfCore {
   bool keeps_tiles = false;
   /// Vertices at edges of one face stay where they are, bit by bit. The result depends on it.
   bool locks_boundary = false;
+  /// Vertices at exactly the same place become one, whatever the edges: of one file, or of all
+  /// tiles. Without this only those of faces that have vertices of their own do, and those of
+  /// borders of tiles. Vertices at a place that differ in numbers that go along are refused. The
+  /// result depends on it.
+  bool welds = false;
   /// Read over whatever the file has beside positions, corners and labels; else what can't go along
   /// is refused.
   bool positions_only = false;

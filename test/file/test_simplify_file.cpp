@@ -1132,9 +1132,9 @@ TEST_CASE("Text and polygons become binary triangles first, in the order of the 
 
 TEST_CASE("Faces with vertices of their own become one surface where they meet") {
   const Folder folder;
-  const Soup soup = surface();
-  folder.file("in.stl", test::stl_of(soup));
-  run(folder, in_parts(folder, part_of_16), 800, "in.stl");
+  const Soup soup = sewn({surface()}); // its vertices are in the order of the faces
+  folder.file("in.ply", ply_of(soup));
+  run(folder, in_parts(folder, part_of_16));
   const std::string once = content_of(folder.path("out.ply"));
   Soup loose;
   std::vector<std::vector<std::uint32_t>> faces;
@@ -1151,11 +1151,85 @@ TEST_CASE("Faces with vertices of their own become one surface where they meet")
     CHECK(content_of(folder.path("out.ply")) == once);
     CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
   }
+  folder.file("in.ply", coloured_ply(soup));
+  run(folder, in_parts(folder, part_of_16));
+  const std::string with_numbers = content_of(folder.path("out.ply"));
+  folder.file("loose.ply", coloured_ply(loose));
+  run(folder, in_parts(folder, part_of_16), 800, "loose.ply");
+  CHECK(content_of(folder.path("out.ply")) == with_numbers);
   folder.file("loose.ply", ply_of<double>(loose));
   run(folder, in_parts(folder, part_of_16), 800, "loose.ply");
   CHECK(topology_of(read_ply(folder.path("out.ply"))).is_closed());
   loose.points[7][0] = std::numeric_limits<double>::quiet_NaN();
   require_refusal("in.ply", ply_of(loose), "vertex 7 is not finite");
+}
+
+// Tiles in one file, each with vertices of its own.
+Soup beside_each_other(const std::vector<Soup>& tiles) {
+  Soup all;
+  for (const Soup& tile : tiles) {
+    const auto begin = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), tile.points.begin(), tile.points.end());
+    for (const auto& [a, b, c] : tile.triangles)
+      all.triangles.push_back({begin + a, begin + b, begin + c});
+  }
+  return all;
+}
+
+TEST_CASE("Vertices at exactly the same place become one if that is asked for") {
+  const Folder folder;
+  const std::vector<Soup> tiles = tiles_of(surface());
+  const Soup slit = beside_each_other(tiles);
+  OutOfCore options = in_parts(folder, part_of_16);
+  const auto simplified = [&](const std::string& content, bool welds) {
+    folder.file("in.ply", content);
+    options.welds = welds;
+    run(folder, options);
+    CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+    return content_of(folder.path("out.ply"));
+  };
+  const std::string once = simplified(ply_of(sewn(tiles)), false);
+  CHECK(simplified(ply_of(slit), true) == once);
+  CHECK(simplified(ply_of(slit, true), true) == once);
+  CHECK_FALSE(
+      topology_of(read_ply(folder.file("cut.ply", simplified(ply_of(slit), false)))).is_closed());
+  CHECK(simplified(coloured_ply(slit), true) == simplified(coloured_ply(sewn(tiles)), false));
+  CHECK(simplified(ply_of<double>(slit), true) == simplified(ply_of<double>(sewn(tiles)), false));
+
+  SECTION("what no face uses is left out") {
+    Soup with_unused = slit;
+    with_unused.points.push_back(slit.points[0]);
+    with_unused.points.push_back({{std::numeric_limits<double>::quiet_NaN(), 0, 0}});
+    folder.file("in.ply", ply_of(with_unused));
+    options.welds = true;
+    CHECK(run(folder, options).unused_not_finite == 1);
+    CHECK(topology_of(read_ply(folder.path("out.ply"))).genus() == 1);
+  }
+  SECTION("of tiles all do, not only those of their borders") {
+    const std::vector<std::filesystem::path> files{
+        folder.file("a.ply", ply_of(beside_each_other({tiles[0], tiles[3]}))),
+        folder.file("b.ply", ply_of(beside_each_other({tiles[1], tiles[2]})))};
+    options.welds = true;
+    simplify_file<MemorylessQuadric, OptimalPlacement>(files, folder.path("out.ply"),
+                                                       FaceCount{800}, options);
+    require_whole(read_ply(folder.path("out.ply")), 800);
+    CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+  }
+  SECTION("but not where they have other numbers") {
+    std::string content = coloured_ply(slit);
+    const std::size_t faces = content.size() - 13 * slit.triangles.size();
+    content[faces - 1] = 9; // the number of the last vertex, which lies at a border
+    folder.file("in.ply", content);
+    options.welds = true;
+    CHECK_THROWS_WITH(run(folder, options),
+                      Catch::Contains("in.ply: vertices ") &&
+                          Catch::Contains(" lie at the same place and differ in nx, ny, nz, red, "
+                                          "green, blue, heat, id, so they can't become one"));
+    CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+    options.positions_only = true;
+    run(folder, options);
+    CHECK(content_of(folder.path("out.ply")) == once);
+  }
 }
 
 TEST_CASE("Text that is not what it says is refused by the line, and nothing is left") {

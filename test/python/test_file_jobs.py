@@ -79,7 +79,7 @@ class Jobs(Folder):
         for name, half in (("a.ply", faces[:4000]), ("b.ply", faces[4000:])):
             used, corners = np.unique(half, return_inverse=True)
             self.write_ply(name, points[used], corners.reshape(-1, 3))
-        tiles = quadrille.simplify_file(self.path("[ab].ply"), self.path("tiles"), keep_tiles=True, **self.how)
+        tiles = quadrille.simplify_file(self.path("[ab].ply"), self.path("tiles"), keep_tiles=True, weld=True, **self.how)
         self.assertEqual(sorted(os.listdir(self.path("tiles"))), ["a.ply", "b.ply"])
         self.assertEqual(tiles.report.faces_after, 800)
         with self.assertRaisesRegex(FileNotFoundError, "no file has such a name"):

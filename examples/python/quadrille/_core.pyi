@@ -350,6 +350,7 @@ class OutOfCore:
     attribute_importance: float
     keeps_tiles: bool
     locks_boundary: bool
+    welds: bool
     positions_only: bool
 
 class FileJob:

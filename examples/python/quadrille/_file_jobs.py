@@ -42,6 +42,7 @@ class FileOptions(TypedDict, total=False):
     attribute_importance: Optional[float]
     positions_only: bool
     keep_tiles: bool
+    weld: bool
     memory: Union[int, str]
     threads: int
     part_faces: int
@@ -70,6 +71,7 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
           cost: Optional[CostName] = None, placement: Optional[PlacementName] = None,
           topology: Optional[TopologyName] = None, boundary_weight: float = 100.0, lock_boundary: bool = False,
           attribute_importance: Optional[float] = None, positions_only: bool = False, keep_tiles: bool = False,
+          weld: bool = False,
           memory: Union[int, str] = 4_000_000_000, threads: int = 0, part_faces: int = 0, restart: bool = False,
           scratch: Path) -> Tuple[_core.Options, _core.OutOfCore]:
     if faces is not None and (ratio is not None or target_reduction is not None):
@@ -87,7 +89,7 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
     how.parts_in_flight = read_count("threads", threads)
     how.part_faces = read_count("part_faces", part_faces)
     how.restart, how.positions_only = bool(restart), bool(positions_only)
-    how.keeps_tiles, how.locks_boundary = bool(keep_tiles), bool(lock_boundary)
+    how.keeps_tiles, how.locks_boundary, how.welds = bool(keep_tiles), bool(lock_boundary), bool(weld)
     how.attribute_importance = ((1 if cost is None else _HARDLY) if attribute_importance is None
                                 else read_number("attribute_importance", attribute_importance))
     return options, how
@@ -191,6 +193,7 @@ def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Op
               as simplify() has them; half of the faces where there is no target
     lock_boundary  vertices at edges of one face stay where they are
     keep_tiles  each tile becomes a file again, of the same name, in the folder
+    weld      vertices at exactly the same place become one, whatever the edges
     positions_only  leave out what the file has beside positions, corners and labels; else what can't go along is refused
     attribute_importance  how much colours and other numbers of vertices count, above 0: 1 by default, hardly where a
               cost is asked for

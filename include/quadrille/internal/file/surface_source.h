@@ -29,8 +29,11 @@ namespace quadrille::internal {
 class SurfaceSource {
 public:
   /// Throws for a file that is nothing that can be read in parts, as far as its beginning tells.
-  SurfaceSource(std::vector<std::filesystem::path> paths, bool positions_only, bool keeps_tiles)
-      : paths_(std::move(paths)), positions_only_(positions_only), keeps_tiles_(keeps_tiles) {
+  /// `welds`: vertices at exactly the same place become one, whatever the file.
+  SurfaceSource(std::vector<std::filesystem::path> paths, bool positions_only, bool keeps_tiles,
+                bool welds)
+      : paths_(std::move(paths)), positions_only_(positions_only), keeps_tiles_(keeps_tiles),
+        welds_(welds) {
     if (paths_.empty() || paths_.size() > most_parts)
       throw std::invalid_argument("quadrille::simplify_file: " + std::to_string(paths_.size()) +
                                   " files are no surface; from 1 to " + std::to_string(most_parts) +
@@ -42,6 +45,8 @@ public:
     key.add_number(std::uint64_t{positions_only});
     if (is_tiled())
       key.add_number(std::uint64_t{keeps_tiles});
+    if (welds)
+      key.add_number(std::uint64_t{welds});
     key_ = key.value();
     std::uint64_t making = 0;
     for (std::size_t i = paths_.size(); i-- > 0;) // the first one stays open
@@ -55,7 +60,7 @@ public:
 
   /// Files of which nothing counts but the shape.
   static SurfaceSource shape_of(std::vector<std::filesystem::path> paths) {
-    SurfaceSource source(std::move(paths), true, false);
+    SurfaceSource source(std::move(paths), true, false, false);
     source.is_shape_ = true;
     return source;
   }
@@ -98,8 +103,8 @@ public:
   }
 
 private:
-  // What one file is. Of a soup each face has vertices of its own; other PLY is text, or of
-  // polygons.
+  // What one file is. Vertices of a soup are to be welded, as each face has its own, or since that
+  // is asked for; other PLY is text, or of polygons.
   enum class Kind { ready, other_ply, soup, other_soup, stl };
 
   bool is_tiled() const { return paths_.size() > 1 || keeps_tiles_; }
@@ -126,20 +131,16 @@ private:
   }
   std::uint64_t add_ply(std::size_t i) {
     open(paths_[i]);
-    const bool is_ready = ply_->is_ready(), is_soup = VertexWeld::is_soup(*ply_);
+    const bool is_ready = ply_->is_ready(), is_loose = VertexWeld::is_soup(*ply_);
+    const bool is_soup = is_loose || (welds_ && !is_tiled()); // tiles are sewn before
     kinds_[i] = is_soup    ? is_ready ? Kind::soup : Kind::other_soup
                 : is_ready ? Kind::ready
                            : Kind::other_ply;
-    if (is_soup && !ply_->scalars().empty())
-      fail_file(paths_[i], "has vertices of its own for each face, which become one where they lie "
-                           "at the same place; " +
-                               ply_->scalars().properties()[0].name +
-                               " can't go along then: 'positions only' leaves it out");
     const std::uint64_t faces = is_ready ? ply_->faces() : PlyConversion::triangles(*ply_);
     size_.faces += faces;
-    size_.vertices += is_soup ? faces / 2 + 2 : ply_->vertices();
+    size_.vertices += is_loose ? faces / 2 + 2 : ply_->vertices();
     return (is_ready ? 0 : bytes_of(faces, ply_->vertices())) +
-           (is_soup ? VertexWeld::bytes_of_vertex(*ply_) * ply_->vertices() : 0);
+           (is_soup ? weld_bytes(ply_->vertices()) : 0);
   }
 
   // Of a file that is made.
@@ -153,6 +154,10 @@ private:
         face += p.type.size;
     }
     return faces * (keeps_tiles_ ? face + 4 : face) + vertices * row;
+  }
+
+  std::uint64_t weld_bytes(std::uint64_t vertices) const {
+    return VertexWeld::bytes_of_vertex(ply_ && ply_->has_doubles()) * vertices;
   }
 
   // `making` is the most that a file takes while it is made ready.
@@ -169,6 +174,8 @@ private:
     if (is_tiled())
       size_.making =
           (std::max)(size_.making + size_.made, is_any_made() ? 2 * size_.made : size_.made);
+    if (is_tiled() && welds_)
+      size_.making = (std::max)(size_.making, size_.made + weld_bytes(size_.vertices));
     size_.keeps_tiles = keeps_tiles_;
   }
 
@@ -176,7 +183,7 @@ private:
   void make_surface(const JobFolder& folder, std::uint64_t memory, const Ask& ask) {
     const std::filesystem::path made = folder.welded(key_);
     if (!is_made(folder) && is_tiled())
-      sew_tiles(made, folder, memory, ask);
+      make_tiled(made, folder, memory, ask);
     else if (!is_made(folder))
       make_ready(0, made, folder, memory, ask);
     const bool is_welded = is_tiled() || (kinds_[0] != Kind::ready && kinds_[0] != Kind::other_ply);
@@ -198,6 +205,18 @@ private:
     VertexWeld::run(*PlyInput::made(triangles, paths_[i], false), output, folder.welding(), memory,
                     ask);
     std::filesystem::remove(triangles);
+  }
+
+  template <class Ask>
+  void make_tiled(const std::filesystem::path& output, const JobFolder& folder,
+                  std::uint64_t memory, const Ask& ask) const {
+    if (!welds_)
+      return sew_tiles(output, folder, memory, ask);
+    const std::filesystem::path sewn = folder.welded_tile(paths_.size());
+    sew_tiles(sewn, folder, memory, ask);
+    VertexWeld::run(*PlyInput::made(sewn, paths_.front(), true), output, folder.welding(), memory,
+                    ask);
+    std::filesystem::remove(sewn);
   }
 
   template <class Ask>
@@ -234,7 +253,7 @@ private:
 
   std::vector<std::filesystem::path> paths_;
   std::vector<Kind> kinds_; // of the files
-  bool positions_only_, keeps_tiles_, is_shape_ = false;
+  bool positions_only_, keeps_tiles_, welds_, is_shape_ = false;
   std::uint64_t key_ = 0;
   InputSize size_;
   std::unique_ptr<PlyInput> ply_;

@@ -3,34 +3,39 @@
 
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/file_checksum.h>
+#include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/place_sort.h>
+#include <quadrille/internal/file/ply_header.h>
 #include <quadrille/internal/file/ply_input.h>
 #include <quadrille/internal/file/ply_output.h>
 #include <quadrille/internal/file/ply_rows.h>
+#include <quadrille/internal/file/row_blocks.h>
 #include <quadrille/internal/file/rows.h>
 #include <quadrille/internal/file/stl_weld.h>
+#include <quadrille/vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// Makes vertices of a PLY file of loose faces, each of which has vertices of its own, one where
-/// they lie at exactly the same place, as StlWeld does with corners. Vertices are in the order of
-/// their coordinates then, and faces in that of the file. Time O(n log n).
+/// Makes vertices of a PLY file one where they lie at exactly the same place: the first of the file
+/// stays, with the numbers that it has beside its place, which the others have to have, too.
+/// Nothing else changes its order. Vertices that no face uses stay as they are. Time O(n log n);
+/// three bits of memory for each vertex, beside what is told.
 class VertexWeld {
 public:
   /// On the disk at its greatest.
-  static std::uint64_t bytes_of_vertex(const PlyInput& input) {
-    return input.has_doubles() ? 48 : 32;
-  }
+  static constexpr std::uint64_t bytes_of_vertex(bool has_doubles) { return has_doubles ? 48 : 32; }
 
   /// Are there several faces whose corners are vertices one after the other, each of them once?
   static bool is_soup(const PlyInput& input) {
@@ -49,61 +54,110 @@ public:
     return is_loose;
   }
 
-  /// The input is ready to be read, and its vertices have places only. `folder` is for files that
-  /// are gone at the end; `ask()` is called at least once a second or so, and may throw.
+  /// The input is ready to be read. `folder` is for files that are gone at the end; `ask()` is
+  /// called at least once a second or so, and may throw.
   template <class Ask>
   static void run(const PlyInput& input, const std::filesystem::path& output,
                   const std::filesystem::path& folder, std::uint64_t memory, const Ask& ask) {
     StlWeld::remove_files(folder);
     std::filesystem::create_directories(folder);
     VertexWeld weld(input, folder, memory);
-    WholeFile file(output);
     if (input.has_doubles())
-      weld.write<double>(file, ask);
+      weld.find_firsts<double>(ask);
     else
-      weld.write<float>(file, ask);
+      weld.find_firsts<float>(ask);
+    weld.number_vertices(ask);
+    WholeFile file(output);
+    weld.write(file, ask);
     file.finish();
     StlWeld::remove_files(folder);
   }
 
 private:
-  struct Named {
-    std::uint32_t vertex; // of the piece of those that there were
-    VertexId becomes;
+  struct Welded {
+    std::uint32_t vertex; // of the piece
+    VertexId first;       // at its place
   };
 
   VertexWeld(const PlyInput& input, std::filesystem::path folder, std::uint64_t memory)
-      : input_(input), folder_(std::move(folder)), memory_(memory) {}
+      : input_(input), folder_(std::move(folder)), memory_(memory), welded_(input.vertices()) {}
+
+  // Of those at one place.
+  template <class Number, class Ask>
+  void find_firsts(const Ask& ask) {
+    PlaceSort<Number> sort(folder_, memory_, input_.vertices());
+    sort_used(sort, ask);
+    std::vector<std::filesystem::path> paths;
+    for (std::uint64_t begin = 0; begin < input_.vertices(); begin += piece())
+      paths.push_back(piece_path(paths.size()));
+    AppendedFiles pieces(paths, memory_ / 4);
+    std::uint64_t done = 0, first = 0;
+    sort.for_sorted([&](const typename PlaceSort<Number>::Item& item, bool is_new) {
+      if (done++ % often == 0)
+        ask();
+      if (is_new)
+        first = item.number();
+      else
+        weld(vertex_of(item.number()), first, item.number(), pieces);
+    });
+    contents_ = pieces.finish();
+  }
 
   template <class Number, class Ask>
-  void write(WholeFile& file, const Ask& ask) {
-    PlaceSort<Number> sort(folder_, memory_, input_.vertices());
-    input_.for_vertices([&](VertexId v, const Vector<3>& p) {
+  void sort_used(PlaceSort<Number>& sort, const Ask& ask) const {
+    const IdSet used = used_vertices(ask);
+    input_.for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
       if (v % often == 0)
         ask();
+      if (!used.has(v))
+        return;
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
         fail_file(input_.file().path(), "vertex " + std::to_string(v) + " is not finite");
       sort.add({static_cast<Number>(p[0]), static_cast<Number>(p[1]), static_cast<Number>(p[2])},
-               v);
+               std::uint64_t{v} << 32 | digest(scalars));
     });
     sort.end();
-    PlyBytes bytes(file);
-    bytes.put_text(header());
-    merge(sort, bytes, ask);
-    put_faces(bytes, ask);
-    bytes.flush();
-    const std::string text = header();
-    file.write_at_begin(text.data(), text.size());
   }
 
-  // Of the same length for any number of vertices.
-  std::string header() const {
-    constexpr std::uint64_t any = most_vertex_ids;
-    std::string text = ply_header(any, input_.has_doubles(), {}, input_.faces(), input_.labels());
-    const std::string digits = std::to_string(vertices_), place = std::to_string(any);
-    text.replace(text.find(place), place.size(),
-                 std::string(place.size() - digits.size(), '0') + digits);
-    return text;
+  template <class Ask>
+  IdSet used_vertices(const Ask& ask) const {
+    IdSet used(input_.vertices());
+    input_.for_faces([&](std::uint64_t f, const FaceRow& corners, const LabelValues&) {
+      if (f % often == 0)
+        ask();
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+        for (const VertexId v : corners)
+          used.add(v);
+    });
+    return used;
+  }
+
+  // A vertex is sorted as its number and behind that a digest of what it has beside its place.
+  static VertexId vertex_of(std::uint64_t sorted) { return static_cast<VertexId>(sorted >> 32); }
+  static std::uint32_t digest(const std::vector<double>& scalars) {
+    FileChecksum checksum;
+    for (const double x : scalars) {
+      const double value = x + 0.0; // -0 is 0
+      checksum.add(&value, sizeof(value));
+    }
+    return static_cast<std::uint32_t>(checksum.value());
+  }
+
+  void weld(VertexId v, std::uint64_t first, std::uint64_t sorted, AppendedFiles& pieces) {
+    if (static_cast<std::uint32_t>(first) != static_cast<std::uint32_t>(sorted))
+      fail_seam(vertex_of(first), v);
+    welded_.add(v);
+    const Welded welded{static_cast<std::uint32_t>(v % piece()), vertex_of(first)};
+    pieces.add(static_cast<std::size_t>(v / piece()), &welded, sizeof(welded));
+  }
+  [[noreturn]] void fail_seam(VertexId first, VertexId v) const {
+    std::string names;
+    for (const PlyProperty& p : input_.scalars().properties())
+      names += (names.empty() ? "" : ", ") + p.name;
+    fail_file(input_.file().path(),
+              "vertices " + std::to_string(first) + " and " + std::to_string(v) +
+                  " lie at the same place and differ in " + names +
+                  ", so they can't become one in parts; 'positions only' leaves it out");
   }
 
   std::uint64_t piece() const {
@@ -112,51 +166,69 @@ private:
   std::filesystem::path piece_path(std::uint64_t i) const {
     return folder_ / ("corners-" + std::to_string(i));
   }
+  std::filesystem::path numbers_path() const { return piece_path(contents_.size()); }
 
-  template <class Number, class Ask>
-  void merge(PlaceSort<Number>& sort, PlyBytes& bytes, const Ask& ask) {
-    std::vector<std::filesystem::path> paths;
-    for (std::uint64_t begin = 0; begin < input_.vertices(); begin += piece())
-      paths.push_back(piece_path(paths.size()));
-    AppendedFiles pieces(paths, memory_ / 4);
-    std::uint64_t done = 0;
-    sort.for_sorted([&](const typename PlaceSort<Number>::Item& item, bool is_new) {
-      if (done++ % often == 0)
-        ask();
-      if (is_new) {
-        ++vertices_;
-        for (const Number x : item.position())
-          bytes.put(x);
-      }
-      const Named named{static_cast<std::uint32_t>(item.number() % piece()),
-                        static_cast<VertexId>(vertices_ - 1)};
-      pieces.add(static_cast<std::size_t>(item.number() / piece()), &named, sizeof(named));
-    });
-    contents_ = pieces.finish();
+  // Writes the number that each vertex has in the output, one after the other.
+  template <class Ask>
+  void number_vertices(const Ask& ask) {
+    const IdRanks welded_before(welded_);
+    vertices_ = input_.vertices() - welded_before.size();
+    for (std::size_t i = 0; i < contents_.size(); ++i) {
+      ask();
+      const std::uint64_t begin = i * piece();
+      std::vector<VertexId> numbers(
+          static_cast<std::size_t>((std::min)(piece(), input_.vertices() - begin)));
+      std::iota(numbers.begin(), numbers.end(), static_cast<VertexId>(begin));
+      for (const Welded& w : read_rows<Welded>(piece_path(i), contents_[i]))
+        numbers[w.vertex] = w.first;
+      for (VertexId& number : numbers)
+        number -= static_cast<VertexId>(welded_before(number));
+      append_to_file(numbers_path(), numbers.data(), numbers.size() * sizeof(VertexId));
+      std::filesystem::remove(piece_path(i));
+    }
   }
 
-  // Corners of faces are vertices one after the other, so pieces are, too.
   template <class Ask>
-  void put_faces(PlyBytes& bytes, const Ask& ask) {
+  void write(WholeFile& file, const Ask& ask) const {
+    PlyBytes bytes(file);
+    bytes.put_text(ply_header(vertices_, input_.has_doubles(), input_.scalars().properties(),
+                              input_.faces(), input_.labels()));
+    put_vertices(bytes, ask);
+    put_faces(bytes, ask);
+    bytes.flush();
+  }
+
+  template <class Ask>
+  void put_vertices(PlyBytes& bytes, const Ask& ask) const {
+    const PlyType type{input_.has_doubles() ? std::size_t{8} : std::size_t{4}, false, true};
+    const std::vector<PlyProperty>& properties = input_.scalars().properties();
+    input_.for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
+      if (v % often == 0)
+        ask();
+      if (welded_.has(v))
+        return;
+      for (std::size_t i = 0; i < 3; ++i)
+        bytes.put_as(type, p[i]);
+      for (std::size_t i = 0; i < scalars.size(); ++i)
+        bytes.put_as(properties[i].type, scalars[i]);
+    });
+  }
+
+  template <class Ask>
+  void put_faces(PlyBytes& bytes, const Ask& ask) const {
+    RowBlocks numbers(numbers_path(), 0, sizeof(VertexId), memory_ / 4);
+    const auto number = [&](VertexId v) {
+      VertexId result = 0;
+      std::memcpy(&result, numbers.row(v), sizeof(result));
+      return result;
+    };
     input_.for_faces([&](std::uint64_t f, const FaceRow& corners, const LabelValues& labels) {
       if (f % often == 0)
         ask();
-      bytes.put_corners({became(corners[0]), became(corners[1]), became(corners[2])});
+      bytes.put_corners({number(corners[0]), number(corners[1]), number(corners[2])});
       for (std::size_t i = 0; i < labels.size(); ++i)
         bytes.put_integer(input_.labels()[i].type, labels[i]);
     });
-  }
-
-  VertexId became(VertexId v) {
-    if (loaded_.empty() || v / piece() != loaded_piece_) {
-      loaded_piece_ = v / piece();
-      const auto named = read_rows<Named>(piece_path(loaded_piece_),
-                                          contents_[static_cast<std::size_t>(loaded_piece_)]);
-      loaded_.assign(named.size(), 0);
-      for (const Named& n : named)
-        loaded_[n.vertex] = n.becomes;
-    }
-    return loaded_[static_cast<std::size_t>(v % piece())];
   }
 
   // Items between two calls of `ask`.
@@ -164,9 +236,9 @@ private:
 
   const PlyInput& input_;
   std::filesystem::path folder_;
-  std::uint64_t memory_, vertices_ = 0, loaded_piece_ = 0;
-  std::vector<FileContent> contents_; // of the pieces
-  std::vector<VertexId> loaded_;      // what vertices of a piece have become
+  std::uint64_t memory_, vertices_ = 0; // of the output
+  IdSet welded_;                        // to another one, and gone
+  std::vector<FileContent> contents_;   // of the pieces
 };
 
 } // namespace quadrille::internal
