@@ -45,6 +45,7 @@ struct Claims {
   /// from 0 to 1. If it returns false, verify() ends soon: Verdict::is_cancelled.
   std::function<bool(double part)> progress = {};
 
+  /// One way or both.
   bool are_distances_claimed() const { return distance || distance_both_ways; }
 };
 

@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/distance/distance_surface.h>
 #include <quadrille/internal/distance/distance_tree.h>
+#include <quadrille/internal/verify/check_progress.h>
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,11 @@ public:
     double excess; ///< of the point's distance beyond the allowance; negative where it is within
   };
 
-  /// Of at least one face.
-  explicit AllowedFaces(std::vector<Face> faces) : faces_(std::move(faces)), order_(faces_.size()) {
+  /// Of at least one face. Takes steps.
+  AllowedFaces(std::vector<Face> faces, CheckProgress& progress)
+      : faces_(std::move(faces)), order_(faces_.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    build(0, order_.size());
+    build(0, order_.size(), progress);
   }
 
   const DistanceTriangle& triangle(std::size_t face) const { return faces_[face].triangle; }
@@ -58,7 +60,8 @@ private:
   };
   static constexpr std::size_t leaf_size = 4;
 
-  void build(std::size_t begin, std::size_t end) {
+  void build(std::size_t begin, std::size_t end, CheckProgress& progress) {
+    progress.step();
     Node node{.box = {}, .begin = begin, .end = end};
     for (std::size_t i = begin; i < end; ++i) {
       node.box += faces_[order_[i]].triangle.bbox();
@@ -69,9 +72,9 @@ private:
     if (end - begin <= leaf_size)
       return;
     const std::size_t middle = halve(node);
-    build(begin, middle);
+    build(begin, middle, progress);
     nodes_[at].second = nodes_.size();
-    build(middle, end);
+    build(middle, end, progress);
   }
 
   /// Along the longest side of the box.

@@ -78,7 +78,7 @@ private:
 
   /// Only one of both allows more than 0: that of the input.
   Measured excess(const Faces& from, const Faces& to, double error) const {
-    const AllowedFaces near(to);
+    const AllowedFaces near(to, progress_);
     GreatestExcess greatest(near, (std::max)(frame_.to(error), 0x1p-40), progress_);
     for (const AllowedFaces::Face& face : from)
       greatest.look_at_corners(face.triangle, face.allowance);

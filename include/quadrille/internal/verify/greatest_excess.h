@@ -34,6 +34,7 @@ public:
   /// Takes in the corners of a triangle of which the points may be further by `allowance`. To take
   /// those of all triangles first makes what follows faster.
   void look_at_corners(const DistanceTriangle& t, double allowance) {
+    progress_.step();
     for (int i = 0; i < 3; ++i)
       measure(t[i], allowance);
   }

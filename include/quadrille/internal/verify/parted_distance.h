@@ -99,7 +99,7 @@ private:
       for (const DistanceTriangle& t : *near)
         allowed.push_back({t, 0});
       near.reset();
-      const AllowedFaces tree(std::move(allowed));
+      const AllowedFaces tree(std::move(allowed), distance_.progress_);
       GreatestExcess excess(tree, error_, distance_.progress_, greatest_);
       for (const DistanceTriangle& t : faces)
         excess.look_at_corners(t, 0);
