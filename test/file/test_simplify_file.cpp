@@ -1070,7 +1070,9 @@ TEST_CASE("Bad files end in a sentence that names the place") {
       loose.points.push_back(soup.points[v]);
   for (std::uint32_t v = 0; v < loose.points.size(); v += 3)
     loose.triangles.push_back({v + 1, v + 2, v});
-  require_refusal("in.ply", ply_of(loose), "no two of its faces share a vertex");
+  require_refusal("in.ply", ply_of(loose),
+                  "no two of its faces share a vertex, so that nothing "
+                  "could be simplified: 'weld' makes vertices one");
   const std::string stl = test::stl_of(soup);
   require_refusal("in.stl", test::stl_of({soup.points, {}}), "nothing to simplify");
   require_refusal("in.stl", stl.substr(0, 50), "ends within the 84 bytes");
@@ -1207,8 +1209,8 @@ TEST_CASE("Vertices at exactly the same place become one if that is asked for") 
   }
   SECTION("of tiles all do, not only those of their borders") {
     const std::vector<std::filesystem::path> files{
-        folder.file("a.ply", ply_of(beside_each_other({tiles[0], tiles[3]}))),
-        folder.file("b.ply", ply_of(beside_each_other({tiles[1], tiles[2]})))};
+        folder.file("a.ply", ply_of(beside_each_other({tiles[0], tiles[1]}))),
+        folder.file("b.ply", ply_of(beside_each_other({tiles[2], tiles[3]})))};
     options.welds = true;
     simplify_file<MemorylessQuadric, OptimalPlacement>(files, folder.path("out.ply"),
                                                        FaceCount{800}, options);

@@ -67,9 +67,8 @@ private:
     if (facts_.counted_faces == 0)
       fail("nothing to simplify: no face of three different vertices");
     if (is_loose_ && facts_.faces > 1 && !input_.is_welded())
-      fail(
-          "no two of its faces share a vertex, so that nothing could be simplified: a file that is "
-          "read in parts has to have its vertices once, or to be STL");
+      fail("no two of its faces share a vertex, so that nothing could be simplified: 'weld' makes "
+           "vertices one that lie at exactly the same place");
   }
 
   void take_labels(const LabelValues& values) {

@@ -132,7 +132,8 @@ private:
     return used;
   }
 
-  // A vertex is sorted as its number and behind that a digest of what it has beside its place.
+  // A vertex is sorted as its number and behind that a digest of what it has beside its place. Of
+  // two that differ it is the same once in 2^32: then the first one's numbers stay.
   static VertexId vertex_of(std::uint64_t sorted) { return static_cast<VertexId>(sorted >> 32); }
   static std::uint32_t digest(const std::vector<double>& scalars) {
     FileChecksum checksum;
