@@ -24,7 +24,7 @@ import shapes
 from surfaces import Input, read
 
 TARGETS = (50, 30, 20, 10, 7, 5, 3, 2, 1, .5, .2, .1)
-OTHERS = (("--cost", "memoryless"), ("--error", "5%"), ("--drop-parts",), ("--topology", "free"))
+OTHERS = (("--cost", "memoryless"), ("--error", "5%"), ("--drop-parts",), ("--keep-parts",), ("--topology", "free"))
 
 
 class Run:
@@ -50,7 +50,7 @@ def better(program, model, path, run, options):
     """Another way that comes to no more faces with less error, or nothing."""
     best = None
     for other in OTHERS:
-        if "--drop-parts" in options and "--topology" in other:
+        if "--drop-parts" in options and other[0] in ("--topology", "--keep-parts"):
             continue
         found = Run(program, model, path, ["--faces", str(run.faces), *options, *other])
         if found.is_done and found.faces <= 1.02 * run.faces and found.error() < (best or run).error():
