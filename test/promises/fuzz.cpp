@@ -3,8 +3,7 @@
 // Prints what is broken, writes it to broken_SEED_in.off and broken_SEED_out.off, and fails if
 // anything is.
 //   fuzz FIRST_SEED COUNT [MODEL.off...]    models are simplified beside the others, in their turn
-#include "models.h"
-#include "random_surfaces.h"
+#include "seeds.h"
 
 #include <quadrille/compiled.h>
 #include <quadrille/verify.h>
@@ -17,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <map>
 #include <stdexcept>
@@ -155,20 +153,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::uint64_t first = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 0;
-  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 100;
-  std::vector<Surface> models;
-  for (int i = 3; i < argc; ++i)
-    models.push_back({test::name_of(argv[i]), test::read_soup(argv[i], 100'000)});
-  std::uint64_t broken = 0;
-  for (std::uint64_t seed = first; seed < first + count; ++seed)
-    try {
-      broken += !Fuzz(seed, test::surface_of(seed, models)).check();
-    } catch (const std::exception& error) {
-      std::printf("seed %llu: BROKEN: %s\n", static_cast<unsigned long long>(seed), error.what());
-      ++broken;
-    }
-  std::printf("%llu of %llu seeds broken\n", static_cast<unsigned long long>(broken),
-              static_cast<unsigned long long>(count));
-  return broken == 0 ? 0 : 1;
+  return test::check_seeds(argc, argv, [](std::uint64_t seed, const test::Surface& surface) {
+    return Fuzz(seed, surface).check();
+  });
 }
