@@ -171,6 +171,20 @@ awk 'BEGIN {
 run 1 gravel.off out.off --faces 150
 expect stderr '^out.off: with --drop-parts it comes to 150 faces, error about [0-9.]* % .*small parts vanished'
 run 0 gravel.off out.off --faces 150 --drop-parts
+# Labels of faces do not go with small parts by default, materials do
+for number in label texnumber; do
+  awk -v number=$number -v ground=$(((10 + 1) * (10 + 1))) 'NR == 2 {
+    print "ply\nformat ascii 1.0\nelement vertex " $1 "\nproperty double x\nproperty double y\nproperty double z"
+    print "element face " $2 "\nproperty list uchar int vertex_indices\nproperty int " number "\nend_header"
+    points = $1
+  }
+  NR > 2 { print $0 (NR > points + 2 ? " " ($2 >= ground) : "") }' gravel.off >$number.ply
+done
+run 1 label.ply out.ply --faces 150
+expect stderr '^out.ply: with --drop-parts it comes to 150 faces, error about [0-9.]* % .*small parts vanished'
+run 0 label.ply out.ply --faces 150 --drop-parts
+run 0 texnumber.ply out.ply --faces 150
+expect stdout 'small parts vanished'
 
 # Files with nothing in them
 printf 'OFF\n0 0 0\n' >none.off

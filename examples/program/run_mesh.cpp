@@ -201,6 +201,7 @@ public:
     if (!is_standard_output(options_.output) && !writes_gltf())
       print_remark_of_materials(options_, mesh);
     diagonal_ = diagonal(mesh.points, mesh.triangles);
+    look_for_labels(mesh);
     compare_with_file(source, mesh);
     if (!options_.levels.empty())
       simplify_to_levels(mesh);
@@ -216,6 +217,13 @@ public:
 
 private:
   bool writes_gltf() const { return &format_ == &gltf_format; }
+
+  /// A label does not go with a small part, unless that is asked for.
+  void look_for_labels(const IndexedMesh& mesh) {
+    const FaceRegions regions(mesh);
+    has_labels_ = !regions.labels().empty();
+    options_.keeps_parts |= regions.is_segmented() && !options_.drops_parts;
+  }
 
   std::string content(const std::string& file, const IndexedMesh& mesh) {
     if (!writes_gltf())
@@ -271,9 +279,7 @@ private:
   /// A run to one target; `simplify` is what simplifies a mesh, and tells what points become.
   void simplify_to(const std::string& file, IndexedMesh mesh, const Options& asked_options,
                    const Simplify& simplify) {
-    const FaceRegions regions(mesh);
-    Options options = with_rest_of_limit(asked_options);
-    options.keeps_parts |= regions.is_segmented() && !options.drops_parts;
+    const Options options = with_rest_of_limit(asked_options);
     const std::optional<IndexedMesh> input =
         options.measures || options.verifies ? std::optional(mesh) : std::nullopt;
     std::vector<std::size_t> images;
@@ -286,7 +292,7 @@ private:
     report.distance_bound += moved_;
     report.hausdorff_bound += moved_;
     outcomes_.push_back({file, asked_options.target, report, diagonal_});
-    outcomes_.back().has_labels = !regions.labels().empty();
+    outcomes_.back().has_labels = has_labels_;
     contents_.push_back(content(file, mesh));
     if (input)
       progress_.show_stage("measuring");
@@ -370,6 +376,7 @@ private:
   const MeshFormat& format_;
   std::vector<std::string> files_, contents_;
   double diagonal_ = 0;
+  bool has_labels_ = false;         // of faces, materials say
   std::optional<IndexedMesh> file_; // what IN is, where that has been moved; by so much at most
   double moved_ = 0;
   std::optional<IndexedMesh> to_try_; // the input, where other options may be tried
