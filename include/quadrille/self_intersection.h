@@ -27,7 +27,7 @@ namespace quadrille {
 /// where its points are of floats, or with parameters::coordinates_are_floats. Where faces are in
 /// the way of the place of least cost, the vertex goes to an end of its pair.
 ///
-/// For GreedyOrder only. O(log n) for each contraction, as a rule, and 36 bytes a face: all takes
+/// For GreedyOrder only. O(log n) for each contraction, as a rule, and 44 bytes a face: all takes
 /// three to five times as long.
 struct NoSelfIntersection {
   /// If not, it is as if this were not there: for programs that choose at run time.

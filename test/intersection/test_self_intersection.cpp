@@ -1,7 +1,9 @@
 // With NoSelfIntersection no faces come to intersect, as CGAL's Polygon_mesh_processing sees it.
+#include "meshes.h"
 #include "soups.h"
 
 #include <quadrille/internal/intersection/box_tree.h>
+#include <quadrille/internal/intersection/face_plane.h>
 #include <quadrille/internal/intersection/face_sides.h>
 #include <quadrille/internal/intersection/flat_fan.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
@@ -242,6 +244,34 @@ TEST_CASE("Triangles intersect as CGAL says, whatever they have in common") {
   for (std::size_t common = 0; common < 3; ++common)
     CHECK((met[common] > 300 && apart[common] > 300));
   CHECK((separated[0] > 300 && separated[1] > 300 && separated[2] == 0));
+}
+
+TEST_CASE("Points next to a plane lie on one side of it as CGAL says, or it is not told") {
+  test::Random random(11);
+  const auto vector = [&] { return Vector<3>{{random(-1, 1), random(-1, 1), random(-1, 1)}}; };
+  int told = 0, on_both_sides = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const Vector<3> a = vector(), u = vector(), v = vector();
+    const std::array face{a, a + u, a + v};
+    const double off = std::ldexp(random(-1, 1), -static_cast<int>(random.below(60)));
+    const auto beside = [&] { return a + random(-2, 2) * u + random(-2, 2) * v + off * vector(); };
+    const std::array other{beside(), beside(), beside()};
+    const std::size_t but = random.below(4);
+    int front = 0, back = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto side =
+          CGAL::orientation(point(face[0]), point(face[1]), point(face[2]), point(other[i]));
+      front += i != but && side == CGAL::POSITIVE;
+      back += i != but && side == CGAL::NEGATIVE;
+    }
+    const bool is_on_one_side = (std::max)(front, back) == (but < 3 ? 2 : 3);
+    on_both_sides += !is_on_one_side;
+    if (internal::FacePlane(face).has_on_one_side(other, but)) {
+      REQUIRE(is_on_one_side);
+      ++told;
+    }
+  }
+  CHECK((told > 3000 && on_both_sides > 3000));
 }
 
 TEST_CASE(

@@ -40,7 +40,53 @@ struct FloatBox {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
            other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
+  bool contains(const FloatBox& other) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (other.low[i] < low[i] || other.high[i] > high[i])
+        return false;
+    return true;
+  }
   friend bool operator==(const FloatBox&, const FloatBox&) = default;
+};
+
+/// Eight boxes, coordinate by coordinate, so that a compiler may compare several at once.
+struct EightBoxes {
+  static constexpr std::size_t width = 8;
+  std::array<std::array<float, width>, 3> low, high;
+
+  /// Empty ones.
+  EightBoxes() {
+    for (std::size_t lane = 0; lane < width; ++lane)
+      set(lane, FloatBox::empty());
+  }
+  void set(std::size_t lane, const FloatBox& box) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i][lane] = box.low[i];
+      high[i][lane] = box.high[i];
+    }
+  }
+  FloatBox box(std::size_t lane) const {
+    return {{low[0][lane], low[1][lane], low[2][lane]},
+            {high[0][lane], high[1][lane], high[2][lane]}};
+  }
+  FloatBox around() const {
+    FloatBox box;
+    for (std::size_t i = 0; i < 3; ++i) {
+      box.low[i] = *std::min_element(low[i].begin(), low[i].end());
+      box.high[i] = *std::max_element(high[i].begin(), high[i].end());
+    }
+    return box;
+  }
+  /// Not zero for those that meet a box.
+  std::array<std::int32_t, width> meets(const FloatBox& box) const {
+    const auto at_most = [](float a, float b) { return std::int32_t{a <= b}; }; // as wide
+    std::array<std::int32_t, width> does;
+    for (std::size_t lane = 0; lane < width; ++lane)
+      does[lane] = at_most(low[0][lane], box.high[0]) & at_most(box.low[0], high[0][lane]) &
+                   at_most(low[1][lane], box.high[1]) & at_most(box.low[1], high[1][lane]) &
+                   at_most(low[2][lane], box.high[2]) & at_most(box.low[2], high[2][lane]);
+    return does;
+  }
 };
 
 /// Boxes in a tree: eight neighbours have a box around them, eight of those another one, and so on.
@@ -48,7 +94,7 @@ struct FloatBox {
 /// holds, and needs no pointers: box s of a level is in box s/8 of the next one.
 class BoxTree {
 public:
-  static constexpr std::size_t width = 8;
+  static constexpr std::size_t width = EightBoxes::width;
 
   /// Of that many boxes, which are empty until they are put().
   explicit BoxTree(std::size_t size = 0) {
@@ -79,7 +125,7 @@ public:
     for (std::size_t level = 1; level < levels_.size(); ++level) {
       slot /= width;
       const FloatBox around = levels_[level - 1][slot].around();
-      Block& parent = levels_[level][slot / width];
+      EightBoxes& parent = levels_[level][slot / width];
       if (parent.box(slot % width) == around)
         return;
       parent.set(slot % width, around);
@@ -105,46 +151,9 @@ public:
   }
 
 private:
-  // Coordinate by coordinate, so that a compiler may compare several boxes at once.
-  struct Block {
-    std::array<std::array<float, width>, 3> low, high;
-
-    Block() {
-      for (std::size_t lane = 0; lane < width; ++lane)
-        set(lane, FloatBox::empty());
-    }
-    void set(std::size_t lane, const FloatBox& box) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        low[i][lane] = box.low[i];
-        high[i][lane] = box.high[i];
-      }
-    }
-    FloatBox box(std::size_t lane) const {
-      return {{low[0][lane], low[1][lane], low[2][lane]},
-              {high[0][lane], high[1][lane], high[2][lane]}};
-    }
-    FloatBox around() const {
-      FloatBox box;
-      for (std::size_t i = 0; i < 3; ++i) {
-        box.low[i] = *std::min_element(low[i].begin(), low[i].end());
-        box.high[i] = *std::max_element(high[i].begin(), high[i].end());
-      }
-      return box;
-    }
-    std::array<std::int32_t, width> meets(const FloatBox& box) const {
-      const auto at_most = [](float a, float b) { return std::int32_t{a <= b}; }; // as wide
-      std::array<std::int32_t, width> does;
-      for (std::size_t lane = 0; lane < width; ++lane)
-        does[lane] = at_most(low[0][lane], box.high[0]) & at_most(box.low[0], high[0][lane]) &
-                     at_most(low[1][lane], box.high[1]) & at_most(box.low[1], high[1][lane]) &
-                     at_most(low[2][lane], box.high[2]) & at_most(box.low[2], high[2][lane]);
-      return does;
-    }
-  };
-
   template <class Visit>
   bool descend(std::size_t level, std::size_t block, const FloatBox& box, Visit& visit) const {
-    const Block& boxes = levels_[level][block];
+    const EightBoxes& boxes = levels_[level][block];
     const std::array<std::int32_t, width> meets = boxes.meets(box);
     for (std::size_t lane = 0; lane < width; ++lane) {
       if (!meets[lane])
@@ -156,7 +165,7 @@ private:
     return false;
   }
 
-  std::vector<std::vector<Block>> levels_; // from the boxes themselves to one around them all
+  std::vector<std::vector<EightBoxes>> levels_; // from the boxes themselves to one around them all
 };
 
 /// Sorts items so that neighbours come together, where BoxTree wants them: each half of a power of

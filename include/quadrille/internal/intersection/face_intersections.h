@@ -9,6 +9,7 @@
 #include <quadrille/internal/intersection/face_sides.h>
 #include <quadrille/internal/intersection/flat_fan.h>
 #include <quadrille/internal/intersection/intersection_check.h>
+#include <quadrille/internal/intersection/near_faces.h>
 #include <quadrille/internal/intersection/swept_space.h>
 #include <quadrille/internal/intersection/tree_order.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
@@ -29,7 +30,7 @@ namespace quadrille::internal {
 ///
 /// Once half of the faces are gone, the tree is built anew of those that are left, in the same
 /// order: what was next to each other still is. So all that takes linear time, but for the first
-/// sort. 36 bytes a face.
+/// sort. 44 bytes a face.
 template <std::size_t N>
 class FaceIntersections final : public IntersectionCheck {
 public:
@@ -37,26 +38,27 @@ public:
       : complex_(complex), geometry_(geometry) {}
 
   void begin() override {
+    forget_pair();
+    met_before_.assign(complex_.vertex_capacity(), {none, none, none, none});
     sort_faces();
     plant();
   }
 
   bool makes_intersection(const PairStar& star, Index first, Index second,
                           const Vector<3>& target) override {
-    const FloatBox around = gather(star, first, target);
-    if (!fan_.is(changed_) && (meets_itself() || turns_inside_out(star, first, second)))
-      return true;
-    const auto is_beside = [&](Index face) {
-      const auto& v = complex_.vertices(face);
-      return !complex_.is_removed(face) && std::none_of(v.begin(), v.end(), [&](Index w) {
-        return w != star.hub && (w == first || w == second);
-      });
-    };
-    return (is_beside(last_met_) && is_met(last_met_)) || meets_near(around, is_beside) ||
-           passes_over_near();
+    if (pair_ != std::array{first, second})
+      look_at(star, first, second);
+    for (const TriedPlace& tried : tried_)
+      if (tried.target == target)
+        return tried.intersects;
+    place_at(target);
+    const bool intersects = meets_or_passes(star, first, second);
+    tried_.push_back({target, intersects});
+    return intersects;
   }
 
   void follow(const PairStar& star, Index first) override {
+    forget_pair();
     for (const StarFace& f : star.shared)
       forget(f.face);
     for_each_changed(star, first, [&](const StarFace& f) {
@@ -70,6 +72,7 @@ public:
   }
 
   void forget(std::span<const Index> faces) override {
+    forget_pair();
     for (Index face : faces)
       forget(face);
   }
@@ -94,11 +97,11 @@ public:
   }
 
 private:
-  // A face at the place that it has now, or is to have.
-  struct PlacedFace {
-    Index face;
-    FloatBox box;
-    FaceCorners corners;
+  // What a place of the pair at hand has been found to do: several places are tried, and some
+  // twice.
+  struct TriedPlace {
+    Vector<3> target;
+    bool intersects;
   };
 
   std::array<float, 3> rounded(const Vector<3>& p) const {
@@ -166,73 +169,123 @@ private:
       visit(f);
   }
 
-  // The faces that a contraction would change, where they would be; the box around them, now and
-  // then.
-  FloatBox gather(const PairStar& star, Index first, const Vector<3>& target) {
+  void forget_pair() { pair_ = {none, none}; }
+
+  // The star of a pair as it is now, which is the same for all places that are tried.
+  void look_at(const PairStar& star, Index first, Index second) {
+    pair_ = {first, second};
+    const Index kept = star.hub == none ? first : star.hub;
+    moving_ = {star.hub == first ? second : first, star.hub == second ? first : second};
+    tried_.clear();
     changed_.clear();
     old_.clear();
-    target_ = target;
-    FloatBox around = FloatBox::empty();
-    const Index kept = star.hub == none ? first : star.hub;
     for_each_changed(star, first, [&](const StarFace& f) {
-      const FaceCorners corners{
-          {kept, f.second, f.third},
-          {target, space(geometry_.position(f.second)), space(geometry_.position(f.third))}};
-      const FloatBox box = box_of(corners);
-      changed_.push_back({f.face, box, corners});
-      around.add(box);
-      sweep(f.face, around);
+      changed_.push_back({f.face,
+                          {{kept, f.second, f.third},
+                           {Vector<3>{}, space(geometry_.position(f.second)),
+                            space(geometry_.position(f.third))}}});
+      old_.push_back(f.face);
     });
     for (const StarFace& f : star.shared)
-      sweep(f.face, around);
-    return around;
+      old_.push_back(f.face);
+    around_old_ = searched_ = FloatBox::empty();
+    for (const Index face : old_)
+      around_old_.add(boxes_[slots_[face]]);
   }
 
-  // Would a changed face meet one beside them? Where none does, those that are near are known then.
-  template <class IsBeside>
-  bool meets_near(const FloatBox& around, IsBeside is_beside) {
-    near_.clear();
-    sides_.clear();
-    for (const PlacedFace& face : changed_)
-      sides_.emplace_back(face.corners);
-    return boxes_.any_meeting(around, [&](std::size_t slot, const FloatBox& box) {
-      const Index face = faces_[slot];
-      if (!is_beside(face))
-        return false;
-      near_.push_back({face, box, corners_of(face)});
-      for (std::size_t i = 0; i < changed_.size(); ++i)
-        if (changed_[i].box.meets(box) && !sides_[i].separate(near_.back().corners) &&
-            begin_to_meet(changed_[i], near_.back())) {
-          last_met_ = face;
-          return true;
-        }
-      return false;
+  // Puts the new vertex there.
+  void place_at(const Vector<3>& target) {
+    target_ = target;
+    changed_boxes_.clear();
+    for (PlacedFace& face : changed_) {
+      face.corners.points[0] = target;
+      changed_boxes_.push_back(box_of(face.corners));
+    }
+  }
+
+  bool meets_or_passes(const PairStar& star, Index first, Index second) {
+    if (meets_one_met_before(first))
+      return true;
+    if (!fan_.is(changed_) && (meets_itself() || turns_inside_out(star, first, second)))
+      return true;
+    FloatBox around = around_old_;
+    around.add(rounded(target_));
+    search(around);
+    return !near_.empty() && (meets_near() || passes_over_near(around));
+  }
+
+  // Does a face stay as it is?
+  bool is_beside(Index face) const {
+    const auto& v = complex_.vertices(face);
+    return !complex_.is_removed(face) && std::none_of(v.begin(), v.end(), [&](Index w) {
+      return w == moving_[0] || w == moving_[1];
     });
   }
 
-  // Another place of the same pair often meets the same face, or one beside it.
+  // A pair that has been refused is tried again and again, at several places, and mostly meets
+  // faces that it met before, or that a pair of the same vertex did.
+  bool meets_one_met_before(Index vertex) {
+    if (is_beside(last_met_) && is_met(last_met_))
+      return true;
+    auto& met = met_before_[vertex];
+    for (std::size_t i = 0; i < met.size() && met[i] != none; ++i)
+      if (met[i] != last_met_ && is_beside(met[i]) && is_met(met[i])) {
+        last_met_ = met[i];
+        std::rotate(met.begin(), met.begin() + i, met.begin() + i + 1);
+        return true;
+      }
+    return false;
+  }
+  void note_met(Index vertex, Index face) {
+    last_met_ = face;
+    auto& met = met_before_[vertex];
+    std::rotate(met.begin(), met.end() - 1, met.end());
+    met.front() = face;
+  }
+
   bool is_met(Index face) const {
-    const PlacedFace other{face, box_of(face), corners_of(face)};
-    return std::any_of(changed_.begin(), changed_.end(), [&](const PlacedFace& changed) {
-      return changed.box.meets(other.box) && !FaceSides(changed.corners).separate(other.corners) &&
-             begin_to_meet(changed, other);
+    const FloatBox box = boxes_[slots_[face]];
+    const PlacedFace other{face, corners_of(face)};
+    for (std::size_t i = 0; i < changed_.size(); ++i)
+      if (changed_boxes_[i].meets(box) && begin_to_meet(changed_[i], other))
+        return true;
+    return false;
+  }
+
+  // Finds the faces that stay as they are in a box, or partly in it.
+  void search(const FloatBox& around) {
+    if (searched_.contains(around))
+      return;
+    searched_ = around;
+    near_.clear();
+    boxes_.for_each_meeting(around, [&](std::size_t slot, const FloatBox& box) {
+      if (const Index face = faces_[slot]; is_beside(face))
+        near_.add({face, corners_of(face)}, box);
     });
   }
 
-  void sweep(Index face, FloatBox& around) {
-    old_.push_back(face);
-    around.add(box_of(face));
+  // Would a changed face meet one that is near?
+  bool meets_near() {
+    for (std::size_t i = 0; i < changed_.size(); ++i) {
+      const FaceSides sides(changed_[i].corners);
+      if (near_.any_meeting(changed_boxes_[i], [&](const PlacedFace& other) {
+            if (sides.separate(other.corners) || !begin_to_meet(changed_[i], other))
+              return false;
+            note_met(pair_[0], other.face);
+            return true;
+          }))
+        return true;
+    }
+    return false;
   }
 
   // Does the surface pass over one of the faces near it? Of one that meets it neither before nor
   // afterwards a point tells, which lies on no line that is likely to be a side of something.
-  bool passes_over_near() {
-    if (near_.empty())
-      return false;
+  bool passes_over_near(const FloatBox& around) {
     swept_.begin(target_);
     for (const Index face : old_)
       swept_.add(corners_of(face).points);
-    return std::any_of(near_.begin(), near_.end(), [this](const PlacedFace& face) {
+    return near_.any_meeting(around, [this](const PlacedFace& face) {
       const auto& [a, b, c] = face.corners.points;
       return swept_.has(0.4142 * a + 0.3183 * b + 0.2675 * c) && !is_degenerate(face.corners) &&
              std::none_of(old_.begin(), old_.end(), [&](Index old) {
@@ -253,11 +306,11 @@ private:
   // Do two of the changed faces, or does one lose its area? It would meet others without being
   // seen.
   bool meets_itself() const {
-    for (auto a = changed_.begin(); a != changed_.end(); ++a) {
-      if (is_degenerate(a->corners) && !is_degenerate(corners_of(a->face)))
+    for (std::size_t i = 0; i < changed_.size(); ++i) {
+      if (is_degenerate(changed_[i].corners) && !is_degenerate(corners_of(changed_[i].face)))
         return true;
-      for (auto b = std::next(a); b != changed_.end(); ++b)
-        if (a->box.meets(b->box) && begin_to_meet(*a, *b))
+      for (std::size_t j = i + 1; j < changed_.size(); ++j)
+        if (changed_boxes_[i].meets(changed_boxes_[j]) && begin_to_meet(changed_[i], changed_[j]))
           return true;
     }
     return false;
@@ -311,12 +364,21 @@ private:
   std::vector<Index> slots_; // of each face
   BoxTree boxes_;
   std::size_t left_ = 0;
-  std::vector<PlacedFace> changed_, near_; // see gather() and meets_near()
-  std::vector<FaceSides> sides_;           // of those that change
   Index last_met_ = 0;
-  std::vector<Index> old_; // faces that a contraction would change, or take away
-  Vector<3> target_{};     // of the last contraction
-  SweptSpace swept_;       // by old_ on the way there
+  std::vector<std::array<Index, 4>> met_before_; // by pairs of each vertex, the last one first
+
+  // The pair at hand, of which several places may be tried: see look_at() and place_at().
+  std::array<Index, 2> pair_{none, none};
+  std::array<Index, 2> moving_{none, none}; // its ends, but for a hub
+  std::vector<TriedPlace> tried_;
+  std::vector<Index> old_; // faces that the contraction would change, or take away
+  FloatBox around_old_ = FloatBox::empty();
+  std::vector<PlacedFace> changed_;
+  std::vector<FloatBox> changed_boxes_;
+  Vector<3> target_{};
+  FloatBox searched_ = FloatBox::empty(); // by search()
+  NearFaces near_;
+  SweptSpace swept_; // by old_ on the way to target_
   FlatFan fan_;
 };
 
