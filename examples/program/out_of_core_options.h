@@ -22,9 +22,6 @@ struct NotByParts {
   const char* reason;
 };
 inline constexpr NotByParts not_by_parts[] = {
-    {"--tolerance",
-     "how much of its own limit a face has used does not go along from phase to phase; --error "
-     "with the least of these numbers keeps all of them"},
     {"--calibrated",
      "each of its runs measures the surface as a whole, which is not in memory; --both-ways "
      "without it keeps the limit, too"},
@@ -118,10 +115,10 @@ inline void add_out_of_core(CLI::App& app, Options& options) {
                           "write how far it is to this file, a line of JSON for each stage and "
                           "second; the first one has an estimate of time, memory and disk"))
       ->type_name("FILE");
-  in_group(app.add_flag(
-      "--positions-only", options.positions_only,
-      "leave out what IN has beside positions, corners and labels; else colours and other numbers "
-      "of vertices go along, and what can't is refused"));
+  in_group(app.add_flag("--positions-only", options.positions_only,
+                        "leave out what IN has beside positions, corners, labels and tolerances; "
+                        "else colours and other numbers "
+                        "of vertices go along, and what can't is refused"));
   const auto is_step = [](const std::string& word) {
     const std::optional<std::int64_t> part = parse_integer(word);
     return word == "cut" || word == "close" || (part && *part >= 0);

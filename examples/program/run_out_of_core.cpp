@@ -43,6 +43,7 @@ quadrille::OutOfCore out_of_core(const Options& options, FileProgress& progress)
   result.restart = options.restarts || options.step == "close";
   result.attribute_importance = options.cost.empty() ? 1 : hardly;
   result.positions_only = options.positions_only;
+  result.tolerance = options.target.tolerance;
   result.locks_boundary = options.locks_boundaries;
   result.keeps_tiles = keeps_tiles(options);
   result.welds = options.weld.has_value();
@@ -126,9 +127,9 @@ private:
     if (options_.target.faces && options_.target.ratio)
       throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
     const quadrille::SoupOptions soup = soup_options(options_);
-    return with_policies_of_parts(soup, [&](const auto& cost, const auto& stop) {
-      return run_with(cost, stop, placement_of_parts<std::decay_t<decltype(cost)>>(soup),
-                      limit_of_parts(soup));
+    const DistanceChoice limit = limit_of_parts(soup, options_.target.tolerance);
+    return with_policies_of_parts(soup, limit, [&](const auto& cost, const auto& stop) {
+      return run_with(cost, stop, placement_of_parts<std::decay_t<decltype(cost)>>(soup), limit);
     });
   }
 

@@ -52,7 +52,7 @@ public:
   FileJobBy(const SurfaceFiles& input, const Stop& stop, const OutOfCore& how, const Cost& cost,
             const SoupOptions& options)
       : job_(input, stop, how, cost, placement_of_parts<Cost>(options),
-             options.topology.value_or(Topology::kept), limit_of_parts(options)) {}
+             options.topology.value_or(Topology::kept), limit_of_parts(options, how.tolerance)) {}
 
   FileEstimate estimate() const override { return job_.estimate(); }
   std::size_t partition() override { return job_.partition(), job_.parts(); }
@@ -79,7 +79,8 @@ std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
   const SurfaceFiles input(paths);
   const py::gil_scoped_release unlocked;
   return with_policies_of_parts(
-      options, [&]<class Cost>(const Cost& cost, const auto& stop) -> std::unique_ptr<FileJob> {
+      options, limit_of_parts(options, how.tolerance),
+      [&]<class Cost>(const Cost& cost, const auto& stop) -> std::unique_ptr<FileJob> {
         return std::make_unique<FileJobBy<Cost>>(input, stop, how, cost, options);
       });
 }
@@ -148,6 +149,7 @@ void add_file_jobs(py::module_& m) {
       .def_readwrite("keeps_tiles", &OutOfCore::keeps_tiles)
       .def_readwrite("locks_boundary", &OutOfCore::locks_boundary)
       .def_readwrite("welds", &OutOfCore::welds)
+      .def_readwrite("tolerance", &OutOfCore::tolerance)
       .def_readwrite("positions_only", &OutOfCore::positions_only);
   using Unlocked = py::call_guard<py::gil_scoped_release>;
   py::class_<FileJob>(m, "FileJob")

@@ -123,7 +123,8 @@ private:
 };
 
 /// The same where the limit varies: each face of the input has a tolerance, the least of those of
-/// its corners, which the named parameter vertex_tolerance_map tells (SoupOptions::tolerance). No
+/// its corners, which the named parameter vertex_tolerance_map tells (SoupOptions::tolerance;
+/// of files OutOfCore::tolerance). No
 /// point of an input face will be further than its tolerance from the result, and each point of the
 /// result is near to some input face, within the tolerance of that. Where it is 0 nothing moves but
 /// within its plane, or along its straight crease or border.

@@ -70,20 +70,26 @@ template <class Cost = Quadric, class Placement = OptimalPlacement, class... Pol
 class PartitionedSimplifier {
 public:
   /// `stop` is a FaceCount or a FaceRatio; `policies` are what `simplify` takes beside, as it is
-  /// told to each part: filters, a Topology, an order. And, among them, an ErrorLimit or a
-  /// HausdorffLimit, which the whole keeps: without a target of faces besides, that is
-  /// FaceCount{0}. Throws std::invalid_argument for options that make no sense.
+  /// told to each part: filters, a Topology, an order. And, among them, an ErrorLimit, a
+  /// HausdorffLimit or a ToleranceLimit, which the whole keeps: without a target of faces besides,
+  /// that is FaceCount{0}. Throws std::invalid_argument for options that make no sense.
   template <class Stop>
   PartitionedSimplifier(const SurfaceFiles& input, const Stop& stop, const OutOfCore& options,
                         Cost cost, Placement placement, Policies... policies)
-      : options_(options),
-        source_(input.paths, options.positions_only, options.keeps_tiles, options.welds),
+      : options_(options), source_(input.paths, {options.positions_only, options.tolerance},
+                                   options.keeps_tiles, options.welds),
         runner_(options.locks_boundary, std::move(cost), std::move(placement), policies...),
         watch_(options.proceed), job_(made_job(internal::FileTarget(stop, runner_.is_limited()))) {
     if (options.scratch.empty())
       throw std::invalid_argument("quadrille::OutOfCore: no scratch folder is given");
     if (!(options.attribute_importance > 0 && options.attribute_importance < 1e30))
       throw std::invalid_argument("quadrille::OutOfCore: attribute_importance has to be above 0");
+    if (runner_.is_limited_by_tolerance() && options.tolerance.empty())
+      throw std::invalid_argument("quadrille::OutOfCore: ToleranceLimit needs tolerances: name the "
+                                  "number of vertices that is theirs");
+    if (!runner_.is_limited_by_tolerance() && !options.tolerance.empty())
+      throw std::invalid_argument("quadrille::OutOfCore: nothing holds the tolerances of '" +
+                                  options.tolerance + "': pass ToleranceLimit as stop policy");
   }
   /// The same with policies that need not be told.
   template <class Stop>
@@ -341,9 +347,10 @@ private:
 ///   labels, with their names and types, and in the range that they had
 /// - stop: a FaceCount or a FaceRatio. The count is met exactly, as far as faces allow, if what is
 ///   left of some phase fits into memory, or no phase takes too many (FileReport::is_count_exact);
-///   else it is near. Or an ErrorLimit or a HausdorffLimit, or AnyOf one of these and a count: what
-///   each face has used of the limit goes along from phase to phase, so that the whole keeps it, as
-///   Report::distance_bound and Report::hausdorff_bound tell; 8 bytes a face more on disk
+///   else it is near. Or an ErrorLimit, a HausdorffLimit, or a ToleranceLimit with
+///   OutOfCore::tolerance; or AnyOf one of these and a count: what each face has used of the limit
+///   goes along from phase to phase, so that the whole keeps it, as Report::distance_bound,
+///   Report::hausdorff_bound and Report::used_tolerance tell; 12 bytes a face more on disk
 /// - policies: what `simplify` takes beside, as it is told to each part
 ///
 /// The result depends on OutOfCore::memory (or part_faces), but not on how many parts are in

@@ -30,6 +30,7 @@
 #include <exception>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,9 +66,11 @@ private:
 /// Two files, cut into parts that are compared.
 class FileComparison {
 public:
-  FileComparison(const SurfaceFiles& a, const SurfaceFiles& b, const OutOfCore& options)
-      : options_(options), folder_(options.scratch), a_(cut(1, a, 0)), b_(cut(2, b, 0.1)),
-        box_(a_.box_in_file() + b_.box_in_file()), frame_(box_) {
+  /// `a` may have tolerances, by a name.
+  FileComparison(const SurfaceFiles& a, const SurfaceFiles& b, const OutOfCore& options,
+                 const std::string& tolerance = {})
+      : options_(options), folder_(options.scratch), a_(cut(1, a, tolerance, 0)),
+        b_(cut(2, b, {}, 0.1)), box_(a_.box_in_file() + b_.box_in_file()), frame_(box_) {
     a_.enter(frame_);
     b_.enter(frame_);
   }
@@ -79,11 +82,18 @@ public:
 
   Verdict verdict(const Claims& claims) const {
     Verdict verdict;
-    CheckProgress progress([&](double part) { return tell(0.2 + 0.8 * part), true; },
-                           claims.distance_both_ways ? 2 : 1);
-    const PartedDistance apart(a_, b_, frame_, diagonal(box_), DistanceFindings::least(claims),
-                               most_faces(), progress);
-    DistanceFindings::look(claims, apart, progress, verdict);
+    CheckProgress progress = told_progress(claims.distance_both_ways ? 2 : 1);
+    DistanceFindings::look(claims, apart(DistanceFindings::least(claims), progress), progress,
+                           verdict);
+    return verdict;
+  }
+
+  /// Of the tolerances.
+  Verdict verdict_of_tolerances() const {
+    Verdict verdict;
+    CheckProgress progress = told_progress(2);
+    DistanceFindings::look_at_tolerances(apart(frame_.from(a_.least_allowance()), progress),
+                                         progress, verdict);
     return verdict;
   }
 
@@ -97,12 +107,21 @@ private:
                                                             : std::max<std::uint64_t>(fit, 10'000));
   }
 
-  PartedSurface cut(unsigned number, const SurfaceFiles& files, double begin) const {
-    SurfaceSource source = SurfaceSource::shape_of(files.paths);
+  CheckProgress told_progress(std::size_t stages) const {
+    return {[&](double part) { return tell(0.2 + 0.8 * part), true; }, stages};
+  }
+  PartedDistance apart(double expected, CheckProgress& progress) const {
+    return {a_, b_, frame_, diagonal(box_), expected, most_faces(), progress};
+  }
+
+  PartedSurface cut(unsigned number, const SurfaceFiles& files, const std::string& tolerance,
+                    double begin) const {
+    SurfaceSource source = SurfaceSource::shape_of(files.paths, tolerance);
+    const std::optional<std::size_t> place = source.scalars().tolerance();
     const PlyInput& input =
         source.surface(folder_.folder(), options_.memory / 2, [&] { tell(begin); });
-    PartedSurface surface(folder_.folder(), number, input, most_faces(), options_.memory / 16,
-                          [&](double part) { tell(begin + 0.1 * part); });
+    PartedSurface surface(folder_.folder(), number, input, place, most_faces(),
+                          options_.memory / 16, [&](double part) { tell(begin + 0.1 * part); });
     folder_.folder().remove_welded();
     return surface;
   }
@@ -186,20 +205,27 @@ inline SurfaceDistance file_distance(const SurfaceFiles& a, const SurfaceFiles& 
 /// surfaces in memory: by pieces of faces, and not by samples.
 ///
 /// Claims are of distances, one way or both; for others, which need a surface as a whole, it throws
-/// std::invalid_argument. `claims.progress` is not asked, but `options.proceed`. A part is measured
-/// against all faces within what is claimed of it, which keeps `options.memory` as long as there
-/// are no more of them than a part has: where much more is broken than was claimed, it takes more.
-/// Otherwise as file_distance().
+/// std::invalid_argument. `options.tolerance` claims the tolerances that the input has under that
+/// name, see ToleranceLimit, beside or instead of these. `claims.progress` is not asked, but
+/// `options.proceed`. A part is measured against all faces within what is claimed of it, which
+/// keeps `options.memory` as long as there are no more of them than a part has: where much more is
+/// broken than was claimed, it takes more. Otherwise as file_distance().
 inline Verdict verify_files(const SurfaceFiles& input, const SurfaceFiles& result,
                             const Claims& claims, const OutOfCore& options) {
   internal::DistanceFindings::require_sense(claims);
   if (!claims.tolerances.empty() || claims.no_self_intersection || claims.solid ||
       claims.normal_deviation)
     throw std::invalid_argument("quadrille::verify_files: of surfaces in files distances can be "
-                                "claimed, and nothing else");
-  if (!claims.are_distances_claimed())
-    return {};
-  return internal::FileComparison(input, result, options).verdict(claims);
+                                "claimed, and tolerances by a name, and nothing else");
+  Verdict verdict;
+  if (claims.are_distances_claimed())
+    verdict = internal::FileComparison(input, result, options).verdict(claims);
+  if (!options.tolerance.empty())
+    for (Finding& finding : internal::FileComparison(input, result, options, options.tolerance)
+                                .verdict_of_tolerances()
+                                .findings)
+      verdict.findings.push_back(std::move(finding));
+  return verdict;
 }
 
 } // namespace quadrille

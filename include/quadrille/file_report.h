@@ -104,8 +104,11 @@ struct OutOfCore {
   /// borders of tiles. Vertices at a place that differ in numbers that go along are refused. The
   /// result depends on it.
   bool welds = false;
-  /// Read over whatever the file has beside positions, corners and labels; else what can't go along
-  /// is refused.
+  /// Where the limit is a ToleranceLimit: the name of the number of vertices of a PLY file that is
+  /// their tolerance, in the unit of their places, at least 0. It goes along as others do.
+  std::string tolerance = {};
+  /// Read over whatever the file has beside positions, corners, labels and tolerances; else what
+  /// can't go along is refused.
   bool positions_only = false;
   /// Called now and then by the thread that has called, and before each part; returning false ends
   /// the run, which can be restarted.

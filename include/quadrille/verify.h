@@ -78,7 +78,8 @@ private:
       DistanceFindings::look(claims, CheckedDistance(input_, {}, result_, progress), progress,
                              verdict_);
     if (!claims.tolerances.empty())
-      look_at_tolerances(claims.tolerances, progress);
+      DistanceFindings::look_at_tolerances(
+          CheckedDistance(input_, claims.tolerances, result_, progress), progress, verdict_);
     if (claims.no_self_intersection)
       look_at_intersections(progress);
     if (claims.solid) {
@@ -88,17 +89,6 @@ private:
     }
     if (claims.normal_deviation)
       look_at_normals(*claims.normal_deviation, claims.images);
-  }
-
-  void look_at_tolerances(const std::vector<double>& tolerances, CheckProgress& progress) {
-    const CheckedDistance distance(input_, tolerances, result_, progress);
-    DistanceFindings findings(verdict_, distance.diagonal_of_both());
-    findings.add("distance of the input from the result, beyond its tolerances", 0,
-                 distance.least_tolerance(), [&](double e) { return distance.of_input(e); });
-    progress.next_stage();
-    findings.add("distance of the result from the input, beyond its tolerances", 0,
-                 distance.least_tolerance(), [&](double e) { return distance.of_result(e); });
-    progress.next_stage();
   }
 
   void look_at_normals(double promised, const std::vector<std::size_t>& images) {

@@ -357,6 +357,47 @@ TEST_CASE("Faces of a piece go on with how far they and their input points are")
   CHECK_THROWS_WITH(run(std::vector<FaceBound>(3), GreedyOrder{}), Catch::Contains("3 bounds"));
 }
 
+TEST_CASE("Faces of a piece go on with their tolerances and what they have used of them") {
+  const Soup soup = test::shuffled(terrain(3, 40), 5);
+  const auto run = [](Piece<MemorylessQuadric> piece) {
+    return simplify_piece(std::move(piece), MemorylessQuadric{}, OptimalPlacement{},
+                          ToleranceLimit{});
+  };
+  Piece<MemorylessQuadric> by_vertices = whole<MemorylessQuadric>(soup);
+  for (const Position& p : soup.points)
+    by_vertices.tolerances.push_back(p[0] < 0.5 ? 0.002 : 0.02);
+  const auto once = run(by_vertices);
+  CHECK(once.report.hausdorff_bound == Approx(0.02 * once.report.used_tolerance->part));
+  float fine = std::numeric_limits<float>::infinity();
+  for (const internal::FaceBound& b : once.bounds)
+    fine = std::min(fine, b.tolerance);
+  std::array<std::size_t, 2> counts{};
+  for (const internal::FaceBound& b : once.bounds)
+    ++counts[b.tolerance == fine ? 0 : 1];
+  CHECK(counts[0] > counts[1]);
+  CHECK(counts[1] > 10);
+
+  // Faces that have used nothing know what their vertices allow, and all is the same.
+  Piece<MemorylessQuadric> by_faces = whole<MemorylessQuadric>(soup);
+  by_faces.greatest_tolerance = 0.02;
+  for (const test::Triangle& t : soup.triangles) {
+    const bool is_fine = std::any_of(
+        t.begin(), t.end(), [&](std::uint32_t v) { return by_vertices.tolerances[v] == 0.002; });
+    by_faces.bounds.push_back({0, 0, is_fine ? fine : 10 * fine});
+  }
+  const auto same = run(by_faces);
+  CHECK(same.triangles == once.triangles);
+  CHECK(same.report.hausdorff_bound == Approx(once.report.hausdorff_bound));
+  for (internal::FaceBound& b : by_faces.bounds)
+    b.from_input = 0.6F;
+  const auto later = run(by_faces);
+  CHECK(later.report.contractions > 0);
+  CHECK(later.report.contractions < once.report.contractions);
+  CHECK(later.report.used_tolerance->part > 0.6);
+  CHECK(later.report.used_tolerance->part <= 1);
+  CHECK_THROWS_WITH(run(whole<MemorylessQuadric>(soup)), Catch::Contains("no tolerances"));
+}
+
 TEST_CASE("Points and faces of a piece's result tell what they were") {
   const Soup soup = terrain(3);
   auto pieces = cut(test::Sewn<Quadric>{soup, {}}, kd_parts(soup, 3, 0.5), Box<3>(soup.points));
@@ -434,6 +475,9 @@ TEST_CASE("A piece that makes no sense is refused") {
   bad = good;
   bad.labels = {0, 1, 0};
   refuses(bad, "3 labels, not 2");
+  bad = good;
+  bad.tolerances = {1};
+  refuses(bad, "1 tolerances, not 4");
   bad = good;
   bad.borders = {{0, 4}};
   refuses(bad, "a border of a piece names point 4 of 4");

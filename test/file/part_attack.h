@@ -27,17 +27,20 @@
 
 namespace test {
 
-/// A surface of which each face has a label.
+/// A surface of which each face has a label, and each vertex may have a tolerance.
 struct LabelledSoup {
   Soup soup;
-  std::vector<std::int32_t> labels;
+  std::vector<std::int32_t> labels = {};
+  std::vector<double> tolerances = {};
 };
 
-/// As ply_of, with labels of faces.
+/// As ply_of, with labels of faces, and tolerances if there are any.
 inline std::string labelled_ply_of(const LabelledSoup& surface) {
-  const std::string plain = ply_of<double>(surface.soup);
+  const bool is_tolerant = !surface.tolerances.empty();
+  const std::string plain = is_tolerant ? ply_with(surface.soup, "allowed", surface.tolerances)
+                                        : ply_of<double>(surface.soup);
   const std::size_t header = plain.find("end_header\n") + 11;
-  const std::size_t faces = header + 24 * surface.soup.points.size();
+  const std::size_t faces = header + (is_tolerant ? 32 : 24) * surface.soup.points.size();
   std::string ply = plain.substr(0, header - 11) + "property int region\n" +
                     plain.substr(header - 11, faces - header + 11);
   for (std::size_t f = 0; f < surface.labels.size(); ++f) {
@@ -56,14 +59,18 @@ inline LabelledSoup read_labelled_ply(const std::filesystem::path& path) {
   LabelledSoup surface;
   surface.soup.points.resize(number_behind("element vertex "));
   const std::size_t faces = number_behind("element face ");
+  const bool is_tolerant = content.find("property double allowed\n") < begin;
   const char* at = content.data() + begin;
   const auto take = [&](auto& number) {
     std::memcpy(&number, at, sizeof number);
     at += sizeof number;
   };
-  for (Position& p : surface.soup.points)
+  for (Position& p : surface.soup.points) {
     for (double& x : p.coordinates)
       take(x);
+    if (is_tolerant)
+      take(surface.tolerances.emplace_back());
+  }
   for (std::size_t f = 0; f < faces; ++f) {
     ++at;
     for (std::uint32_t& v : surface.soup.triangles.emplace_back())
@@ -73,13 +80,13 @@ inline LabelledSoup read_labelled_ply(const std::filesystem::path& path) {
   return surface;
 }
 
-/// Simplifies a random surface by small parts, to a distance or to a count, and looks at what holds
-/// of a run in memory as well: distances, topology, regions of labels and which of them meet; and
-/// that the bytes are the same however many parts are in flight.
+/// Simplifies a random surface by small parts, to a distance, to tolerances or to a count, and
+/// looks at what holds of a run in memory as well: distances, topology, regions of labels and which
+/// of them meet; and that the bytes are the same however many parts are in flight.
 class PartAttack {
 public:
   PartAttack(std::uint64_t seed, const Surface& surface)
-      : seed_(seed), random_(seed + 21), name_(surface.name), input_{surface.soup, {}} {
+      : seed_(seed), random_(seed + 21), name_(surface.name), input_{surface.soup} {
     const double width = random_(0.1, 0.6) * diagonal(input_.soup);
     const double begin = input_.soup.points.front()[0];
     for (const Triangle& t : input_.soup.triangles)
@@ -90,15 +97,17 @@ public:
   /// What is broken, in a line each.
   std::vector<std::string> broken() {
     const Folder folder;
-    folder.file("in.ply", labelled_ply_of(input_));
     part_faces_ = 60 + random_.below(300);
     const double part = std::pow(10, random_(-3, -1));
-    switch (random_.below(3)) {
+    switch (random_.below(4)) {
     case 0:
       limited(folder, quadrille::ErrorLimit::relative(part));
       break;
     case 1:
       limited(folder, quadrille::HausdorffLimit::relative(part));
+      break;
+    case 2:
+      tolerant(folder, part * diagonal(input_.soup));
       break;
     default:
       run(folder, quadrille::FaceRatio{random_(0.02, 0.3)});
@@ -121,14 +130,55 @@ private:
             farthest(input_.soup, output, 3) <= report.hausdorff_bound + rounding);
   }
 
+  /// Tolerances from a tenth of the distance to ten times as much, in stripes.
+  void tolerant(const Folder& folder, double distance) {
+    const std::array<double, 3> allowed{0.1 * distance, distance, 10 * distance};
+    const double width = random_(0.1, 0.4) * diagonal(input_.soup);
+    for (const Position& p : input_.soup.points)
+      input_.tolerances.push_back(
+          allowed[static_cast<std::size_t>(std::abs(std::floor(p[1] / width))) % 3]);
+    const quadrille::FileReport report = run(folder, quadrille::ToleranceLimit{});
+    const Soup output = read_labelled_ply(folder.path("out1.ply")).soup;
+    if (!std::isfinite(report.hausdorff_bound) || output.triangles.empty())
+      return;
+    check("more used than there is", report.used_tolerance->part <= 1);
+    const double rounding = 1e-11 * greatest_coordinate(input_.soup);
+    const auto of_face = [&](const Triangle& t) {
+      const auto& of = input_.tolerances;
+      return std::min({of[t[0]], of[t[1]], of[t[2]]});
+    };
+    const Nearest nearest(output);
+    std::map<double, Soup> faces; // by what they allow
+    for (const Triangle& t : input_.soup.triangles) {
+      faces[of_face(t)].triangles.push_back(t);
+      for_each_point(input_.soup, t, 3, [&](const Position& p) {
+        check("a distance of the input beyond its tolerance",
+              nearest.distance(p) <= of_face(t) + rounding);
+      });
+    }
+    std::map<double, Nearest> nearest_by_tolerance;
+    for (auto& [tolerance, soup] : faces) {
+      soup.points = input_.soup.points;
+      nearest_by_tolerance.emplace(tolerance, soup);
+    }
+    for (const Triangle& t : output.triangles)
+      for_each_point(output, t, 3, [&](const Position& p) {
+        check("a distance beyond the tolerances",
+              std::any_of(nearest_by_tolerance.begin(), nearest_by_tolerance.end(),
+                          [&](auto& n) { return n.second.distance(p) <= n.first + rounding; }));
+      });
+  }
+
   template <class Stop>
   quadrille::FileReport run(const Folder& folder, const Stop& stop) {
+    folder.file("in.ply", labelled_ply_of(input_));
     quadrille::FileReport report;
     for (const unsigned in_flight : {1U, 3U}) {
       quadrille::OutOfCore options;
       options.scratch = folder.path("scratch");
       options.part_faces = options.whole_faces = part_faces_;
       options.parts_in_flight = in_flight;
+      options.tolerance = input_.tolerances.empty() ? "" : "allowed";
       report = quadrille::simplify_file<quadrille::MemorylessQuadric, quadrille::OptimalPlacement>(
           folder.path("in.ply"), folder.path("out" + std::to_string(in_flight) + ".ply"), stop,
           options);
@@ -174,7 +224,7 @@ private:
   }
 
   void check(const std::string& what, bool holds) {
-    if (!holds)
+    if (!holds && broken_.size() < 10)
       broken_.push_back("seed " + std::to_string(seed_) + ", " + name_ + ", parts of " +
                         std::to_string(part_faces_) + ": " + what);
   }

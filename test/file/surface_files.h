@@ -50,6 +50,20 @@ std::string ply_of(const Soup& soup, bool is_big = false) {
   return ply;
 }
 
+/// The same of doubles, with a number of each vertex.
+inline std::string ply_with(const Soup& soup, const std::string& name,
+                            const std::vector<double>& values) {
+  const std::string plain = ply_of<double>(soup);
+  const std::size_t header = plain.find("end_header\n") + 11;
+  std::string ply = plain.substr(0, header);
+  ply.insert(ply.find("element face"), "property double " + name + "\n");
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    ply += plain.substr(header + 24 * v, 24);
+    put_number(ply, values[v]);
+  }
+  return ply + plain.substr(header + 24 * soup.points.size());
+}
+
 /// The same as text, of polygons.
 inline std::string text_ply_of(const std::vector<Position>& points,
                                const std::vector<std::vector<std::uint32_t>>& polygons) {

@@ -50,6 +50,22 @@ class Jobs(Folder):
         self.assertGreater(told[0].estimate.scratch, 28 * 8000)
         self.assertEqual(pickle.loads(pickle.dumps(result)).report.to_dict(), result.report.to_dict())
 
+    def test_tolerances_have_a_name(self):
+        with self.assertRaisesRegex(ValueError, "no scalar allowed"):
+            self.at_once(faces=None, tolerance="allowed")
+        for wrong in ({"error": 1}, {"relative_error": 0.1}):
+            with self.assertRaisesRegex(ValueError, "beside error"):
+                self.at_once(tolerance="allowed", **wrong)
+        with self.assertRaisesRegex(TypeError, "name of a number"):
+            self.at_once(tolerance=[1.0])
+        mesh = quadrille.read_mesh(self.path("in.ply"))
+        mesh.attributes["allowed"] = np.full(len(mesh.points), 0.01)
+        quadrille.write_mesh(self.path("in.ply"), mesh)
+        result = self.at_once(faces=None, tolerance="allowed")
+        self.assertLessEqual(result.report.used_tolerance[0], 1)
+        self.assertLessEqual(result.report.hausdorff_bound, 0.01)
+        self.assertLess(result.report.faces_after, 7000)
+
     def test_a_pool_of_processes(self):
         self.at_once()
         job = quadrille.FileJob(self.path("in.ply"), **self.how)

@@ -138,6 +138,26 @@ TEST_CASE("file distance: claims are held or broken as in memory") {
   CHECK(files.verdict({}, 600).findings.empty());
 }
 
+TEST_CASE("file distance: tolerances are held or broken as in memory") {
+  const Files files(input_surface(), result_surface());
+  const double apart = files.distance_in_memory().hausdorff;
+  OutOfCore how = files.in_parts(600);
+  how.tolerance = "allowed";
+  for (const double least : {0.0, 1.2 * apart}) {
+    INFO(least << " promised, and more elsewhere");
+    Claims claims;
+    for (const auto& p : files.in.points)
+      claims.tolerances.push_back(p[0] < 0 ? least : p[1] < 0 ? 3 * least : 1e3);
+    files.folder.file("in.ply", test::ply_with(files.in, "allowed", claims.tolerances));
+    const Verdict verdict =
+        verify_files(files.folder.path("in.ply"), files.folder.path("out.ply"), {}, how);
+    require_alike(verdict, files.verdict_in_memory(claims));
+    CHECK(verdict.findings.size() == 2);
+    CHECK(verdict.is_held() == (least > apart));
+  }
+  CHECK_FALSE(std::filesystem::exists(files.folder.path("scratch")));
+}
+
 TEST_CASE("file distance: large faces are measured piece by piece against many small ones") {
   Soup plane = test::grid(60, 60);
   for (auto& p : plane.points)

@@ -351,6 +351,7 @@ class OutOfCore:
     keeps_tiles: bool
     locks_boundary: bool
     welds: bool
+    tolerance: str
     positions_only: bool
 
 class FileJob:

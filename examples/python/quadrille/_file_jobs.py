@@ -34,6 +34,7 @@ class FileOptions(TypedDict, total=False):
     error: Optional[float]
     relative_error: Optional[float]
     both_ways: bool
+    tolerance: Optional[str]
     cost: Optional[CostName]
     placement: Optional[PlacementName]
     topology: Optional[TopologyName]
@@ -68,8 +69,9 @@ class SimplifiedFile:
 
 def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_reduction: Optional[float] = None,
           error: Optional[float] = None, relative_error: Optional[float] = None, both_ways: bool = False,
-          cost: Optional[CostName] = None, placement: Optional[PlacementName] = None,
-          topology: Optional[TopologyName] = None, boundary_weight: float = 100.0, lock_boundary: bool = False,
+          tolerance: Optional[str] = None, cost: Optional[CostName] = None,
+          placement: Optional[PlacementName] = None, topology: Optional[TopologyName] = None,
+          boundary_weight: float = 100.0, lock_boundary: bool = False,
           attribute_importance: Optional[float] = None, positions_only: bool = False, keep_tiles: bool = False,
           weld: bool = False,
           memory: Union[int, str] = 4_000_000_000, threads: int = 0, part_faces: int = 0, restart: bool = False,
@@ -78,6 +80,12 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
         raise ValueError("faces is given beside a part of the faces: they are two targets")
     if error is not None and relative_error is not None:
         raise ValueError("error is given beside relative_error: they are two limits")
+    if tolerance is not None and not isinstance(tolerance, str):
+        raise TypeError("tolerance is the name of a number of vertices of the file, not " + type(tolerance).__name__)
+    if tolerance is not None and (error is not None or relative_error is not None):
+        raise ValueError("tolerance is given beside error: put the smaller one into the numbers of the file")
+    if tolerance == "":
+        raise ValueError("tolerance is '', which is no name of a number of vertices")
     if cost == "edge_length" and placement == "optimal":
         raise ValueError("placement='optimal' does not go with cost='edge_length'")
     options = make_options(faces=faces, ratio=ratio, target_reduction=target_reduction, error=error,
@@ -88,6 +96,7 @@ def _made(*, faces: Optional[int] = None, ratio: Optional[float] = None, target_
     how.memory = read_bytes("memory", memory)
     how.parts_in_flight = read_count("threads", threads)
     how.part_faces = read_count("part_faces", part_faces)
+    how.tolerance = tolerance or ""
     how.restart, how.positions_only = bool(restart), bool(positions_only)
     how.keeps_tiles, how.locks_boundary, how.welds = bool(keep_tiles), bool(lock_boundary), bool(weld)
     how.attribute_importance = ((1 if cost is None else _HARDLY) if attribute_importance is None
@@ -191,10 +200,13 @@ def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Op
 
     faces, ratio, target_reduction, error, relative_error, both_ways, cost (by name), placement, topology, boundary_weight
               as simplify() has them; half of the faces where there is no target
+    tolerance  instead of an error, the name of a number that vertices of the PLY file have: how far, in the unit of
+              their places, no triangle of the input with such a corner is further from the result
     lock_boundary  vertices at edges of one face stay where they are
     keep_tiles  each tile becomes a file again, of the same name, in the folder
     weld      vertices at exactly the same place become one, whatever the edges
-    positions_only  leave out what the file has beside positions, corners and labels; else what can't go along is refused
+    positions_only  leave out what the file has beside positions, corners, labels and tolerances; else what can't go along is
+              refused
     attribute_importance  how much colours and other numbers of vertices count, above 0: 1 by default, hardly where a
               cost is asked for
 
@@ -208,7 +220,8 @@ def simplify_file(source: Paths, target: Path, /, *, scratch: Path, progress: Op
     result = _result(target, *_step(job._paths, job._job.run, os.fspath(target)))
     for remark in result.remarks:
         warnings.warn(remark, stacklevel=3)
-    warn_if_missed(result.report, job._options, None, None, stacklevel=3)
+    warn_if_missed(result.report, job._options, None, None, stacklevel=3,
+                   has_tolerance=options.get("tolerance") is not None)
     return result
 
 

@@ -26,20 +26,20 @@ _HINTS = {
 
 
 def warn_if_missed(report: _core.Report, options: _core.Options, points: Optional[Array],
-                   stop: Optional[Any], stacklevel: int) -> None:
+                   stop: Optional[Any], stacklevel: int, has_tolerance: bool = False) -> None:
     """One UserWarning with the reason, and what helps. Nothing where it was ended on purpose."""
     if report.is_target_reached or report.stop == "cancelled":
         return
     hints = _hints(report, options, points)
     text = (f"the target is missed: {report.faces_after} of {report.faces_before} faces are left, where "
-            f"{_asked(options, stop)} asked for ({report.stop})")
+            f"{_asked(options, stop, has_tolerance)} asked for ({report.stop})")
     warnings.warn("; ".join([text, *hints]), stacklevel=stacklevel + 1)
 
 
-def _asked(options: _core.Options, stop: Optional[Any]) -> str:
+def _asked(options: _core.Options, stop: Optional[Any], has_tolerance: bool) -> str:
     asked = [f"{name}={value!r}" for name in ("faces", "vertices", "ratio", "error", "relative_error")
              for value in [getattr(options, name)] if value is not None]
-    asked += ["a tolerance"] if options.tolerance else []
+    asked += ["a tolerance"] if options.tolerance or has_tolerance else []
     asked += ["stop"] if stop is not None else []
     return f"{' or '.join(asked)} was" if asked else "half of them were"
 

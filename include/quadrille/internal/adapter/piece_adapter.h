@@ -54,6 +54,12 @@ struct Piece {
   /// Of each triangle, as PieceResult tells it, where the stop policy asks for distances; empty:
   /// all are of the input.
   std::vector<FaceBound> bounds = {};
+  /// Of each position a distance in the mesh's units, where the stop policy asks for tolerances and
+  /// triangles have no bounds, which tell them: see ToleranceLimit.
+  std::vector<double> tolerances = {};
+  /// Of the triangles of the input of all pieces, in the mesh's units, where bounds tell
+  /// tolerances: it decides about Report::distance_bound and nothing else.
+  double greatest_tolerance = 0;
   /// Of each triangle, any numbers, of which the regions are kept as by `Labels`; empty: none.
   std::vector<Index> labels = {};
 };
@@ -132,6 +138,9 @@ public:
     input.borders = std::move(piece_.borders);
     input.given_box = piece_.box;
     input.writes_floats = are_floats(input);
+    for (Index v = 0; v < piece_.tolerances.size(); ++v)
+      input.limit(v, piece_.tolerances[v], v);
+    piece_.tolerances = {};
     if (!piece_.labels.empty())
       number_labels(input);
     if (channels_)
@@ -172,6 +181,7 @@ private:
     require("values of is_fixed", piece_.is_fixed, points);
     require("values of has_memory", given_.is_given, points);
     require("memories", given_.memories, points);
+    require("tolerances", piece_.tolerances, points);
     require("labels", piece_.labels, piece_.triangles.size());
     for (const auto& edge : piece_.borders)
       for (Index v : edge)

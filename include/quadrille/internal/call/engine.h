@@ -53,10 +53,12 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
   return loop.run();
 }
 
-/// Throws if there are tolerances and nothing that holds them, or the other way round.
+/// Throws if there are tolerances and nothing that holds them, or the other way round. Are those of
+/// faces given?
 template <class Input>
-void check_tolerances(const Input& input, const StopRule& stop) {
-  if (stop.is_asking_for_tolerance() && input.tolerances.size() < input.positions.size())
+void check_tolerances(const Input& input, const StopRule& stop, bool have_faces) {
+  if (stop.is_asking_for_tolerance() && !have_faces &&
+      input.tolerances.size() < input.positions.size())
     throw std::invalid_argument(
         "quadrille::simplify: ToleranceLimit needs tolerances: pass vertex_tolerance_map");
   if (!stop.is_asking_for_tolerance() && !input.tolerances.empty())
@@ -69,7 +71,7 @@ template <class Policies>
 std::optional<FinishedSurface<typename Policies::Cost>>
 contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
                bool keeps_memories, Report& report, StopWatch& watch) {
-  check_tolerances(input, policies.stop);
+  check_tolerances(input, policies.stop, policies.optional.greatest_tolerance.has_value());
   const auto own_box = input.box();
   const auto box = box_of_units(input, own_box);
   if (policies.pairs.ignores_indices())

@@ -268,13 +268,20 @@ private:
       bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box),
                                both_ways, tolerances_of(complex_, tolerances, scale_));
       if (policies_.optional.bounds)
-        bounds_.take_given(*policies_.optional.bounds, complex_, numbering_.faces);
+        bounds_.take_given(*policies_.optional.bounds,
+                           given_tolerance(policies_.optional.greatest_tolerance), complex_,
+                           numbering_.faces);
       progress_.announce_distance(0);
       if (both_ways)
         progress_.announce_distance_back(0);
       if (policies_.stop.is_asking_for_tolerance())
         progress_.announce_tolerance(0);
     }
+  }
+
+  // In the engine's unit, if bounds have tolerances.
+  std::optional<double> given_tolerance(const std::optional<double>& greatest) const {
+    return greatest ? std::optional(scale_.length_from_mesh(*greatest)) : std::nullopt;
   }
 
   void remember() {

@@ -156,14 +156,18 @@ public:
   }
 
   /// The faces begin with what is known of them, by the numbers that they and their backs have in
-  /// the input.
+  /// the input. Tolerances are those of vertices, if these have any.
   template <class Inputs>
-  void take_given(const std::vector<FaceBound>& given, const TriangleComplex& complex,
-                  const Inputs& inputs) {
+  void take_given(const std::vector<FaceBound>& given, std::optional<double> greatest_tolerance,
+                  const TriangleComplex& complex, const Inputs& inputs) {
+    if (greatest_tolerance)
+      tolerances_ = Tolerances(of_face_.size(), *greatest_tolerance);
     for_inputs(complex, inputs, [&](Index face, Index input) {
       of_face_[face] = (std::max)(of_face_[face], given[input].from_input);
       if (back_of_face_.size() > 0)
         back_of_face_[face] = (std::max)(back_of_face_[face], given[input].to_input);
+      if (greatest_tolerance)
+        tolerances_.limit(face, given[input].tolerance);
     });
   }
   /// What is known of those that are left, in the same way.
@@ -171,7 +175,8 @@ public:
   void tell(std::vector<FaceBound>& told, const TriangleComplex& complex,
             const Inputs& inputs) const {
     for_inputs(complex, inputs, [&](Index face, Index input) {
-      told[input] = {of_face_[face], back_of_face_.size() > 0 ? back_of_face_[face] : 0};
+      told[input] = {of_face_[face], back_of_face_.size() > 0 ? back_of_face_[face] : 0,
+                     has_tolerances() ? static_cast<float>(tolerances_[face]) : 0};
     });
   }
 

@@ -63,8 +63,16 @@ public:
     }
   }
 
+  /// From those of faces, which limit() tells one by one. `greatest` is that of the input.
+  Tolerances(std::size_t faces, double greatest)
+      : of_face_(faces, std::numeric_limits<float>::infinity()), greatest_(greatest) {}
+
+  void limit(Index face, float tolerance) {
+    of_face_[face] = (std::min)(of_face_[face], tolerance);
+  }
+
   bool are_given() const { return of_face_.size() > 0; }
-  double greatest() const { return greatest_; } ///< of all faces at the beginning
+  double greatest() const { return greatest_; } ///< of all faces of the input
   double operator[](Index face) const { return static_cast<double>(of_face_[face]); }
 
   double least(const PairStar& star) const {

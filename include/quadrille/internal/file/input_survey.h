@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_INPUT_SURVEY_H
 #define QUADRILLE_INTERNAL_FILE_INPUT_SURVEY_H
 
+#include <quadrille/internal/base/text.h>
 #include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/label_table.h>
 #include <quadrille/internal/file/phase_plan.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -23,9 +25,10 @@ namespace quadrille::internal {
 class InputSurvey {
 public:
   /// `tell(part)` as FirstParts has it. Throws std::runtime_error with the name of the file.
+  /// `tolerance` is the place of that scalar in a row, if there is one.
   template <class Tell>
-  InputSurvey(const PlyInput& input, Tell tell)
-      : input_(input), used_(input.vertices()), labels_(input.labels()) {
+  InputSurvey(const PlyInput& input, std::optional<std::size_t> tolerance, Tell tell)
+      : input_(input), tolerance_(tolerance), used_(input.vertices()), labels_(input.labels()) {
     facts_.vertices = input.vertices();
     facts_.faces = input.faces();
     facts_.has_doubles = input.has_doubles();
@@ -116,6 +119,9 @@ private:
       fail("vertex " + std::to_string(id) + " is not finite");
     ++facts_.used_vertices;
     facts_.box.add(p);
+    if (tolerance_ && !(scalars[*tolerance_] >= 0))
+      fail("the tolerance " + text_of(scalars[*tolerance_]) + " of vertex " + std::to_string(id) +
+           " is not a distance");
     for (std::size_t i = 0; i < scalars.size(); ++i)
       if (!(std::abs(scalars[i]) < 0x1p170))
         fail("property " + input_.scalars().properties()[i].name + " of vertex " +
@@ -126,6 +132,7 @@ private:
   [[noreturn]] void fail(const std::string& what) const { fail_file(input_.file().path(), what); }
 
   const PlyInput& input_;
+  std::optional<std::size_t> tolerance_;
   InputFacts facts_;
   IdSet used_;
   LabelTable labels_;

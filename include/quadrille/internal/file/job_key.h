@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <string_view>
 #include <type_traits>
 #include <typeinfo>
 #include <vector>
@@ -21,6 +21,11 @@ class JobKey {
 public:
   void add_number(std::uint64_t number) { checksum_.add(&number, sizeof(number)); }
   void add_number(double number) { checksum_.add(&number, sizeof(number)); }
+
+  void add_text(std::string_view text) {
+    add_number(std::uint64_t{text.size()});
+    checksum_.add(text.data(), text.size());
+  }
 
   /// Size, time of the last change, beginning and end of a file.
   void add_file(const InputFile& file) {
@@ -36,8 +41,7 @@ public:
   /// it is if it has no members that are rounded.
   template <class Policy>
   void add_policy(const Policy& policy) {
-    const char* const name = typeid(Policy).name();
-    checksum_.add(name, std::strlen(name));
+    add_text(typeid(Policy).name());
     const auto add_member = [&](auto member) {
       if constexpr (std::is_invocable_v<decltype(member), const Policy&>)
         add_number(static_cast<double>(member(policy)));

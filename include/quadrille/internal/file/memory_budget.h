@@ -88,7 +88,7 @@ public:
 private:
   static constexpr std::uint64_t base = 64'000'000;           // program, cells, and what is small
   static constexpr std::uint64_t bytes_of_engine = 200;       // with the part as it is read
-  static constexpr std::uint64_t bytes_of_bounds = 24;        // in the engine, and as they are read
+  static constexpr std::uint64_t bytes_of_bounds = 36;        // in the engine, and as they are read
   static constexpr std::uint64_t bytes_of_scalar = 96;        // of a vertex, with its map
   static constexpr std::uint64_t most_part_faces = 4'000'000; // more gain nothing
 

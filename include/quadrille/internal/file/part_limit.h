@@ -16,23 +16,28 @@
 
 namespace quadrille::internal {
 
-/// ErrorLimit, HausdorffLimit, or no limit, as is told at run time.
+/// ErrorLimit, HausdorffLimit, ToleranceLimit, or no limit, as is told at run time.
 class DistanceChoice {
 public:
-  enum class Kind { unlimited, one_way, both_ways };
+  enum class Kind { unlimited, one_way, both_ways, tolerances };
 
   DistanceChoice() = default; ///< no limit
-  DistanceChoice(Kind kind, double number, bool is_relative)
+  /// Tolerances have no number.
+  explicit DistanceChoice(Kind kind, double number = 0, bool is_relative = false)
       : kind_(kind), number_(number), is_relative_(is_relative) {}
 
   static constexpr bool asks_for_distance = true;
   static constexpr bool asks_both_ways = true;
+  static constexpr bool asks_for_tolerance = true;
   bool is_asking_for_distance() const { return kind_ != Kind::unlimited; }
-  bool is_asking_both_ways() const { return kind_ == Kind::both_ways; }
+  bool is_asking_both_ways() const { return kind_ == Kind::both_ways || is_asking_for_tolerance(); }
+  bool is_asking_for_tolerance() const { return kind_ == Kind::tolerances; }
 
   Kind kind() const { return kind_; }
   double distance(double diagonal) const { return is_relative_ ? number_ * diagonal : number_; }
   bool operator()(const Status& status) const {
+    if (is_asking_for_tolerance())
+      return ToleranceLimit{}(status);
     const double limit = distance(status.diagonal);
     return (is_asking_for_distance() && status.next_distance > limit) ||
            (is_asking_both_ways() && status.next_distance_back > limit);
@@ -65,14 +70,14 @@ template <class Limit>
 struct LimitInPart {
   static constexpr bool asks_for_distance = true;
   static constexpr bool asks_both_ways = internal::asks_both_ways<Limit>;
-  static_assert(!asks_for_tolerance<Limit>,
-                "quadrille: tolerances of vertices are for surfaces in memory");
+  static constexpr bool asks_for_tolerance = internal::asks_for_tolerance<Limit>;
 
   Limit limit;
   double diagonal; ///< of the whole
 
   bool is_asking_for_distance() const { return internal::is_asking_for_distance(limit); }
   bool is_asking_both_ways() const { return internal::is_asking_both_ways(limit); }
+  bool is_asking_for_tolerance() const { return internal::is_asking_for_tolerance(limit); }
   bool operator()(Status status) const {
     status.diagonal = diagonal;
     return limit(status);

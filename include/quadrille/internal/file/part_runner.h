@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -65,6 +66,12 @@ public:
                       limits_);
   }
 
+  /// By tolerances?
+  bool is_limited_by_tolerance() const {
+    return std::apply([](const auto&... limit) { return (is_asking_for_tolerance(limit) || ...); },
+                      limits_);
+  }
+
   /// Simplifies a part, and writes what is left; false, and nothing is written, if it is cancelled.
   template <class IsCancelled>
   bool simplify(const PartedJob& job, std::size_t part, const IsCancelled& is_cancelled) const {
@@ -76,6 +83,7 @@ public:
     const std::vector<double> scalars = std::move(loaded.scalars);
     const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
     auto piece = Pieces::piece(std::move(loaded), plan.input.box, locks_boundary_);
+    const double greatest_tolerance = take_tolerances(piece, job, scalars);
     const PieceChannels channels = job.channels(scalars);
     auto result = plan.is_last || plan.is_exact || plan.is_by_count
                       ? run(std::move(piece), job, channels, job.count(part), is_cancelled)
@@ -85,7 +93,7 @@ public:
     Survivors survivors = Pieces::survivors(result, ids, is_shared, given, labels);
     survivors.scalars =
         job.scalars().rows(result.channels, result.vertices, scalars, plan.input.ranges);
-    job.write(part, survivors, PartTally::of(result.report));
+    job.write(part, survivors, PartTally::of(result.report, greatest_tolerance));
     return true;
   }
 
@@ -117,10 +125,31 @@ private:
   template <class IsCancelled>
   CostSample sample(LoadedPart part, const PartedJob& job, const IsCancelled& is_cancelled) const {
     const SampleCounts counts(part);
-    const PieceChannels channels = job.channels(part.scalars);
+    const std::vector<double> scalars = std::move(part.scalars);
+    const PieceChannels channels = job.channels(scalars);
     auto piece = Pieces::piece(std::move(part), job.plan().input.box, locks_boundary_);
+    take_tolerances(piece, job, scalars);
     const CostLimit unlimited = limit(job.plan(), std::numeric_limits<double>::infinity());
     return {counts.free_faces, run(std::move(piece), job, channels, unlimited, is_cancelled).costs};
+  }
+
+  // At first of vertices, and from then on faces have them. Returns the greatest of the input's
+  // faces, as far as the part knows.
+  static double take_tolerances(Piece<Cost>& piece, const PartedJob& job,
+                                const std::vector<double>& scalars) {
+    const std::optional<std::size_t> place = job.scalars().tolerance();
+    if (!place)
+      return 0;
+    piece.greatest_tolerance = job.plan().greatest_tolerance;
+    if (job.plan().phase > 1)
+      return piece.greatest_tolerance;
+    for (std::size_t i = *place; i < scalars.size(); i += job.scalars().size())
+      piece.tolerances.push_back(scalars[i]);
+    double greatest = 0;
+    for (const auto& [a, b, c] : piece.triangles)
+      greatest = (std::max)(
+          greatest, (std::min)({piece.tolerances[a], piece.tolerances[b], piece.tolerances[c]}));
+    return (std::min)(greatest, 2 * piece.box.diagonal()); // beyond that nothing is limited
   }
 
   template <class IsCancelled>

@@ -14,6 +14,7 @@
 #include <quadrille/internal/file/true_borders.h>
 #include <quadrille/internal/surface/box.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -92,7 +93,8 @@ public:
     budget_.require_tables(input.vertices());
     if (input.faces() == 0 || input.vertices() == 0)
       fail_file(input.file().path(), "nothing to simplify: it has no faces");
-    const InputSurvey survey(input, [&](double part) { tell(FileStage::survey, part); });
+    const InputSurvey survey(input, scalars_.tolerance(),
+                             [&](double part) { tell(FileStage::survey, part); });
     folder_.remove_phases(); // of a run that was killed
     folder_.begin_phase(1);
     PhasePlan plan;
@@ -203,13 +205,7 @@ public:
     tally(plan);
     add_tally(plan, report);
     const std::vector<SurvivorsHeader> parts = headers();
-    std::uint64_t left = 0;
-    report.distance_bound = report.hausdorff_bound = 0;
-    for (const SurvivorsHeader& h : parts) {
-      left += h.faces;
-      report.distance_bound = (std::max)(report.distance_bound, h.tally.distance_bound);
-      report.hausdorff_bound = (std::max)(report.hausdorff_bound, h.tally.hausdorff_bound);
-    }
+    const std::uint64_t left = add_distances(parts, report);
     report.faces_of_phases.push_back(left);
     report.is_count_exact = plan_.is_last || left == target();
     report.stop =
@@ -244,6 +240,24 @@ public:
   }
 
 private:
+  // How far parts are from the input. Returns how many faces they have.
+  static std::uint64_t add_distances(const std::vector<SurvivorsHeader>& parts,
+                                     FileReport& report) {
+    std::uint64_t left = 0;
+    Report::UsedTolerance used{-1, {}};
+    report.distance_bound = report.hausdorff_bound = 0;
+    for (const SurvivorsHeader& h : parts) {
+      left += h.faces;
+      report.distance_bound = (std::max)(report.distance_bound, h.tally.distance_bound);
+      report.hausdorff_bound = (std::max)(report.hausdorff_bound, h.tally.hausdorff_bound);
+      if (h.tally.used_tolerance > used.part)
+        used = {h.tally.used_tolerance, h.tally.place_of_used};
+    }
+    if (used.part >= 0 && std::isfinite(report.hausdorff_bound)) // else points have been lost
+      report.used_tolerance = used;
+    return left;
+  }
+
   static void add_tally(const PhasePlan& plan, FileReport& report) {
     report.contractions = static_cast<std::size_t>(plan.contractions);
     report.error = plan.error;
@@ -291,6 +305,7 @@ private:
     for (const SurvivorsHeader& h : headers()) {
       plan.contractions += h.tally.contractions;
       plan.error = (std::max)(plan.error, h.tally.error);
+      plan.greatest_tolerance = (std::max)(plan.greatest_tolerance, h.tally.greatest_tolerance);
       for (std::size_t i = 0; i < rejection_causes; ++i)
         plan.rejections[i] += h.tally.rejections[i];
       plan.bytes_written += h.content_size();

@@ -60,12 +60,13 @@ struct PhasePlan {
   InputFacts input;
   std::vector<PartFiles> parts;
   FileContent borders;
-  FileContent label_table;                                  ///< empty if there are no labels
-  std::uint64_t first_parts = 0;                            ///< of the first phase
-  std::uint64_t first_shared = 0;                           ///< vertices that several of them had
-  std::uint64_t bytes_read = 0, bytes_written = 0;          ///< so far
-  std::uint64_t contractions = 0;                           ///< of the phases that are over
-  double error = 0;                                         ///< the largest of these
+  FileContent label_table;                         ///< empty if there are no labels
+  std::uint64_t first_parts = 0;                   ///< of the first phase
+  std::uint64_t first_shared = 0;                  ///< vertices that several of them had
+  std::uint64_t bytes_read = 0, bytes_written = 0; ///< so far
+  std::uint64_t contractions = 0;                  ///< of the phases that are over
+  double error = 0;                                ///< the largest of these
+  double greatest_tolerance = 0; ///< of the input, after the first phase; 0 without any
   std::array<std::uint64_t, rejection_causes> rejections{}; ///< of them
   std::vector<std::uint64_t> faces_after_phases = {};       ///< those that are over
 
@@ -110,7 +111,7 @@ struct PhasePlan {
   }
 
 private:
-  static inline const std::string magic = "quadrille phase 5";
+  static inline const std::string magic = "quadrille phase 6";
 
   static std::string end_of(const std::string& content) {
     FileChecksum checksum;
@@ -135,7 +136,8 @@ private:
     const auto pass_content = [&](auto& file) { pass_all(file.size, file.checksum); };
     pass_all(plan.key, plan.phase, plan.step, plan.attempt, plan.is_last, plan.is_exact,
              plan.is_settled, plan.is_by_count, plan.limit, plan.faces_wanted, plan.first_parts,
-             plan.first_shared, plan.bytes_read, plan.bytes_written, plan.contractions, plan.error);
+             plan.first_shared, plan.bytes_read, plan.bytes_written, plan.contractions, plan.error,
+             plan.greatest_tolerance);
     for (auto& number : plan.rejections)
       pass(number);
     auto& input = plan.input;

@@ -25,6 +25,12 @@
 
 namespace quadrille::internal {
 
+/// What is read of a file beside positions, corners and labels.
+struct ScalarChoice {
+  bool positions_only = false; ///< no numbers of vertices,
+  std::string tolerance = {};  ///< but for the scalar of this name
+};
+
 /// A PLY file whose vertices and faces are read one after the other, as often as is wanted, if it
 /// is binary and of triangles. It is never in memory as a whole.
 ///
@@ -33,13 +39,13 @@ namespace quadrille::internal {
 /// std::runtime_error with the file's name and the number of the item.
 class PlyInput {
 public:
-  explicit PlyInput(const std::filesystem::path& path, bool positions_only = false)
-      : PlyInput(InputFile(path), positions_only) {}
+  explicit PlyInput(const std::filesystem::path& path, const ScalarChoice& choice = {})
+      : PlyInput(InputFile(path), choice) {}
   /// One that was made of another one, by whose name the user knows it. `is_welded`: of a soup,
   /// whose corners at one place are one vertex.
   static std::unique_ptr<PlyInput> made(const std::filesystem::path& path,
                                         const std::filesystem::path& from, bool is_welded) {
-    std::unique_ptr<PlyInput> input(new PlyInput(InputFile(path, from), false));
+    std::unique_ptr<PlyInput> input(new PlyInput(InputFile(path, from), {}));
     input->is_welded_ = is_welded;
     return input;
   }
@@ -89,11 +95,11 @@ public:
   }
 
 private:
-  PlyInput(InputFile file, bool positions_only)
+  PlyInput(InputFile file, const ScalarChoice& choice)
       : file_(std::move(file)), header_(PlyHeaderReader::read(file_)) {
     place_elements();
-    place_coordinates(positions_only);
-    place_corners(positions_only);
+    place_coordinates(choice);
+    place_corners(choice.positions_only);
   }
 
   struct Placed {
@@ -188,7 +194,7 @@ private:
                                   " faces it would have more than " + std::to_string(least));
   }
 
-  void place_coordinates(bool positions_only) {
+  void place_coordinates(const ScalarChoice& choice) {
     std::vector<PlyProperty> scalars;
     std::size_t offset = 0;
     std::size_t found = 0;
@@ -197,7 +203,7 @@ private:
       if (is_coordinate) {
         coordinates_[static_cast<std::size_t>(p.name[0] - 'x')] = {p.type, offset};
         ++found;
-      } else if (positions_only) {
+      } else if (choice.positions_only && p.name != choice.tolerance) {
         dropped_.push_back("property " + p.name + " of vertices");
       } else {
         scalars.push_back(p);
@@ -206,7 +212,8 @@ private:
       offset += p.type.size;
     }
     scalars_ = VertexScalars(std::move(scalars));
-    if (!positions_only)
+    scalars_.set_tolerance(choice.tolerance);
+    if (!choice.positions_only)
       scalars_.set_textures(header_.textures);
     else
       dropped_.insert(dropped_.end(), header_.textures.begin(), header_.textures.end());

@@ -30,9 +30,9 @@ class SurfaceSource {
 public:
   /// Throws for a file that is nothing that can be read in parts, as far as its beginning tells.
   /// `welds`: vertices at exactly the same place become one, whatever the file.
-  SurfaceSource(std::vector<std::filesystem::path> paths, bool positions_only, bool keeps_tiles,
+  SurfaceSource(std::vector<std::filesystem::path> paths, ScalarChoice choice, bool keeps_tiles,
                 bool welds)
-      : paths_(std::move(paths)), positions_only_(positions_only), keeps_tiles_(keeps_tiles),
+      : paths_(std::move(paths)), choice_(std::move(choice)), keeps_tiles_(keeps_tiles),
         welds_(welds) {
     if (paths_.empty() || paths_.size() > most_parts)
       throw std::invalid_argument("quadrille::simplify_file: " + std::to_string(paths_.size()) +
@@ -42,7 +42,8 @@ public:
     JobKey key;
     for (const std::filesystem::path& path : paths_)
       key.add_file(InputFile(path));
-    key.add_number(std::uint64_t{positions_only});
+    key.add_number(std::uint64_t{choice_.positions_only});
+    key.add_text(choice_.tolerance);
     if (is_tiled())
       key.add_number(std::uint64_t{keeps_tiles});
     if (welds)
@@ -58,9 +59,10 @@ public:
       tiles_in(""); // throws where names are the same
   }
 
-  /// Files of which nothing counts but the shape.
-  static SurfaceSource shape_of(std::vector<std::filesystem::path> paths) {
-    SurfaceSource source(std::move(paths), true, false, false);
+  /// Files of which nothing counts but the shape, and a scalar of tolerances, if that has a name.
+  static SurfaceSource shape_of(std::vector<std::filesystem::path> paths,
+                                const std::string& tolerance = {}) {
+    SurfaceSource source(std::move(paths), {true, tolerance}, false, false);
     source.is_shape_ = true;
     return source;
   }
@@ -123,7 +125,9 @@ private:
   }
   std::uint64_t add_stl(std::size_t i) {
     kinds_[i] = Kind::stl;
-    StlWeld::require_readable(paths_[i], positions_only_);
+    if (!choice_.tolerance.empty())
+      fail_without_tolerance(paths_[i], {});
+    StlWeld::require_readable(paths_[i], choice_.positions_only);
     const std::uint64_t faces = StlWeld::faces(paths_[i]);
     size_.faces += faces;
     size_.vertices += faces / 2 + 2;
@@ -194,8 +198,8 @@ private:
   void make_ready(std::size_t i, const std::filesystem::path& output, const JobFolder& folder,
                   std::uint64_t memory, const Ask& ask) const {
     if (kinds_[i] == Kind::stl)
-      return StlWeld::run(paths_[i], output, folder.welding(), memory, positions_only_, ask);
-    const PlyInput input(paths_[i], positions_only_);
+      return StlWeld::run(paths_[i], output, folder.welding(), memory, choice_.positions_only, ask);
+    const PlyInput input(paths_[i], choice_);
     if (kinds_[i] == Kind::other_ply)
       return PlyConversion::run(input, output, memory, ask);
     if (kinds_[i] == Kind::soup)
@@ -228,7 +232,7 @@ private:
         tiles[i] = folder.welded_tile(i);
         make_ready(i, tiles[i], folder, memory, ask);
       }
-    TileSewing::run(tiles, paths_, positions_only_, keeps_tiles_, output);
+    TileSewing::run(tiles, paths_, choice_, keeps_tiles_, output);
     for (std::size_t i = 0; i < paths_.size(); ++i)
       if (kinds_[i] != Kind::ready)
         std::filesystem::remove(tiles[i]);
@@ -242,8 +246,10 @@ private:
   }
 
   void open(const std::filesystem::path& path) {
-    ply_ = std::make_unique<PlyInput>(path, positions_only_);
-    if (!positions_only_ && !ply_->dropped().empty())
+    ply_ = std::make_unique<PlyInput>(path, choice_);
+    if (!choice_.tolerance.empty() && !ply_->scalars().tolerance())
+      fail_without_tolerance(path, ply_->scalars());
+    if (!choice_.positions_only && !ply_->dropped().empty())
       fail_file(path, "has " + ply_->dropped().front() +
                           ", which can't go along in parts; 'positions only' leaves it out");
     if (is_tiled() && !ply_->scalars().textures().empty())
@@ -251,9 +257,21 @@ private:
                       "it out");
   }
 
+  [[noreturn]] void fail_without_tolerance(const std::filesystem::path& path,
+                                           const VertexScalars& scalars) const {
+    std::string names;
+    for (const PlyProperty& p : scalars.properties())
+      if (scalars.place_of(p.name))
+        names += (names.empty() ? "" : ", ") + p.name;
+    fail_file(path, "its vertices have no scalar " + choice_.tolerance + " of tolerances" +
+                        (names.empty() ? ", nor any other: a PLY file can give them some"
+                                       : ", but " + names));
+  }
+
   std::vector<std::filesystem::path> paths_;
   std::vector<Kind> kinds_; // of the files
-  bool positions_only_, keeps_tiles_, welds_, is_shape_ = false;
+  ScalarChoice choice_;
+  bool keeps_tiles_, welds_, is_shape_ = false;
   std::uint64_t key_ = 0;
   InputSize size_;
   std::unique_ptr<PlyInput> ply_;

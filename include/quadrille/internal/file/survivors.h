@@ -25,10 +25,14 @@ struct PartTally {
   std::array<std::uint64_t, rejection_causes> rejections{};
   double error = 0, seconds = 0;
   double distance_bound = 0, hausdorff_bound = 0;
+  double greatest_tolerance = 0; ///< of the input, as far as the part knows
+  double used_tolerance = -1;    ///< as Report has it; below 0: not known
+  std::array<double, 3> place_of_used{};
   std::uint32_t stop = 0; ///< a StopReason
 
-  static PartTally of(const Report& report) {
+  static PartTally of(const Report& report, double greatest_tolerance) {
     PartTally tally;
+    tally.greatest_tolerance = greatest_tolerance;
     tally.faces_before = report.faces_before;
     tally.contractions = report.contractions;
     for (std::size_t i = 0; i < rejection_causes; ++i)
@@ -36,6 +40,10 @@ struct PartTally {
     tally.error = report.error;
     tally.distance_bound = report.distance_bound;
     tally.hausdorff_bound = report.hausdorff_bound;
+    if (report.used_tolerance) {
+      tally.used_tolerance = report.used_tolerance->part;
+      tally.place_of_used = report.used_tolerance->place;
+    }
     tally.seconds = report.seconds.total();
     tally.stop = static_cast<std::uint32_t>(report.stop);
     return tally;
@@ -44,7 +52,7 @@ struct PartTally {
 
 /// The beginning of a file of survivors. All zeros until it is finished.
 struct SurvivorsHeader {
-  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '3'};
+  std::array<char, 8> magic{'Q', 'D', 'R', 'L', 'E', 'F', 'T', '4'};
   std::uint64_t key = 0; ///< of the job
   std::uint64_t phase = 0, part = 0;
   std::uint64_t vertices = 0, faces = 0;

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,17 +24,17 @@ namespace quadrille::internal {
 inline constexpr const char* tile_property = "quadrille_tile";
 
 /// Makes one surface of several files, tiles: vertices of their borders that lie at exactly the
-/// same place, in two tiles or more, become one. All else is as it was, in the order of the files.
-/// Memory: 24 bytes for each face of a tile, one tile at a time, and 40 for each vertex of a
-/// border.
+/// same place, in two tiles or more, become one: the first of them, with the least of their
+/// tolerances. All else is as it was, in the order of the files. Memory: 24 bytes for each face of
+/// a tile, one tile at a time, and 48 for each vertex of a border.
 class TileSewing {
 public:
   /// `tiles` are binary PLY, `names` how messages call them. `tells_tiles`: faces get a property,
   /// by which TileSplit takes them apart again.
   static void run(const std::vector<std::filesystem::path>& tiles,
-                  const std::vector<std::filesystem::path>& names, bool positions_only,
+                  const std::vector<std::filesystem::path>& names, const ScalarChoice& choice,
                   bool tells_tiles, const std::filesystem::path& output) {
-    TileSewing sewing(tiles, names, positions_only);
+    TileSewing sewing(tiles, names, choice);
     sewing.find_merged();
     sewing.write(output, tells_tiles);
   }
@@ -42,12 +44,13 @@ private:
   struct BorderVertex {
     Place place;
     std::uint64_t tile, id; // among all vertices
+    double tolerance;       // 0 if there are none
   };
 
   TileSewing(const std::vector<std::filesystem::path>& tiles,
-             const std::vector<std::filesystem::path>& names, bool positions_only)
-      : tiles_(tiles), names_(names), positions_only_(positions_only),
-        first_(tiles.front(), positions_only) {
+             const std::vector<std::filesystem::path>& names, const ScalarChoice& choice)
+      : tiles_(tiles), names_(names), choice_(choice), first_(tiles.front(), choice),
+        tolerance_(first_.scalars().tolerance()) {
     for (std::size_t t = 0; t < tiles.size(); ++t) {
       const PlyInput tile = open(t);
       require_as_first(tile, t);
@@ -58,7 +61,7 @@ private:
   }
 
   // One at a time: there may be more than a process may have open.
-  PlyInput open(std::size_t t) const { return PlyInput(tiles_[t], positions_only_); }
+  PlyInput open(std::size_t t) const { return PlyInput(tiles_[t], choice_); }
 
   void require_as_first(const PlyInput& tile, std::size_t t) const {
     const auto same = [](const std::vector<PlyProperty>& a, const std::vector<PlyProperty>& b) {
@@ -108,7 +111,10 @@ private:
           !std::all_of(scalars.begin(), scalars.end(), [](double x) { return std::isfinite(x); }))
         fail_file(names_[t], "vertex " + std::to_string(v) + " has a number that is not finite");
       if (uses[v] == Use::border)
-        border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, t, begins_[t] + v}); // no -0
+        border.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, // no -0
+                          t,
+                          begins_[t] + v,
+                          tolerance_ ? scalars[*tolerance_] : 0});
     });
   }
 
@@ -125,14 +131,24 @@ private:
       for (end = i + 1; end < border.size() && border[end].place == border[i].place;)
         ++end;
       if (border[end - 1].tile != border[i].tile)
-        for (std::size_t other = i + 1; other < end; ++other)
-          merged_.emplace_back(border[other].id, border[i].id);
+        merge({border.data() + i, end - i});
     }
     std::sort(merged_.begin(), merged_.end());
+    std::sort(lowered_.begin(), lowered_.end());
     if (vertices_ - merged_.size() > most_vertex_ids)
       fail_file(names_[0], "and the other tiles have " +
                                std::to_string(vertices_ - merged_.size()) +
                                " vertices, more than corners of faces can name");
+  }
+
+  void merge(std::span<const BorderVertex> same) {
+    double least = same.front().tolerance;
+    for (const BorderVertex& other : same.subspan(1)) {
+      merged_.emplace_back(other.id, same.front().id);
+      least = (std::min)(least, other.tolerance);
+    }
+    if (least < same.front().tolerance)
+      lowered_.emplace_back(same.front().id, least);
   }
 
   std::vector<std::pair<std::uint64_t, std::uint64_t>>::const_iterator
@@ -172,13 +188,17 @@ private:
   void put_vertices(std::size_t t, PlyBytes& bytes) const {
     const std::vector<PlyProperty>& properties = first_.scalars().properties();
     const PlyType number{first_.has_doubles() ? std::size_t{8} : std::size_t{4}, false, true};
+    auto lowered = std::lower_bound(lowered_.begin(), lowered_.end(), std::pair(begins_[t], 0.0));
     open(t).for_vertices([&](VertexId v, const Vector<3>& p, const std::vector<double>& scalars) {
       if (is_merged(begins_[t] + v))
         return;
+      const bool is_lowered = lowered != lowered_.end() && lowered->first == begins_[t] + v;
       for (std::size_t i = 0; i < 3; ++i)
         bytes.put_as(number, p[i]);
       for (std::size_t i = 0; i < scalars.size(); ++i)
-        bytes.put_as(properties[i].type, scalars[i]);
+        bytes.put_as(properties[i].type,
+                     is_lowered && i == *tolerance_ ? lowered->second : scalars[i]);
+      lowered += is_lowered ? 1 : 0;
     });
   }
 
@@ -195,11 +215,13 @@ private:
   }
 
   const std::vector<std::filesystem::path>&tiles_, &names_;
-  bool positions_only_;
+  const ScalarChoice& choice_;
   PlyInput first_;
-  std::vector<std::uint64_t> begins_; // of each tile, the first of its vertices among all
+  std::optional<std::size_t> tolerance_; // its place among the scalars of a vertex
+  std::vector<std::uint64_t> begins_;    // of each tile, the first of its vertices among all
   std::uint64_t vertices_ = 0, faces_ = 0;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> merged_; // a vertex, and what it has become
+  std::vector<std::pair<std::uint64_t, double>> lowered_;       // vertices with another's tolerance
 };
 
 } // namespace quadrille::internal

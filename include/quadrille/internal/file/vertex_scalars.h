@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,9 +58,19 @@ public:
   std::size_t size() const { return properties_.size(); }
   std::size_t channels() const { return channels_.size(); }
   const std::vector<PlyProperty>& properties() const { return properties_; }
+  /// The place of a number in a row that is a channel by itself, if there is one of that name.
+  std::optional<std::size_t> place_of(std::string_view name) const {
+    for (const Channel& channel : channels_)
+      if (channel.is_scalar() && properties_[channel.properties.front()].name == name)
+        return channel.properties.front();
+    return std::nullopt;
+  }
   /// Comments of the file that name the pictures of texture coordinates.
   const std::vector<std::string>& textures() const { return textures_; }
   void set_textures(std::vector<std::string> textures) { textures_ = std::move(textures); }
+  /// The place in a row of that which is the tolerance of a vertex: see ToleranceLimit.
+  std::optional<std::size_t> tolerance() const { return tolerance_; }
+  void set_tolerance(std::string_view name) { tolerance_ = place_of(name); }
 
   /// As the engine takes them, of rows of size() values. `diagonal` is that of the whole surface:
   /// with the ranges it decides how a channel counts, so that it counts alike in all pieces.
@@ -153,6 +164,7 @@ private:
   std::vector<PlyProperty> properties_;
   std::vector<Channel> channels_;
   std::vector<std::string> textures_;
+  std::optional<std::size_t> tolerance_;
 };
 
 } // namespace quadrille::internal

@@ -59,6 +59,9 @@ struct OptionalParts {
   /// How far each input face is from the input of all pieces, at the beginning and then at the end;
   /// where a stop policy asks for distances.
   std::vector<FaceBound>* bounds = nullptr;
+  /// The greatest tolerance of the input of all pieces, in the mesh's units, where bounds have
+  /// tolerances at the beginning.
+  std::optional<double> greatest_tolerance = {};
   /// Counts what contractions cost.
   CostHistogram* costs = nullptr;
   /// Throws if a surface is no solid.

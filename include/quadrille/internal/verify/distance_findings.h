@@ -45,6 +45,21 @@ public:
     progress.next_stage();
   }
 
+  /// Looks whether tolerances are kept. Distance has least_tolerance() as well.
+  template <class Distance>
+  static void look_at_tolerances(const Distance& distance, CheckProgress& progress,
+                                 Verdict& verdict) {
+    DistanceFindings findings(verdict, distance.diagonal_of_both());
+    findings.add("distance of the input from the result, beyond its tolerances", 0,
+                 distance.least_tolerance(),
+                 [&](double error) { return distance.of_input(error); });
+    progress.next_stage();
+    findings.add("distance of the result from the input, beyond its tolerances", 0,
+                 distance.least_tolerance(),
+                 [&](double error) { return distance.of_result(error); });
+    progress.next_stage();
+  }
+
   /// `measure(error)` tells no more than the truth but for roundings, and less by no more than the
   /// error, of which half of what a finding may be wrong is enough. So what is beyond the promise
   /// by that is broken, and what is broken by twice as much is found. It takes the longer the less
