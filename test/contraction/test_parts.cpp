@@ -105,7 +105,7 @@ Soup scan(std::size_t small) {
   for (std::size_t i = 0; i < small; ++i) {
     const Soup kinds[] = {test::sphere(1), test::torus(9, 7), test::grid(4, 3), test::triangle(),
                           test::octahedron()};
-    const double size = std::exp(random(std::log(0.003), std::log(0.2)));
+    const double size = std::exp(random(std::log(0.003), std::log(0.05)));
     const double u = random(0, 2 * std::numbers::pi), z = random(-1, 1), r = random(3, 14);
     const double w = std::sqrt(1 - z * z);
     soup = test::joined(soup, scaled(kinds[i % 5], size),
@@ -179,11 +179,13 @@ TEMPLATE_TEST_CASE("Of parts of one shape the smaller ones go first", "", Quadri
   }
 }
 
-TEST_CASE("A part costs its squared radius times the weight of what it remembers") {
-  // Spheres, tori and single triangles of many sizes: with Quadric a face weighs its area at each
-  // of its corners, and a border edge 100 times its square at both ends, and a quarter of that
-  // along the normal.
-  std::vector<double> prices;
+TEST_CASE(
+    "A part costs its squared distance, up to four radii, times the weight of what it remembers") {
+  // Far apart, so that all count four radii; from a hundredth of the diagonal on they come behind
+  // all that move the surface less. Spheres, tori and single triangles of many sizes: with Quadric
+  // a face weighs its area at each of its corners, and a border edge 100 times its square at both
+  // ends, and a quarter of that along the normal.
+  std::vector<double> prices, squared_radii;
   Soup input;
   for (std::size_t i = 0; i < 30; ++i) {
     const Soup kinds[] = {test::sphere(2), test::torus(9, 7), test::triangle()};
@@ -202,13 +204,18 @@ TEST_CASE("A part costs its squared radius times the weight of what it remembers
           border += squared_distance(thing.points[t[k]], thing.points[t[(k + 1) % 3]]);
     }
     prices.push_back(squared_radius * (3 * area + 2 * 125 * border));
+    squared_radii.push_back(squared_radius);
     input = test::joined(input, thing, place_of(i));
+  }
+  for (std::size_t i = 0; i < prices.size(); ++i) {
+    const double strain = 4 * std::sqrt(squared_radii[i]) / (0.01 * diameter(input.points));
+    prices[i] *= strain > 1 ? 0x1p20 * std::pow(strain, 4) : 1;
   }
   for (std::size_t faces : {400u, 200u, 120u, 80u, 60u, 40u, 20u, 10u}) {
     Report report;
     const Soup result = simplified(input, report, FaceCount{faces}, parts_may_vanish);
     const std::vector<bool> is_there = things_in(result, prices.size());
-    double dearest_gone = 0, cheapest_left = 1e9;
+    double dearest_gone = 0, cheapest_left = 1e99;
     for (std::size_t i = 0; i < prices.size(); ++i)
       if (is_there[i])
         cheapest_left = std::min(cheapest_left, prices[i]);
@@ -218,6 +225,52 @@ TEST_CASE("A part costs its squared radius times the weight of what it remembers
     CHECK(dearest_gone < cheapest_left);
     CHECK((dearest_gone > 0) == (report.vanished_parts > 0));
   }
+}
+
+TEST_CASE("A part that lies apart outlives one of the same shape that touches what is left") {
+  // Around a large sphere, every other one near it; and far away a pair of which one is larger.
+  Soup input = scaled(test::sphere(5), 10);
+  const auto add = [&](double radius, double distance, double angle) {
+    const Position to = {{distance * std::cos(angle), distance * std::sin(angle), 0}};
+    input = test::joined(input, scaled(test::sphere(1), radius), to);
+  };
+  for (int i = 0; i < 24; ++i)
+    add(0.2, i % 2 == 0 ? 10.2 : 13, i * std::numbers::pi / 12);
+  add(0.2, 16, 0.1);
+  add(0.21, 16, 0.13);
+  const auto is_there = [](const Soup& result, double low, double high) {
+    return std::count_if(result.points.begin(), result.points.end(), [&](const Position& p) {
+      const double distance = std::sqrt(squared_length(p));
+      return low < distance && distance < high;
+    });
+  };
+  Report report;
+  const Soup result = simplified(input, report, FaceCount{300}, parts_may_vanish);
+  INFO(report);
+  CHECK(report.vanished_parts == 13);
+  CHECK(is_there(result, 10.25, 11) == 0);
+  CHECK(is_there(result, 12, 14) >= 12 * 4);
+  CHECK(is_there(result, 15, 17) >= 4);
+  // What melts the large one comes last of all.
+  const Soup few = simplified(input, report, FaceCount{30}, parts_may_vanish);
+  CHECK(few.triangles.size() <= 30);
+  CHECK(report.vanished_parts == 26);
+}
+
+TEST_CASE("Near the floor a part that lies apart is not given for faces, nor is the rest for it") {
+  // A plate of 20 holes can't lose many faces. Beside it are cubes: near it, and far away.
+  Soup input = test::plate_with_holes(20, 6);
+  for (int i = 0; i < 10; ++i) {
+    input = test::joined(input, scaled(test::sphere(1), 0.2), {{3.0 * i, -6, 0}});
+    input = test::joined(input, scaled(test::sphere(1), 0.2), {{3.0 * i, -0.3, 0.5}});
+  }
+  Report report;
+  const Soup result = simplified(input, report, FaceCount{40}, parts_may_vanish);
+  INFO(report);
+  CHECK(report.stop == StopReason::target_unreachable);
+  CHECK(report.vanished_parts == 10);
+  for (const Position& p : result.points)
+    CHECK((p[1] < -5 || p[1] > -0.2));
 }
 
 TEMPLATE_TEST_CASE("A part shrinks as far as it can before it vanishes", "", Quadric,
@@ -477,7 +530,8 @@ TEST_CASE("A label goes with the last part that has it, as the material of a pro
     const Report report = simplify(soup.points, soup.triangles, FaceCount{12}, parts_may_vanish,
                                    order, Labels{CGAL::make_property_map(of_face)});
     CHECK(report.stop == StopReason::target_met);
-    CHECK(things_in(soup_of(soup), 6) == std::vector<bool>{true, false, false, false, false, false});
+    CHECK(things_in(soup_of(soup), 6) ==
+          std::vector<bool>{true, false, false, false, false, false});
     for (std::size_t f = 0; f < soup.triangles.size(); ++f)
       CHECK(of_face[f] == label_of[thing_at(soup.points[soup.triangles[f][0]].x())]);
   };

@@ -16,6 +16,14 @@
 
 namespace quadrille::internal {
 
+inline std::array<float, 3> as_floats(const Vector<3>& p) {
+  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
+inline FloatBox cube_around(const Vector<3>& place, double radius) {
+  const Vector<3> half{{radius, radius, radius}};
+  return {as_floats(place - half), as_floats(place + half)};
+}
+
 /// How far a place is from the faces that are left. In O(n log n) time to begin with, and in about
 /// O(log n) for a place near them.
 template <std::size_t N>
@@ -61,25 +69,18 @@ private:
       box.add(as_floats(at(v)));
     return box;
   }
-  static std::array<float, 3> as_floats(const Vector<3>& p) {
-    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-  }
-  static FloatBox cube(const Vector<3>& place, double radius) {
-    const Vector<3> half{{radius, radius, radius}};
-    return {as_floats(place - half), as_floats(place + half)};
-  }
 
   bool has_all(const Vector<3>& place, double radius) const {
-    FloatBox box = cube(place, radius);
+    FloatBox box = cube_around(place, radius);
     box.add(whole_);
-    return box == cube(place, radius);
+    return box == cube_around(place, radius);
   }
 
   // Of those whose boxes meet a cube around the place: no more than that of any face nearer than
   // the radius. Infinite if there are none.
   double nearest_within(const Vector<3>& place, double radius) const {
     double squared = std::numeric_limits<double>::infinity();
-    tree_.for_each_meeting(cube(place, radius), [&](std::size_t slot, const FloatBox&) {
+    tree_.for_each_meeting(cube_around(place, radius), [&](std::size_t slot, const FloatBox&) {
       const auto [a, b, c] = complex_.vertices(faces_[slot]);
       squared = (std::min)(squared, squared_distance_to_triangle(place, at(a), at(b), at(c)));
     });

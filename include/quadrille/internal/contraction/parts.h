@@ -4,6 +4,7 @@
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/distance_to_rest.h>
+#include <quadrille/internal/contraction/isolation.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -14,7 +15,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
@@ -27,6 +30,7 @@ struct Part {
   Vector<N> centre{};
   double squared_radius = 0; ///< in all dimensions, in the engine's unit
   double radius = 0;         ///< in space, in the mesh's unit
+  double isolation = 1;      ///< see Parts::measure_isolation()
   double size = 0;           ///< the diagonal of its box in space, in the mesh's unit
   bool is_large = false;     ///< beside the whole surface: it does not vanish
   bool is_fixed = false;     ///< is any of its vertices?
@@ -68,6 +72,27 @@ public:
     });
   }
 
+  /// Where parts may vanish: how far each of them lies from all that is no smaller. See Isolation.
+  void measure_isolation(const TriangleComplex& complex, const Geometry<N>& geometry,
+                         const Scale<N>& scale) {
+    if (parts_.size() < 2)
+      return;
+    std::vector<Trace> traces;
+    for (const Part<N>& part : parts_)
+      traces.push_back(stays(part) ? Trace{space(part.centre), 0} : trace_of(part, scale));
+    const std::vector<Index> ranks = this->ranks();
+    Isolation isolation(std::move(traces), ranks);
+    for (Index face = 0; face < complex.face_capacity(); ++face)
+      if (!complex.is_removed(face)) {
+        const auto [a, b, c] = complex.vertices(face);
+        const auto at = [&](Index v) { return space(geometry.position(v)); };
+        isolation.see({at(a), at(b), at(c)}, ranks[of(a)]);
+      }
+    const std::vector<double> isolations = isolation.of_parts();
+    for (Index part = 0; part < parts_.size(); ++part)
+      parts_[part].isolation = isolations[part];
+  }
+
   /// Of the input; none where parts may not vanish.
   std::size_t size() const { return parts_.size(); }
   const Part<N>& operator[](Index part) const { return parts_[part]; }
@@ -97,6 +122,19 @@ public:
   static auto vertex_columns(auto& self) { return std::tie(self.part_); }
 
 private:
+  // By size, and those that stay last.
+  std::vector<Index> ranks() const {
+    std::vector<Index> order(parts_.size()), rank(parts_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+      return std::pair(stays(parts_[a]), parts_[a].size) <
+             std::pair(stays(parts_[b]), parts_[b].size);
+    });
+    for (Index place = 0; place < order.size(); ++place)
+      rank[order[place]] = place;
+    return rank;
+  }
+
   // From the vertices that stand for parts to numbers.
   void number(const TriangleComplex& complex) {
     Array<Index> number(part_.size(), none);

@@ -86,6 +86,21 @@ public:
   double strain(const Contraction& contraction) {
     return (std::max)(strain_of_part(contraction), strain_of_region(contraction));
   }
+  /// The same of a part that vanishes, beside the whole surface. It spoils that if it lies apart.
+  double strain(const Part<dimension>& part) const {
+    return knows_errors<Cost> && part.isolation > apart
+               ? part.isolation * part.radius / (spoiling_part * scale_.diagonal())
+               : 0;
+  }
+  /// The cost of what has a strain of more than 1: it comes behind all that spoils nothing.
+  static float dearer(double cost, double strain) {
+    return static_cast<float>((std::min)(0x1p20 * strain * strain * strain * strain * cost, 1e37));
+  }
+  /// The same of a contraction: what melts a large part comes behind all parts that may vanish,
+  /// too.
+  static float dearer(const Contraction& contraction, double strain) {
+    return dearer((strain > melting ? 0x1p20 : 1) * contraction.key(), strain);
+  }
   bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
   /// The same of parts alone, which several threads may ask for.
   bool spoils_part(const Contraction& contraction) const { return strain_of_part(contraction) > 1; }
@@ -161,6 +176,8 @@ private:
 
   static constexpr double spoiling_part = 1. / 100;  // of the size of a part
   static constexpr double spoiling_region = 1. / 16; // of that of a region of labels
+  static constexpr double melting = 2;               // times as much as spoils
+  static constexpr double apart = 2;                 // of its radii away
   static constexpr double measured = 1. / 4;         // of an error that spoils
 
   const Scale<dimension>& scale_;

@@ -99,8 +99,10 @@ public:
     if (!is_topology_kept_ || input.has_duplicate_faces)
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally,
                                             policies.threads);
-    if (policies.topology == Topology::parts_may_vanish)
+    if (policies.topology == Topology::parts_may_vanish) {
       measure_parts();
+      parts_.measure_isolation(complex_, geometry_, scale_);
+    }
     appearance_.read(input.labels, input.channels, numbering_, scale_, pairs_.are_edges());
     progress_.start({complex_.count_faces(), complex_.count_vertices()},
                     count_unselected(complex_, numbering_.faces, input.is_selected),

@@ -16,6 +16,17 @@
 
 namespace quadrille::internal {
 
+/// Does the stop policy stop at a count of something, whatever the distance and the cost? Where
+/// these alone stop it, they are rule enough.
+template <class Policies>
+bool stops_at_a_count(const WorkingSurface<Policies>& surface) {
+  Status status = surface.status();
+  status.faces = status.vertices = status.edges = 0;
+  status.next_error = status.next_distance = status.next_distance_back = status.next_tolerance =
+      status.next_cost = 0;
+  return surface.policies().stop(status);
+}
+
 /// Near the floor of what is held: which contractions are not worth the faces that they save?
 ///
 /// Where most of a surface is held, the rest of it pays for the target. The error that contractions
@@ -32,10 +43,9 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   explicit EndOfRun(WorkingSurface<Policies>& surface)
-      : surface_(surface), hold_(surface), has_count_(stops_at_a_count()) {}
+      : surface_(surface), hold_(surface), has_count_(stops_at_a_count(surface)) {}
 
-  /// Does the stop policy stop at a count of something, whatever the distance? Where distances or
-  /// costs alone stop it, these are rule enough.
+  /// See stops_at_a_count().
   bool has_count() const { return has_count_; }
 
   /// Do so many pairs wait that are held that the end may be near, and does each vertex stand for
@@ -43,6 +53,11 @@ public:
   bool is_near(std::size_t waiting) const {
     const Status& status = surface_.status();
     return waiting > 0 && many * status.faces < status.initial_faces && hold_.is_awake(waiting);
+  }
+
+  /// Is it here, where what destroys is refused?
+  bool is_here(std::size_t waiting) {
+    return waiting > 0 && has_count_ && hold_.is_awake(waiting) && hold_.is_of_most();
   }
 
   /// Would the contraction destroy what is left free? `waiting` pairs are held.
@@ -78,14 +93,6 @@ private:
     std::size_t faces;
     double moved;
   };
-
-  bool stops_at_a_count() const {
-    Status status = surface_.status();
-    status.faces = status.vertices = status.edges = 0;
-    status.next_error = status.next_distance = status.next_distance_back = status.next_tolerance =
-        status.next_cost = 0;
-    return surface_.policies().stop(status);
-  }
 
   double moved() const { return Displacement::part(surface_.progress().moved()); }
 

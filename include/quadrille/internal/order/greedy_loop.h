@@ -67,7 +67,6 @@ private:
   static constexpr float tolerated_rise_at_hub = 1.25f;
   static constexpr double part_that_pays = 0.95; // of the faces left since the last look for a way
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
-  static constexpr double dearness_of_parts = 0x1p20; // of what spoils them, beside all else
 
   StopReason contract_pairs() {
     if (!surface_.progress().begin_contracting())
@@ -205,7 +204,9 @@ private:
     while (parts_.has_below(next ? static_cast<double>(next->cost) : no_limit, is_last_resort_)) {
       if (next)
         queue_.push_again(*next);
-      if (is_cancelled() || !parts_.vanish_next([this](Index v) { updates_.forget(v); }))
+      if (is_cancelled() ||
+          !parts_.vanish_next([this](Index v) { updates_.forget(v); },
+                              [this] { return end_of_run_.is_here(waiting_.held()); }))
         return std::nullopt;
       next = next_queued();
     }
@@ -267,8 +268,7 @@ private:
     if (!surface_.shape_check().has_any())
       least_spoiling_ = no_limit;
     const double strain = surface_.shape_check().strain(contraction);
-    const auto key = static_cast<float>((std::min)(
-        dearness_of_parts * strain * strain * strain * strain * contraction.key(), 1e37));
+    const float key = ShapeCheck<Cost>::dearer(contraction, strain);
     if (!(strain > 1) || !(key > pair.cost))
       return false;
     queue_.push(pair.first, pair.second, key);
@@ -325,7 +325,7 @@ private:
     cost_stop_.announce_end();
     if (distance_stop_.is_enough_without() || has_met_distance_ || parts_.has_met_distance())
       return surface_.target_rules().reason_of_stop(surface_.status());
-    if (has_met_destruction_)
+    if (has_met_destruction_ || parts_.has_met_destruction())
       return StopReason::target_unreachable;
     return waiting_.empty() ? StopReason::no_pair_left : StopReason::all_pairs_rejected;
   }

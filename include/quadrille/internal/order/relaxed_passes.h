@@ -118,7 +118,7 @@ private:
     if (limit == std::numeric_limits<double>::infinity())
       return; // the pairs that cost most are for the greedy order
     VanishingParts<Policies> parts(surface_);
-    while (parts.has_below(limit, false) && parts.vanish_next([](Index) {})) {
+    while (parts.has_below(limit, false) && parts.vanish_next([](Index) {}, [] { return false; })) {
     }
     cost_stop_.announce_none();
   }

@@ -10,6 +10,7 @@
 #include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/distance_stop.h>
+#include <quadrille/internal/order/end_of_run.h>
 #include <quadrille/internal/order/part_lists.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
@@ -37,7 +38,7 @@ public:
   /// In linear time.
   explicit VanishingParts(WorkingSurface<Policies>& surface)
       : surface_(surface), price_(surface.evaluator()), distance_stop_(surface),
-        cost_stop_(surface) {
+        cost_stop_(surface), has_count_(stops_at_a_count(surface)) {
     if (surface.policies().topology != Topology::parts_may_vanish || parts().size() < 2)
       return;
     lists_ = PartLists(surface.complex(), parts());
@@ -59,9 +60,10 @@ public:
   }
 
   /// Lets the part that has_below() has found vanish, unless it is refused, and calls gone(v) for
-  /// each of its vertices. False if the stop policy is satisfied without.
-  template <class Gone>
-  bool vanish_next(Gone gone) {
+  /// each of its vertices. It is refused, too, if it spoils the shape of the whole and is_end().
+  /// False if the stop policy is satisfied without.
+  template <class Gone, class IsEnd>
+  bool vanish_next(Gone gone, IsEnd is_end) {
     cost_stop_.announce(static_cast<double>(heap_.front().first));
     const Index part = take();
     waiting_price_.reset();
@@ -72,6 +74,10 @@ public:
     }
     if (surface_.progress().is_enough())
       return false;
+    if (strain(parts()[part]) > 1 && is_end()) {
+      refuse(Rejection::destruction);
+      return true;
+    }
     const std::span<const Index> vertices = this->vertices(part);
     surface_.remove_part(part, vertices);
     std::for_each(vertices.begin(), vertices.end(), gone);
@@ -81,6 +87,7 @@ public:
   }
 
   bool has_met_distance() const { return has_met_distance_; }
+  bool has_met_destruction() const { return has_met_destruction_; }
 
 private:
   using Cost = typename Policies::Cost;
@@ -90,7 +97,13 @@ private:
   std::span<const Index> vertices(Index part) { return lists_.vertices(surface_.complex(), part); }
   float price(Index part) {
     const Part<Cost::dimension>& shape = parts()[part];
-    return price_(vertices(part), shape.centre, shape.squared_radius);
+    const double distance = shape.isolation * shape.isolation * shape.squared_radius;
+    const float price = price_(vertices(part), shape.centre, distance);
+    const double strain = this->strain(shape);
+    return strain > 1 ? ShapeCheck<Cost>::dearer(price, strain) : price;
+  }
+  double strain(const Part<Cost::dimension>& shape) const {
+    return has_count_ ? surface_.shape_check().strain(shape) : 0;
   }
 
   bool has_cheap(float limit, bool is_last_resort) {
@@ -139,6 +152,7 @@ private:
   void refuse(Rejection cause) {
     internal::refuse(surface_, {none, none}, cause);
     has_met_distance_ |= cause == Rejection::distance;
+    has_met_destruction_ |= cause == Rejection::destruction;
   }
 
   static constexpr float tolerated_rise = 1.1f; // a part is looked at a few times only
@@ -147,10 +161,11 @@ private:
   PartPrice<Policies> price_;
   DistanceStop<Policies> distance_stop_;
   CostStop<Policies> cost_stop_;
+  const bool has_count_;
   PartLists lists_;
   std::vector<Entry> heap_;
   std::optional<float> waiting_price_; // of a part that would go beyond the target
-  bool has_met_distance_ = false;
+  bool has_met_distance_ = false, has_met_destruction_ = false;
 };
 
 } // namespace quadrille::internal
