@@ -100,7 +100,7 @@ private:
     const double distance = shape.isolation * shape.isolation * shape.squared_radius;
     const float price = price_(vertices(part), shape.centre, distance);
     const double strain = this->strain(shape);
-    return strain > 1 ? ShapeCheck<Cost>::dearer(price, strain) : price;
+    return strain > 1 ? ShapeCheck<Cost>::dearer(static_cast<double>(price), strain) : price;
   }
   double strain(const Part<Cost::dimension>& shape) const {
     return has_count_ ? surface_.shape_check().strain(shape) : 0;
