@@ -1548,11 +1548,16 @@ measured=$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)
 run 0 whole.ply out.ply --error 1% --both-ways --measure --verify --report report.json
 [ "$measured" = "$(sed -n 's/.*\("greatest[a-z_]*": [0-9.]\{6\}\).*/\1/p' report.json)" ] || fail "measured otherwise by parts"
 [ ! -e scratch ] || fail "the scratch folder is there"
+run 0 field.ply out.ply --tolerance allowed --verify --out-of-core scratch
+expect stdout '^field.ply: .*, nor of IN from OUT, [0-9.]+ % of allowed used, by 1 part '
+expect stdout '^out.ply: verified: distance of the input from the result, beyond its tolerances: 0 promised, 0 measured; '
+run 2 whole.ply out.ply --tolerance size --out-of-core scratch
+expect stderr '^whole.ply: its vertices have no scalar size of tolerances, nor any other: '
 run 2 whole.ply ./whole.ply --measure --out-of-core scratch
 expect stderr '^whole.ply: is both IN and OUT, '
 run 2 whole.ply out.ply --measure --verify --out-of-core scratch
 expect stderr '^--verify needs something that is promised: '
-for option in '--error 1% --both-ways --calibrated' '--tolerance size' '--weld 1' --orient '--pairs 1' --solid \
+for option in '--error 1% --both-ways --calibrated' '--weld 1' --orient '--pairs 1' --solid \
   --no-self-intersection '--normals 30' '--levels 50%' '--record a.qlv' '--vertices 9' '--order relaxed' '--region a' \
   '--labels a' '--seams held' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
   # shellcheck disable=SC2086
