@@ -195,17 +195,20 @@ private:
     progress_->end("done", report.faces_after);
     for (const std::string& dropped : report.dropped)
       print_remark(options_, "left out: " + dropped);
+    const auto remark = [&](std::uint64_t count, const char* what) {
+      if (count > 0)
+        print_remark(options_, std::string(what) + ": " + std::to_string(count));
+    };
+    remark(report.short_faces, "faces left out for having fewer than three different corners");
+    remark(report.fans, "polygons cut into fans for being flat or crossing themselves");
+    remark(report.welded_vertices, "vertices welded to another at the same place");
     if (!report.is_count_exact)
       print_remark(options_,
                    "the count of faces is near and not exact: " + with_commas(report.faces_after) +
                        ", since the whole does not fit into the memory at the end");
-    if (report.unused_not_finite > 0)
-      print_remark(options_, "vertices without a face left out for not being finite: " +
-                                 std::to_string(report.unused_not_finite));
-    if (report.doubled_faces > 0)
-      print_remark(options_, "faces left out for having the corners of another one, the same way "
-                             "round: " +
-                                 std::to_string(report.doubled_faces));
+    remark(report.unused_not_finite, "vertices without a face left out for not being finite");
+    remark(report.doubled_faces,
+           "faces left out for having the corners of another one, the same way round");
     Options options = options_;
     options.is_quiet = options.is_quiet || is_step;
     return tell(options, {outcome});

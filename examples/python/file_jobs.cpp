@@ -93,6 +93,8 @@ py::dict figures_of(const FileReport& report) {
                   "is_count_exact"_a = report.is_count_exact, "bytes_read"_a = report.bytes_read,
                   "bytes_written"_a = report.bytes_written, "diagonal"_a = report.diagonal,
                   "peak_memory"_a = report.peak_memory,
+                  "welded_vertices"_a = report.welded_vertices, "fans"_a = report.fans,
+                  "short_faces"_a = report.short_faces,
                   "unused_not_finite"_a = report.unused_not_finite, "dropped"_a = report.dropped);
 }
 

@@ -465,7 +465,12 @@ TEST_CASE("Tiles whose borders coincide are one surface, and may be tiles again"
       return simplify_file<MemorylessQuadric, OptimalPlacement>(files, output, FaceCount{800},
                                                                 options);
     };
-    CHECK(simplified(folder.path("out.ply")).faces_after == 800);
+    const FileReport report = simplified(folder.path("out.ply"));
+    CHECK(report.faces_after == 800);
+    std::size_t vertices = 0; // of the tiles
+    for (const Soup& tile : tiles)
+      vertices += is_stl ? 3 * tile.triangles.size() : tile.points.size();
+    CHECK(report.welded_vertices == vertices - input.points.size());
     require_whole(read_ply(folder.path("out.ply")), 800);
     if (!is_stl)
       CHECK(rms(input, read_ply(folder.path("out.ply"))) <
@@ -1126,6 +1131,7 @@ TEST_CASE("Text and polygons become binary triangles first, in the order of the 
       folder.file("text.ply", content);
       const FileReport report = run(folder, in_parts(folder, part_of_16), 800, "text.ply");
       CHECK(report.faces_before == soup.triangles.size());
+      CHECK(report.short_faces == faces.size() - triangles.size());
       CHECK(content_of(folder.path("out.ply")) == once);
       CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
     }
@@ -1149,7 +1155,11 @@ TEST_CASE("Faces with vertices of their own become one surface where they meet")
   }
   for (const std::string& content : {ply_of(loose), text_ply_of(loose.points, faces)}) {
     folder.file("loose.ply", content);
-    run(folder, in_parts(folder, part_of_16), 800, "loose.ply");
+    OutOfCore options = in_parts(folder, part_of_16);
+    run(folder, ended_early(options), 800, "loose.ply");
+    options.restart = true;
+    const FileReport report = run(folder, options, 800, "loose.ply");
+    CHECK(report.welded_vertices == loose.points.size() - soup.points.size());
     CHECK(content_of(folder.path("out.ply")) == once);
     CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
   }
@@ -1272,6 +1282,7 @@ TEST_CASE("Quadrilaterals and larger polygons are cut as in memory") {
   FileReport report = run(folder, in_parts(folder, 600), 400);
   CHECK(report.faces_before == 3200);
   CHECK(report.faces_after == 400);
+  CHECK(report.fans == 0);
   CHECK(rms(read_ply(folder.path("out.ply")), soup) < 0.002);
   OutOfCore options = in_parts(folder, 600);
   run(folder, options, 4000);
@@ -1279,6 +1290,9 @@ TEST_CASE("Quadrilaterals and larger polygons are cut as in memory") {
   CHECK(whole.points.size() == soup.points.size());
   CHECK(topology_of(whole).is_manifold);
   CHECK(rms(whole, soup) < 0.0005);
+  polygons.push_back({0, 1, 2, 3, 4}); // in a line
+  folder.file("in.ply", text_ply_of(soup.points, polygons));
+  CHECK(run(folder, options, 4000).fans == 1);
 }
 
 TEST_CASE("Many colours of faces are no labels, nor are numbers of faces") {

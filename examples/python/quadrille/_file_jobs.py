@@ -64,6 +64,9 @@ class SimplifiedFile:
     bytes_written: int
     diagonal: float  #: of the box of the vertices that faces use
     peak_memory: int  #: of the process so far, in bytes, as the system counts it
+    welded_vertices: int  #: that have become one with another one at the same place, before all else
+    fans: int  #: polygons that were cut into fans, for being flat or crossing themselves
+    short_faces: int  #: left out for having fewer than three different corners
     remarks: List[str]  #: what was left out
 
 

@@ -32,6 +32,7 @@ public:
     facts_.vertices = input.vertices();
     facts_.faces = input.faces();
     facts_.has_doubles = input.has_doubles();
+    facts_.made = input.header().made;
     const auto from = [&](double begin, double end, std::uint64_t count) {
       return [=, &tell](std::uint64_t i) {
         if (i % (1 << 18) == 0)

@@ -186,6 +186,10 @@ public:
     FileReport report;
     report.doubled_faces = static_cast<std::size_t>(plan_.input.doubled_faces);
     report.unused_not_finite = plan_.input.unused_not_finite;
+    report.welded_vertices = plan_.input.made.welded;
+    report.fans = plan_.input.made.fans;
+    report.short_faces = plan_.input.made.short_faces + plan_.input.faces -
+                         plan_.input.counted_faces - plan_.input.doubled_faces;
     report.faces_before = static_cast<std::size_t>(plan_.input.faces);
     report.counted_faces = static_cast<std::size_t>(plan_.input.counted_faces);
     report.vertices_before = static_cast<std::size_t>(plan_.input.vertices);

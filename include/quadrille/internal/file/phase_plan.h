@@ -38,6 +38,7 @@ struct InputFacts {
   std::uint64_t doubled_faces = 0;       ///< those that are there before, the same way round
   std::uint64_t used_vertices = 0;       ///< those of such faces
   std::uint64_t unused_not_finite = 0;   ///< vertices
+  MadeCounts made;
   bool has_doubles = false;
   FileBox box;         ///< of the used vertices
   ScalarRanges ranges; ///< the same
@@ -111,7 +112,7 @@ struct PhasePlan {
   }
 
 private:
-  static inline const std::string magic = "quadrille phase 6";
+  static inline const std::string magic = "quadrille phase 7";
 
   static std::string end_of(const std::string& content) {
     FileChecksum checksum;
@@ -142,7 +143,8 @@ private:
       pass(number);
     auto& input = plan.input;
     pass_all(input.vertices, input.faces, input.counted_faces, input.doubled_faces,
-             input.used_vertices, input.unused_not_finite, input.has_doubles);
+             input.used_vertices, input.unused_not_finite, input.has_doubles, input.made.welded,
+             input.made.fans, input.made.short_faces);
     for (std::size_t i = 0; i < 3; ++i)
       pass_all(input.box.low.coordinates[i], input.box.high.coordinates[i]);
     pass_list(input.ranges.low, pass);

@@ -77,8 +77,9 @@ private:
   // Of the same length for any number of faces, which is not known before the end.
   std::string header() const {
     constexpr std::uint64_t any = 999'999'999'999;
-    std::string text = ply_header(input_.vertices(), input_.has_doubles(),
-                                  input_.scalars().properties(), any, input_.labels());
+    std::string text =
+        ply_header(input_.vertices(), input_.has_doubles(), input_.scalars().properties(), any,
+                   input_.labels(), made_.comment());
     const std::string digits = std::to_string(faces_);
     const std::string place = std::to_string(any);
     text.replace(text.find(place), place.size(),
@@ -117,6 +118,8 @@ private:
                              take_corners(row[input_.corners_property()], fail);
                              if (corners_.size() >= 3)
                                put_polygon(row);
+                             else
+                               ++made_.short_faces;
                              return true;
                            });
     bytes_.flush();
@@ -144,7 +147,7 @@ private:
     places_.clear();
     for (const VertexId v : corners_)
       places_.push_back(corners_.size() == 3 ? Vector<3>{} : written_->position(v));
-    for (const auto& [a, b, c] : PolygonCut::triangles(places_)) {
+    for (const auto& [a, b, c] : PolygonCut::triangles(places_, &made_.fans)) {
       bytes_.put_corners({corners_[a], corners_[b], corners_[c]});
       for (std::size_t i = 0; i < label_places_.size(); ++i)
         bytes_.put_integer(input_.labels()[i].type,
@@ -160,6 +163,7 @@ private:
   WholeFile& file_;
   PlyBytes bytes_;
   std::uint64_t memory_, faces_ = 0, vertices_begin_ = 0;
+  MadeCounts made_;
   std::vector<PlyProperty> row_; // of a vertex
   std::vector<std::size_t> row_places_, label_places_;
   std::unique_ptr<WrittenVertices> written_;

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -105,6 +107,30 @@ struct PlyElement {
   }
 };
 
+/// What was done while a surface was made of files that were something else, as a comment of the
+/// file that has been made tells.
+struct MadeCounts {
+  std::uint64_t welded = 0;      ///< vertices that have become one with another at the same place
+  std::uint64_t fans = 0;        ///< polygons that were flat or crossed themselves
+  std::uint64_t short_faces = 0; ///< left out for having fewer than three different corners
+
+  static constexpr std::string_view keyword = "quadrille_made";
+
+  MadeCounts& operator+=(const MadeCounts& other) {
+    welded += other.welded, fans += other.fans, short_faces += other.short_faces;
+    return *this;
+  }
+
+  /// A line of a header, of the same length whatever there is.
+  std::string comment() const {
+    std::ostringstream text;
+    text << "comment " << keyword << std::setfill('0');
+    for (const std::uint64_t count : {welded, fans, short_faces})
+      text << ' ' << std::setw(12) << count;
+    return text.str() + "\n";
+  }
+};
+
 /// What the header of a PLY file tells.
 struct PlyHeader {
   bool is_big_endian = false, is_text = false;
@@ -112,6 +138,7 @@ struct PlyHeader {
   std::vector<std::string> textures; ///< comments that name one: "TextureFile wall.png"
   std::uint64_t size = 0;            ///< of the header, in bytes
   std::uint64_t lines = 0;           ///< of the header
+  MadeCounts made;
 
   bool is_swapped() const { return is_big_endian != (std::endian::native == std::endian::big); }
 };
@@ -170,6 +197,11 @@ private:
     const std::size_t begin = text.find_first_not_of(' ');
     if (begin != std::string::npos && text.compare(begin, 12, "TextureFile ") == 0)
       header_.textures.push_back(text.substr(begin));
+    std::istringstream words(text);
+    std::string keyword;
+    words >> keyword;
+    if (keyword == MadeCounts::keyword)
+      words >> header_.made.welded >> header_.made.fans >> header_.made.short_faces;
   }
 
   void read_format(std::istream& words) {

@@ -71,17 +71,19 @@ inline std::string ply_properties(const std::vector<PlyProperty>& list) {
   return text;
 }
 
-/// What a file begins with of positions and triangles, and of these properties beside.
+/// What a file begins with of positions and triangles, and of these properties beside, with whole
+/// lines of comments.
 inline std::string ply_header(std::uint64_t vertices, bool has_doubles,
                               const std::vector<PlyProperty>& of_vertices, std::uint64_t faces,
-                              const std::vector<PlyProperty>& of_faces) {
+                              const std::vector<PlyProperty>& of_faces,
+                              const std::string& comments = {}) {
   const std::string number = has_doubles ? "double" : "float";
   const std::string index = vertices > 0x7FFFFFFFU ? "uint" : "int";
-  return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices) +
-         "\nproperty " + number + " x\nproperty " + number + " y\nproperty " + number + " z\n" +
-         ply_properties(of_vertices) + "element face " + std::to_string(faces) +
-         "\nproperty list uchar " + index + " vertex_indices\n" + ply_properties(of_faces) +
-         "end_header\n";
+  return "ply\nformat binary_little_endian 1.0\n" + comments + "element vertex " +
+         std::to_string(vertices) + "\nproperty " + number + " x\nproperty " + number +
+         " y\nproperty " + number + " z\n" + ply_properties(of_vertices) + "element face " +
+         std::to_string(faces) + "\nproperty list uchar " + index + " vertex_indices\n" +
+         ply_properties(of_faces) + "end_header\n";
 }
 
 } // namespace quadrille::internal

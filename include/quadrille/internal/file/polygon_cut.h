@@ -23,8 +23,8 @@ class PolygonCut {
 public:
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-  /// Of the numbers of its corners, three or more.
-  static Triangles triangles(const std::vector<Vector<3>>& corners) {
+  /// Of the numbers of its corners, three or more. `fans` counts those that become one.
+  static Triangles triangles(const std::vector<Vector<3>>& corners, std::uint64_t* fans = nullptr) {
     const auto count = static_cast<std::uint32_t>(corners.size());
     if (count == 3)
       return {{0, 1, 2}};
@@ -36,6 +36,8 @@ public:
       cut.turn_diagonals();
       return std::move(cut.triangles_);
     }
+    if (fans)
+      ++*fans;
     Triangles fan;
     for (std::uint32_t i = 2; i < count; ++i)
       fan.push_back({0, i - 1, i});

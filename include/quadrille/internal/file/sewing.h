@@ -72,12 +72,11 @@ private:
   }
 
   std::string header(bool has_doubles) const {
-    std::string text =
-        ply_header(vertices(), has_doubles, scalars_.properties(), faces_, labels_.properties());
     std::string comments;
     for (const std::string& texture : scalars_.textures())
       comments += "comment " + texture + "\n";
-    return text.insert(text.find("element vertex"), comments);
+    return ply_header(vertices(), has_doubles, scalars_.properties(), faces_, labels_.properties(),
+                      comments);
   }
 
   // The vertices of a part, one after the other.

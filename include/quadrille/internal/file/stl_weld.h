@@ -195,8 +195,9 @@ private:
   std::string header(std::uint64_t vertices) const {
     const std::string digits = std::to_string(vertices);
     const bool is_big = std::endian::native == std::endian::big;
-    return std::string("ply\nformat binary_") + (is_big ? "big" : "little") +
-           "_endian 1.0\nelement vertex " + std::string(12 - digits.size(), '0') + digits +
+    return std::string("ply\nformat binary_") + (is_big ? "big" : "little") + "_endian 1.0\n" +
+           MadeCounts{.welded = 3 * faces_ - vertices}.comment() + "element vertex " +
+           std::string(12 - digits.size(), '0') + digits +
            "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
            std::to_string(faces_) + "\nproperty list uchar uint vertex_indices\nend_header\n";
   }

@@ -56,6 +56,7 @@ private:
       require_as_first(tile, t);
       begins_.push_back(vertices_);
       vertices_ += tile.vertices();
+      made_ += tile.header().made;
       faces_ += tile.faces();
     }
   }
@@ -176,13 +177,19 @@ private:
     if (tells_tiles)
       of_faces.push_back({tile_property, {4, true, true}, {}});
     bytes.put_text(ply_header(vertices_ - merged_.size(), first_.has_doubles(),
-                              first_.scalars().properties(), faces_, of_faces));
+                              first_.scalars().properties(), faces_, of_faces, made().comment()));
     for (std::size_t t = 0; t < tiles_.size(); ++t)
       put_vertices(t, bytes);
     for (std::size_t t = 0; t < tiles_.size(); ++t)
       put_faces(t, tells_tiles, bytes);
     bytes.flush();
     file.finish();
+  }
+
+  MadeCounts made() const {
+    MadeCounts made = made_;
+    made.welded += merged_.size();
+    return made;
   }
 
   void put_vertices(std::size_t t, PlyBytes& bytes) const {
@@ -220,6 +227,7 @@ private:
   std::optional<std::size_t> tolerance_; // its place among the scalars of a vertex
   std::vector<std::uint64_t> begins_;    // of each tile, the first of its vertices among all
   std::uint64_t vertices_ = 0, faces_ = 0;
+  MadeCounts made_;                                             // of the tiles
   std::vector<std::pair<std::uint64_t, std::uint64_t>> merged_; // a vertex, and what it has become
   std::vector<std::pair<std::uint64_t, double>> lowered_;       // vertices with another's tolerance
 };

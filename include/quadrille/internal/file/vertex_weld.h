@@ -192,8 +192,10 @@ private:
   template <class Ask>
   void write(WholeFile& file, const Ask& ask) const {
     PlyBytes bytes(file);
+    MadeCounts made = input_.header().made;
+    made.welded += input_.vertices() - vertices_;
     bytes.put_text(ply_header(vertices_, input_.has_doubles(), input_.scalars().properties(),
-                              input_.faces(), input_.labels()));
+                              input_.faces(), input_.labels(), made.comment()));
     put_vertices(bytes, ask);
     put_faces(bytes, ask);
     bytes.flush();
