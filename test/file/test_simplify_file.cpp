@@ -1217,6 +1217,12 @@ TEST_CASE("Vertices at exactly the same place become one if that is asked for") 
     CHECK(run(folder, options).unused_not_finite == 1);
     CHECK(topology_of(read_ply(folder.path("out.ply"))).genus() == 1);
   }
+  SECTION("nothing is refused as without") {
+    folder.file("in.ply", ply_of(Soup{}));
+    options.welds = true;
+    CHECK_THROWS_WITH(run(folder, options), Catch::Contains("in.ply: nothing to simplify"));
+    CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
+  }
   SECTION("of tiles all do, not only those of their borders") {
     const std::vector<std::filesystem::path> files{
         folder.file("a.ply", ply_of(beside_each_other({tiles[0], tiles[1]}))),

@@ -59,6 +59,8 @@ public:
   template <class Ask>
   static void run(const PlyInput& input, const std::filesystem::path& output,
                   const std::filesystem::path& folder, std::uint64_t memory, const Ask& ask) {
+    if (input.vertices() == 0)
+      fail_file(input.file().path(), "nothing to simplify: it has no faces");
     StlWeld::remove_files(folder);
     std::filesystem::create_directories(folder);
     VertexWeld weld(input, folder, memory);
