@@ -207,6 +207,8 @@ class MissedTargets(unittest.TestCase):
         self.assertIn("where faces=10 was asked for (all pairs rejected)", told)
         self.assertIn("20 parts are left, and each keeps some faces: topology='parts_may_vanish'", told)
         self.assertEqual(self.warned(*tetrahedra(20), faces=10, topology="parts_may_vanish"), "")
+        told = self.warned(*tetrahedra(3), faces=4, topology="parts_may_vanish")  # large ones stay
+        self.assertIn("3 parts are left, and each keeps some faces: pairs_closer_than= joins parts", told)
 
     def test_what_else_is_in_the_way(self):
         points, faces, _ = torus(12)

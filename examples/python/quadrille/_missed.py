@@ -52,8 +52,10 @@ def _hints(report: _core.Report, options: _core.Options, points: Optional[Array]
         hints.append(f"{doubled} points lie exactly where another one does, and faces that only meet there are not "
                      "joined: split_vertices=True takes such points as one")
     elif report.components_after > 1 and not is_free:
-        hints.append(f"{report.components_after} parts are left, and each keeps some faces: "
-                     "topology='parts_may_vanish' lets small ones go, pairs_closer_than= joins parts")
+        ways = ["pairs_closer_than= joins parts"]
+        if options.topology != _core.Topology.parts_may_vanish:
+            ways.insert(0, "topology='parts_may_vanish' lets small ones go")
+        hints.append(f"{report.components_after} parts are left, and each keeps some faces: {', '.join(ways)}")
     elif report.rejections.get("topology", 0) > 0 and not is_free:
         hints.append("the topology is kept: topology='free' lets holes close and thin parts become sheets")
     least = sum(report.rejections.values()) / 100  # what is rarer is not in the way
