@@ -6,6 +6,7 @@
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/place_sort.h>
+#include <quadrille/internal/file/ply_header.h>
 #include <quadrille/internal/file/rows.h>
 
 #include <algorithm>
