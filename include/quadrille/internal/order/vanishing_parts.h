@@ -38,9 +38,10 @@ public:
   /// In linear time.
   explicit VanishingParts(WorkingSurface<Policies>& surface)
       : surface_(surface), price_(surface.evaluator()), distance_stop_(surface),
-        cost_stop_(surface), has_count_(stops_at_a_count(surface)) {
+        cost_stop_(surface) {
     if (surface.policies().topology != Topology::parts_may_vanish || parts().size() < 2)
       return;
+    has_count_ = stops_at_a_count(surface);
     lists_ = PartLists(surface.complex(), parts());
     for (Index part = 0; part < parts().size(); ++part)
       if (!parts().stays(parts()[part]) && !vertices(part).empty())
@@ -161,7 +162,7 @@ private:
   PartPrice<Policies> price_;
   DistanceStop<Policies> distance_stop_;
   CostStop<Policies> cost_stop_;
-  const bool has_count_;
+  bool has_count_ = false;
   PartLists lists_;
   std::vector<Entry> heap_;
   std::optional<float> waiting_price_; // of a part that would go beyond the target
