@@ -384,6 +384,19 @@ TEST_CASE("Shells close together are simplified as far as by endpoints") {
   CHECK(2 * faces_left(OptimalPlacement{}) <= 3 * faces_left(EndpointPlacement{}));
 }
 
+TEST_CASE("No shell is crushed while pairs of the others wait for it to make way") {
+  Soup shells;
+  for (const double radius : {1.0, 0.99, 0.98})
+    shells =
+        test::joined(std::move(shells),
+                     test::mapped(test::sphere(4), [&](const Position& p) { return radius * p; }));
+  const Report report =
+      simplify_soup_of<MemorylessQuadric>(shells, FaceRatio{0.1}, NoSelfIntersection{});
+  CHECK(report.self_intersections->after == 0);
+  CHECK(report.faces_after < 620);
+  CHECK(report.error < 0.1);
+}
+
 TEST_CASE("What is written does not intersect, in floats, far from the origin") {
   Soup soup = shell(0.01);
   for (Position& p : soup.points)

@@ -236,6 +236,34 @@ TEST_CASE("A refused pair comes back once, from whichever end is released first"
   CHECK(refused.size() == 0);
 }
 
+TEST_CASE("A pair that was refused for a face in its way comes back once, when that changes or an "
+          "end does") {
+  RefusedPairs refused(4);
+  std::vector<float> released;
+  const auto keep = [&](const QueuedPair& p) { released.push_back(p.cost); };
+  refused.add({1, 0, 1, 0});
+  CHECK_FALSE(refused.has_behind());
+  refused.add({2, 1, 2, 0}, false, 7);
+  refused.add({3, 2, 3, 0}, false, 7);
+  refused.add({4, 0, 3, 0}, false, 9);
+  CHECK(refused.has_behind());
+  refused.release_behind(8, keep);
+  refused.release_behind(100, keep);
+  CHECK(released.empty());
+  refused.release(1, all, keep);
+  CHECK(released == std::vector<float>{1, 2});
+  refused.add({5, 0, 1, 0}, false, 7); // the one before it makes room
+  refused.release_behind(7, keep);
+  CHECK(released == std::vector<float>{1, 2, 3, 5});
+  refused.release_behind(7, keep);
+  for (std::uint32_t v = 0; v < 4; ++v)
+    refused.release(v, all, keep);
+  CHECK(released == std::vector<float>{1, 2, 3, 5, 4});
+  refused.release_behind(9, keep);
+  CHECK(released.size() == 5);
+  CHECK(refused.size() == 0);
+}
+
 TEST_CASE("Refused pairs come back in their order, and no more than are asked for") {
   RefusedPairs refused(7);
   std::vector<std::uint32_t> partners;

@@ -49,13 +49,18 @@ public:
     if (pair_ != std::array{first, second})
       look_at(star, first, second);
     for (const TriedPlace& tried : tried_)
-      if (tried.target == target)
+      if (tried.target == target) {
+        in_the_way_ = tried.in_the_way;
         return tried.intersects;
+      }
     place_at(target);
+    in_the_way_ = none;
     const bool intersects = meets_or_passes(star, first, second);
-    tried_.push_back({target, intersects});
+    tried_.push_back({target, intersects, in_the_way_});
     return intersects;
   }
+
+  Index face_in_the_way() const override { return in_the_way_; }
 
   void follow(const PairStar& star, Index first) override {
     forget_pair();
@@ -102,6 +107,7 @@ private:
   struct TriedPlace {
     Vector<3> target;
     bool intersects;
+    Index in_the_way;
   };
 
   std::array<float, 3> rounded(const Vector<3>& p) const {
@@ -225,19 +231,21 @@ private:
   // A pair that has been refused is tried again and again, at several places, and mostly meets
   // faces that it met before, or that a pair of the same vertex did.
   bool meets_one_met_before(Index vertex) {
-    if (is_beside(last_met_) && is_met(last_met_))
+    if (is_beside(last_met_) && is_met(last_met_)) {
+      in_the_way_ = last_met_;
       return true;
+    }
     auto& met = met_before_[vertex];
     for (std::size_t i = 0; i < met.size() && met[i] != none; ++i)
       if (met[i] != last_met_ && is_beside(met[i]) && is_met(met[i])) {
-        last_met_ = met[i];
+        in_the_way_ = last_met_ = met[i];
         std::rotate(met.begin(), met.begin() + i, met.begin() + i + 1);
         return true;
       }
     return false;
   }
   void note_met(Index vertex, Index face) {
-    last_met_ = face;
+    in_the_way_ = last_met_ = face;
     auto& met = met_before_[vertex];
     std::rotate(met.begin(), met.end() - 1, met.end());
     met.front() = face;
@@ -287,10 +295,13 @@ private:
       swept_.add(corners_of(face).points);
     return near_.any_meeting(around, [this](const PlacedFace& face) {
       const auto& [a, b, c] = face.corners.points;
-      return swept_.has(0.4142 * a + 0.3183 * b + 0.2675 * c) && !is_degenerate(face.corners) &&
-             std::none_of(old_.begin(), old_.end(), [&](Index old) {
-               return TrianglePair(corners_of(old), face.corners).intersect();
-             });
+      if (!swept_.has(0.4142 * a + 0.3183 * b + 0.2675 * c) || is_degenerate(face.corners) ||
+          std::any_of(old_.begin(), old_.end(), [&](Index old) {
+            return TrianglePair(corners_of(old), face.corners).intersect();
+          }))
+        return false;
+      in_the_way_ = face.face;
+      return true;
     });
   }
 
@@ -364,7 +375,7 @@ private:
   std::vector<Index> slots_; // of each face
   BoxTree boxes_;
   std::size_t left_ = 0;
-  Index last_met_ = 0;
+  Index last_met_ = 0, in_the_way_ = none;
   std::vector<std::array<Index, 4>> met_before_; // by pairs of each vertex, the last one first
 
   // The pair at hand, of which several places may be tried: see look_at() and place_at().

@@ -22,6 +22,9 @@ public:
   /// Would faces intersect that do not, if this pair came together at a target?
   virtual bool makes_intersection(const PairStar& star, Index first, Index second,
                                   const Vector<3>& target) = 0;
+  /// A face that it would meet or pass over, if the last answer was yes; none if faces of the star
+  /// would meet each other.
+  virtual Index face_in_the_way() const = 0;
   /// That has been done: the vertex that is left has its place.
   virtual void follow(const PairStar& star, Index first) = 0;
   /// Faces that are gone.

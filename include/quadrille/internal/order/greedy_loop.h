@@ -34,7 +34,8 @@ namespace quadrille::internal {
 /// What a contraction changes about other pairs is up to PairUpdates. A cost that looks at the
 /// surface as it is can make a pair more costly while it waits, and so can a hub; such a pair goes
 /// back. A pair that is refused waits until a vertex of a face at one of its ends has moved
-/// (WaitingPairs); one that would go beyond the target, until there are no others (DeferredPairs).
+/// (WaitingPairs), or the face that was in its way; one that would go beyond the target, until
+/// there are no others (DeferredPairs).
 template <class Policies>
 class GreedyLoop {
 public:
@@ -86,11 +87,8 @@ private:
       if (is_put_off(candidate, contraction.star(), *next))
         continue;
       std::optional<Rejection> cause = refusal(contraction);
-      if (cause && moves_to_end(contraction, *cause)) {
-        if (goes_back(contraction.candidate(), *next, true))
-          continue;
-        cause.reset();
-      }
+      if (cause && goes_back_for_end(contraction, cause, *next))
+        continue;
       if (cause)
         refuse(*next, *cause);
       else if (cost_stop_.is_enough_at(contraction.key())) {
@@ -146,6 +144,34 @@ private:
     return (is_in_the_way || tries_ends_) &&
            internal::moves_to_end(surface_.evaluator(), contraction,
                                   [this](Contraction& c) { return refusal(c); });
+  }
+
+  // A pair that is refused may go to an end: now, and then there is no cause any more, or when what
+  // that costs has its turn.
+  bool goes_back_for_end(Contraction& contraction, std::optional<Rejection>& cause,
+                         const QueuedPair& pair) {
+    if (waits_for_end(contraction, *cause, pair))
+      return true;
+    if (!moves_to_end(contraction, *cause))
+      return false;
+    if (goes_back(contraction.candidate(), pair, true))
+      return true;
+    cause.reset();
+    return false;
+  }
+
+  // Does the first end that it might go to cost more than others? Whether faces are in the way
+  // there is looked at when its turn comes: most pairs are outdated before that.
+  bool waits_for_end(const Contraction& contraction, Rejection cause, const QueuedPair& pair) {
+    if (cause != Rejection::self_intersection || looks_at_star<typename Policies::Placement> ||
+        is_last_resort_ || !may_move_to_end(surface_.evaluator(), contraction))
+      return false;
+    const auto key =
+        static_cast<float>(surface_.evaluator().at_ends(contraction.candidate())[0].key);
+    if (!(key > tolerated_rise<Cost> * pair.cost))
+      return false;
+    queue_.push(pair.first, pair.second, key);
+    return true;
   }
 
   // Once no pair is left where vertices may go to the places of least cost: around a hub these are
@@ -335,7 +361,13 @@ private:
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
     has_met_intersection_ |= cause == Rejection::self_intersection;
-    waiting_.add(pair, Hold<Policies>::is_by(cause));
+    waiting_.add(pair, Hold<Policies>::is_by(cause), face_in_the_way(cause));
+  }
+
+  Index face_in_the_way(Rejection cause) const {
+    if (cause != Rejection::self_intersection) [[likely]]
+      return none;
+    return surface_.checks().optional().intersections()->face_in_the_way();
   }
 
   void contract(const Contraction& contraction) {

@@ -37,6 +37,8 @@ public:
   /// A contraction has been done that has left the vertex `kept`.
   void follow(const Contraction& contraction, Index kept) {
     queue_.stamps().advance();
+    if (waiting_.has_behind()) [[unlikely]]
+      release_behind(contraction.star());
     if (contraction.star().hub != none && surface_.pairs().are_edges())
       follow_at_hub(contraction);
     else
@@ -131,6 +133,13 @@ private:
     for (const StarFace& f : faces)
       for (Index v : {f.second, f.third})
         waiting_.release(v, push_again());
+  }
+
+  // Faces that have changed or are gone may have been in the way of pairs anywhere.
+  QUADRILLE_NOINLINE void release_behind(const PairStar& star) {
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
+      for (const StarFace& f : *faces)
+        waiting_.release_behind(f.face, push_again());
   }
 
   void push_all(Index v) {

@@ -14,7 +14,7 @@
 
 namespace quadrille::internal {
 
-/// Refused pairs, until something changes beside them.
+/// Refused pairs, until something changes beside them, or what was in their way does.
 ///
 /// Looking at a pair takes time in proportion to the faces at its ends, but for those of hubs. So
 /// that no vertex takes more time at each change than one of few faces, a change beside it brings
@@ -28,8 +28,10 @@ public:
   explicit WaitingPairs(const TriangleComplex& complex)
       : complex_(complex), refused_(complex.vertex_capacity(), complex.workspace()) {}
 
-  /// `is_held`: see held().
-  void add(const QueuedPair& pair, bool is_held = false) { refused_.add(pair, is_held); }
+  /// `is_held`: see held(). `face`: what was in its way.
+  void add(const QueuedPair& pair, bool is_held = false, Index face = none) {
+    refused_.add(pair, is_held, face);
+  }
   /// How many wait that were refused for what holds the surface.
   std::size_t held() const { return refused_.held(); }
   /// Some pairs of a vertex of many faces have been added, and others are in the queue.
@@ -51,6 +53,15 @@ public:
   void release(Index v, Push push) {
     if (refused_.has(v))
       release_some(v, push);
+  }
+
+  /// Do pairs wait for faces?
+  bool has_behind() const { return refused_.has_behind(); }
+  /// A face has changed, or is gone, so it may be in the way no more. Calls push(pair) as
+  /// release().
+  template <class Push>
+  void release_behind(Index face, Push push) {
+    refused_.release_behind(face, push);
   }
 
   /// Calls push(pair) for all of them.
