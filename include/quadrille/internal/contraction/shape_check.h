@@ -92,14 +92,13 @@ public:
                ? part.isolation * part.radius / (spoiling_part * scale_.diagonal())
                : 0;
   }
-  /// The cost of what has a strain of more than 1: it comes behind all that spoils nothing.
-  static float dearer(double cost, double strain) {
-    return static_cast<float>((std::min)(0x1p20 * strain * strain * strain * strain * cost, 1e37));
-  }
+  /// The key of what spoils a shape: behind all that spoils nothing, of which keys are at most
+  /// about 2^80 (see Scale), and in the order of cost and fourth power of the strain.
+  static float dearer(double cost, double strain) { return behind(0x1p85, cost, strain); }
   /// The same of a contraction: what melts a large part comes behind all parts that may vanish,
   /// too.
   static float dearer(const Contraction& contraction, double strain) {
-    return dearer((strain > melting ? 0x1p20 : 1) * contraction.key(), strain);
+    return behind(strain > melting ? 0x1p100 : 0x1p85, contraction.key(), strain);
   }
   bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
   /// The same of parts alone, which several threads may ask for.
@@ -115,6 +114,12 @@ public:
   }
 
 private:
+  // An eighth root keeps the order, and floats hold all that there is beside the factor.
+  static float behind(double factor, double cost, double strain) {
+    const double root = std::sqrt(std::sqrt(std::sqrt(cost))) * std::sqrt(strain);
+    return static_cast<float>((std::min)(factor * root, 1e37));
+  }
+
   double deviation(const Contraction& contraction) const {
     return scale_.length_of_mesh(deviation_of(contraction, geometry_));
   }
