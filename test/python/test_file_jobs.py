@@ -127,7 +127,7 @@ class Jobs(Folder):
                 (ValueError, "not a number of bytes", dict(memory="much")),
                 (ValueError, "too small", dict(memory="1M")), (ValueError, "does not go with", dict(
                     cost="edge_length", placement="optimal")),
-                (TypeError, r"simplify_file\(\) has no argument 'tolerance'", dict(tolerance=1)),
+                (TypeError, "tolerance is the name of a number of vertices of the file", dict(tolerance=1)),
                 (TypeError, r"simplify_file\(\) has no argument 'target_faces': .*faces=", dict(target_faces=1))):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 self.at_once(**options)
