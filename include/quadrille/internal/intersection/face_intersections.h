@@ -297,7 +297,8 @@ private:
       const auto& [a, b, c] = face.corners.points;
       if (!swept_.has(0.4142 * a + 0.3183 * b + 0.2675 * c) || is_degenerate(face.corners) ||
           std::any_of(old_.begin(), old_.end(), [&](Index old) {
-            return TrianglePair(corners_of(old), face.corners).intersect();
+            const FaceCorners corners = corners_of(old);
+            return TrianglePair(corners, face.corners).intersect();
           }))
         return false;
       in_the_way_ = face.face;
@@ -310,7 +311,8 @@ private:
     const TrianglePair then(a.corners, b.corners);
     if (!then.intersect())
       return false;
-    const TrianglePair now(corners_of(a.face), corners_of(b.face));
+    const FaceCorners a_now = corners_of(a.face), b_now = corners_of(b.face);
+    const TrianglePair now(a_now, b_now);
     return !now.intersect() || (then.pass_through() && !now.pass_through());
   }
 

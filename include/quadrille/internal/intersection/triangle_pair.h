@@ -57,6 +57,7 @@ QUADRILLE_ALWAYS_INLINE inline RoundedSum rounded_dot(const Vector<3>& a, const 
 /// Two triangles, of which the common vertices come first.
 class TrianglePair {
 public:
+  /// The corners are not copied: they have to be there as long as this is.
   TrianglePair(const FaceCorners& first, const FaceCorners& second)
       : first_{&first.points[0], &first.points[1], &first.points[2]}, second_{&second.points[0],
                                                                               &second.points[1],
@@ -72,6 +73,9 @@ public:
           break;
         }
   }
+  TrianglePair(const FaceCorners&&, const FaceCorners&) = delete;
+  TrianglePair(const FaceCorners&, const FaceCorners&&) = delete;
+  TrianglePair(const FaceCorners&&, const FaceCorners&&) = delete;
 
   /// Do they meet in more than what they have in common? A triangle without an area meets none, and
   /// neither do two with the same three vertices.
