@@ -129,9 +129,10 @@ struct FileReport : Report {
   std::uint64_t shared_vertices = 0; ///< in the first phase
   /// Vertices that have become one with another one at the same place, before all else.
   std::uint64_t welded_vertices = 0;
-  std::uint64_t fans =
-      0; ///< polygons that were cut into fans for being flat or crossing themselves
-  std::uint64_t short_faces = 0; ///< left out for having fewer than three different corners
+  /// Polygons that were cut into fans, for being flat or crossing themselves.
+  std::uint64_t fans = 0;
+  /// Faces that were left out, for having fewer than three different corners.
+  std::uint64_t short_faces = 0;
   /// Vertices that no face uses, left out for not being finite.
   std::uint64_t unused_not_finite = 0;
   std::uint64_t peak_memory = 0;    ///< of the process so far, in bytes, as the system counts it
