@@ -47,7 +47,7 @@ auto with_stop_of_parts(const quadrille::SoupOptions& options,
     cost.boundary_weight = options.boundary_weight;
   if (options.faces)
     return run(cost, quadrille::FaceCount{*options.faces});
-  if (limit.is_asking_for_distance() && !options.ratio)
+  if (limit.needs_now().distance && !options.ratio)
     return run(cost, quadrille::FaceCount{0});
   return run(cost, quadrille::FaceRatio{options.ratio.value_or(0.5)});
 }

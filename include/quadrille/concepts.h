@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/needs.h>
 #include <quadrille/pairs.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -231,18 +232,13 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// **Used where there**:
 ///
-/// - `S::asks_for_distance`, true for a look at Status::next_distance: a pair that only this makes
-///   the stop policy stop at is refused, and the search goes on.
-/// - `stop.is_asking_for_distance()`, beside it: does this one look? One type then serves with a
-///   limit and without, which pays for no distances. Else all of the type do.
-/// - `S::asks_both_ways` and `stop.is_asking_both_ways()`, beside both: the same of
-///   Status::next_distance_back.
-/// - `S::asks_for_tolerance` and `stop.is_asking_for_tolerance()`, beside all of these: the same of
-///   Status::next_tolerance, in a call with vertex_tolerance_map.
-/// - `S::asks_for_cost`, true for a look at Status::next_cost, and `stop.is_asking_for_cost()`
-///   beside it. Where such a policy stops at a cost it has to stop at all greater ones.
-/// - `S::asks_for_edges`, true for a look at Status::edges, and `stop.is_asking_for_edges()` beside
-///   it.
+/// - `S::needs`, a constant Needs: which numbers of the Status those of its type may look at that
+///   are found out only for those that need them. `static constexpr Needs needs = {.cost = true};`
+/// - `stop.needs_now()`, beside it: the Needs of this one, a part of those. One type then serves
+///   with a limit and without, which pays for no distances. Without it all of the type need all.
+/// - A pair that only Status::next_distance, next_distance_back or next_tolerance makes it stop at
+///   is refused, and the search goes on. Where it stops at a next_cost it has to stop at all
+///   greater ones.
 /// - `stop.is_passed(status)`: is a surface of this status beyond the target and not just at it?
 ///   The engine then looks for a pair that meets the target exactly.
 /// - `stop.validate()`: throws if the policy makes no sense.

@@ -2,6 +2,7 @@
 #define QUADRILLE_COST_LIMIT_H
 
 #include <quadrille/internal/base/text.h>
+#include <quadrille/needs.h>
 #include <quadrille/report.h>
 
 #include <stdexcept>
@@ -29,7 +30,7 @@ public:
   explicit CostLimit(double cost) : cost_(cost) {}
 
   /// Looks at Status::next_cost: see StopPolicy.
-  static constexpr bool asks_for_cost = true;
+  static constexpr Needs needs = {.cost = true};
 
   /// Is it enough?
   bool operator()(const Status& status) const { return status.next_cost > cost_; }

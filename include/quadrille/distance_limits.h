@@ -2,6 +2,7 @@
 #define QUADRILLE_DISTANCE_LIMITS_H
 
 #include <quadrille/internal/base/text.h>
+#include <quadrille/needs.h>
 #include <quadrille/report.h>
 
 #include <stdexcept>
@@ -52,7 +53,7 @@ private:
 /// roundings, and pass any limit: ErrorLimit{0} contracts what is exact but for these, as on flat
 /// parts and along straight creases. Report::distance_bound tells them nevertheless.
 ///
-/// A stop policy that asks one of these has to say asks_for_distance as well, else nothing is known
+/// A stop policy that asks one of these has to say that it needs distances, else nothing is known
 /// to be within the limit and not one contraction is done. A policy of one's own that looks at
 /// Status::next_distance may be asked several times for one contraction, with distances that it has
 /// at least; where it stops at one it has to stop at all greater ones. Source: the projection along
@@ -66,7 +67,7 @@ public:
   static ErrorLimit relative(double fraction) { return ErrorLimit(fraction, true); }
 
   /// Looks at Status::next_distance: see StopPolicy.
-  static constexpr bool asks_for_distance = true;
+  static constexpr Needs needs = {.distance = true};
 
   /// Is it enough?
   bool operator()(const Status& status) const {
@@ -92,7 +93,7 @@ private:
 /// vanish. Of the input, faces that have a vertex twice are no part.
 ///
 /// One of ErrorLimit's roundings passes any limit here as well. A stop policy that asks this one
-/// has to say asks_both_ways beside asks_for_distance.
+/// has to say that it needs distance_back.
 class HausdorffLimit : public internal::DistanceOrPart {
 public:
   /// `distance` is in the mesh's units.
@@ -101,10 +102,8 @@ public:
   /// The limit as a fraction of the diagonal of the bounding box.
   static HausdorffLimit relative(double fraction) { return HausdorffLimit(fraction, true); }
 
-  /// Looks at Status::next_distance: see StopPolicy.
-  static constexpr bool asks_for_distance = true;
-  /// And at Status::next_distance_back.
-  static constexpr bool asks_both_ways = true;
+  /// Looks at Status::next_distance and next_distance_back: see StopPolicy.
+  static constexpr Needs needs = {.distance_back = true};
 
   /// Is it enough?
   bool operator()(const Status& status) const {
@@ -141,12 +140,8 @@ private:
 /// std::invalid_argument. 4 bytes a face more than HausdorffLimit.
 class ToleranceLimit {
 public:
-  /// Looks at Status::next_distance: see StopPolicy.
-  static constexpr bool asks_for_distance = true;
-  /// And at Status::next_distance_back.
-  static constexpr bool asks_both_ways = true;
-  /// And at Status::next_tolerance.
-  static constexpr bool asks_for_tolerance = true;
+  /// Looks at Status::next_tolerance: see StopPolicy.
+  static constexpr Needs needs = {.tolerance = true};
 
   /// Is it enough?
   bool operator()(const Status& status) const { return status.next_tolerance > 1; }

@@ -24,9 +24,9 @@ struct Status {
   std::size_t initial_vertices = 0; ///< of the input, those with faces
   std::size_t faces = 0;            ///< now
   std::size_t vertices = 0;         ///< now
-  /// The same of edges, of which one is one however many faces it has. Known to a stop policy with
-  /// `static constexpr bool asks_for_edges = true`, as EdgeCount; for others nothing is counted,
-  /// and these are the greatest numbers that there are.
+  /// The same of edges, of which one is one however many faces it has. Known to a stop policy that
+  /// says Needs::edges, as EdgeCount; for others nothing is counted, and these are the greatest
+  /// numbers that there are.
   std::size_t initial_edges = (std::numeric_limits<std::size_t>::max)();
   std::size_t edges = (std::numeric_limits<std::size_t>::max)(); ///< now
   std::size_t contractions = 0;                                  ///< so far
@@ -34,24 +34,23 @@ struct Status {
   /// Report::error.
   double next_error = 0;
   /// What the contraction that comes next costs, with what tells equal costs apart, as the cost
-  /// policy computes it in the mesh's units: see CostLimit. Known to a stop policy with `static
-  /// constexpr bool asks_for_cost = true`; for others nothing is, and this is infinity. It is 0
+  /// policy computes it in the mesh's units: see CostLimit. Known to a stop policy that says
+  /// Needs::cost; for others nothing is, and this is infinity. It is 0
   /// where a stop policy is asked about the surface and not about a contraction.
   double next_cost = std::numeric_limits<double>::infinity();
   /// No point of the surface will be further from the input than that after the contraction that
-  /// comes next, in the mesh's units. Known to a stop policy with `static constexpr bool
-  /// asks_for_distance = true`; for others nothing is, and this is infinity. It is 0 up to 2⁻⁴⁰ of
+  /// comes next, in the mesh's units. Known to a stop policy that says Needs::distance; for
+  /// others nothing is, and this is infinity. It is 0 up to 2⁻⁴⁰ of
   /// the greatest coordinate, where it may be nothing but rounding; and once a policy stops at some
   /// distance, no greater one is looked for. See Report::distance_bound.
   double next_distance = std::numeric_limits<double>::infinity();
   /// No point of the input will be further from the surface than that: the other way round. Known
-  /// to a stop policy with `static constexpr bool asks_both_ways = true` beside asks_for_distance,
-  /// as HausdorffLimit; else infinity. It is 0, too, as long as next_distance is looked for, which
-  /// comes first.
+  /// to a stop policy that says Needs::distance_back, as HausdorffLimit; else infinity. It is 0,
+  /// too, as long as next_distance is looked for, which comes first.
   double next_distance_back = std::numeric_limits<double>::infinity();
   /// No point will have used more of its tolerance than that part: see ToleranceLimit. Known to a
-  /// stop policy with `static constexpr bool asks_for_tolerance = true` beside both of these; else
-  /// infinity. It is 0, too, as long as distances are looked for, which come first.
+  /// stop policy that says Needs::tolerance; else infinity. It is 0, too, as long as distances are
+  /// looked for, which come first.
   double next_tolerance = std::numeric_limits<double>::infinity();
   double diagonal = 0; ///< of the input's bounding box, in the mesh's units
   /// What a visitor sees: about which part of the contractions has been done, as far as the stop

@@ -5,6 +5,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/needs.h>
 #include <quadrille/report.h>
 
 #include <chrono>
@@ -71,7 +72,7 @@ struct VertexCount {
 struct EdgeCount {
   std::size_t edges; ///< how many are enough
 
-  static constexpr bool asks_for_edges = true; ///< looks at Status::edges: see StopPolicy
+  static constexpr Needs needs = {.edges = true}; ///< looks at Status::edges: see StopPolicy
 
   /// Is it enough?
   bool operator()(const Status& status) const { return status.edges <= edges; }
@@ -82,7 +83,7 @@ struct EdgeCount {
 struct EdgeRatio {
   double ratio = 0.5; ///< a part of the edges, in [0, 1]
 
-  static constexpr bool asks_for_edges = true; ///< looks at Status::edges: see StopPolicy
+  static constexpr Needs needs = {.edges = true}; ///< looks at Status::edges: see StopPolicy
 
   /// Is it enough?
   bool operator()(const Status& status) const {
@@ -121,39 +122,16 @@ private:
 
 namespace internal {
 
-/// Several stop policies, which ask for what any of them does.
+/// Several stop policies, which need what any of them does.
 template <class... Stops>
 class SeveralStops {
 public:
-  /// Looks at Status::next_distance: see StopPolicy.
-  static constexpr bool asks_for_distance = (internal::asks_for_distance<Stops> || ...);
-  /// Does one of the policies do so this time?
-  bool is_asking_for_distance() const {
-    return is_any([](const auto& stop) { return internal::is_asking_for_distance(stop); });
-  }
-  /// And at Status::next_distance_back.
-  static constexpr bool asks_both_ways = (internal::asks_both_ways<Stops> || ...);
-  /// Does one of the policies do so this time?
-  bool is_asking_both_ways() const {
-    return is_any([](const auto& stop) { return internal::is_asking_both_ways(stop); });
-  }
-  /// And at Status::next_tolerance.
-  static constexpr bool asks_for_tolerance = (internal::asks_for_tolerance<Stops> || ...);
-  /// Does one of the policies do so this time?
-  bool is_asking_for_tolerance() const {
-    return is_any([](const auto& stop) { return internal::is_asking_for_tolerance(stop); });
-  }
-  /// Looks at Status::next_cost: see StopPolicy.
-  static constexpr bool asks_for_cost = (internal::asks_for_cost<Stops> || ...);
-  /// Does one of the policies do so this time?
-  bool is_asking_for_cost() const {
-    return is_any([](const auto& stop) { return internal::is_asking_for_cost(stop); });
-  }
-  /// Looks at Status::edges: see StopPolicy.
-  static constexpr bool asks_for_edges = (internal::asks_for_edges<Stops> || ...);
-  /// Does one of the policies do so this time?
-  bool is_asking_for_edges() const {
-    return is_any([](const auto& stop) { return internal::is_asking_for_edges(stop); });
+  /// What any of the policies may need: see StopPolicy.
+  static constexpr Needs needs = (internal::needs_of<Stops>() | ... | Needs{});
+  /// What any of them needs this time.
+  Needs needs_now() const {
+    return std::apply(
+        [](const auto&... stop) { return (internal::needs_now(stop) | ... | Needs{}); }, stops_);
   }
   /// The policies, in the order in which they were given.
   const std::tuple<Stops...>& stops() const { return stops_; }

@@ -61,7 +61,7 @@ struct AnyStop {
                quadrille::AllOf<quadrille::VertexCount, AfterContractions>>
       chosen;
 
-  static constexpr bool asks_for_distance = true; // some of them do
+  static constexpr quadrille::Needs needs = {.distance = true}; // some of them do
 
   bool operator()(const quadrille::Status& status) const {
     return std::visit([&](const auto& stop) -> bool { return stop(status); }, chosen);

@@ -633,11 +633,11 @@ namespace {
 
 // A type of which only some look at distances.
 struct MayAsk {
-  static constexpr bool asks_for_distance = true;
+  static constexpr Needs needs = {.distance = true};
   bool asks = false;
   std::size_t faces = 0;
 
-  bool is_asking_for_distance() const { return asks; }
+  Needs needs_now() const { return {.distance = asks}; }
   bool operator()(const Status& status) const { return status.faces <= faces; }
 };
 

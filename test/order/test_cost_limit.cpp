@@ -25,7 +25,7 @@ using test::Soup;
 
 // What contractions cost of which the policy has let the order go on; it stops at none.
 struct Listen {
-  static constexpr bool asks_for_cost = true;
+  static constexpr Needs needs = {.cost = true};
   std::vector<double>* costs;
 
   bool operator()(const Status& status) const {
@@ -39,7 +39,7 @@ struct Listen {
 
 // Stops at a limit, and tells how much was below.
 struct Highest {
-  static constexpr bool asks_for_cost = true;
+  static constexpr Needs needs = {.cost = true};
   double limit;
   double* highest;
   bool operator()(const Status& status) const {

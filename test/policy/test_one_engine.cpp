@@ -20,9 +20,10 @@ namespace {
 struct OwnStop {
   bool operator()(const Status& status) const { return status.faces <= 100; }
 };
-// It does not say asks_for_distance, without which nothing measures any.
-struct AsksWithoutSaying : OwnStop {
-  bool is_asking_for_distance() const { return true; }
+// What its type does not say is not compiled.
+struct NeedsMoreThanItSays : OwnStop {
+  static constexpr Needs needs = {.cost = true};
+  Needs needs_now() const { return {.distance = true, .cost = true}; }
 };
 struct OwnPlacement {
   auto operator()(const auto&, const auto& pair) const { return pair.second; }
@@ -68,12 +69,31 @@ TEST_CASE("What a call cannot need is not compiled for it") {
   CHECK(plain.optional.run_passes == nullptr);
   CHECK(plain.optional.make_recording == nullptr);
   CHECK(plain.optional.distances == nullptr);
-  CHECK_FALSE(pick_policies<NotGiven, NotGiven>(AsksWithoutSaying{}).stop.is_asking_for_distance());
+  const auto more = pick_policies<NotGiven, NotGiven>(NeedsMoreThanItSays{});
+  CHECK(more.optional.distances == nullptr);
+  CHECK(more.stop.needs() == Needs{.cost = true});
   Listener listener;
   CHECK(pick_policies<NotGiven, NotGiven>(RelaxedOrder{}).optional.run_passes != nullptr);
   CHECK(pick_policies<NotGiven, NotGiven>(record_into(listener)).optional.make_recording !=
         nullptr);
   CHECK(pick_policies<NotGiven, NotGiven>(ErrorLimit(1)).optional.distances != nullptr);
+}
+
+TEST_CASE("A stop policy needs what those in it need, and what that implies") {
+  const auto needs = [](const auto& stop) {
+    return pick_policies<NotGiven, NotGiven>(stop).stop.needs();
+  };
+  const Needs one_way{.distance = true};
+  const Needs both_ways{.distance = true, .distance_back = true};
+  const Needs tolerance{.distance = true, .distance_back = true, .tolerance = true};
+  CHECK(needs(OwnStop{}) == Needs{});
+  CHECK(needs(ErrorLimit(1)) == one_way);
+  CHECK(needs(HausdorffLimit(1)) == both_ways);
+  CHECK(needs(ToleranceLimit{}) == tolerance);
+  CHECK(needs(AnyOf{FaceCount{10}, AllOf{EdgeCount{10}, CostLimit(1)}}) ==
+        Needs{.cost = true, .edges = true});
+  CHECK(needs(AllOf{CostLimit(1), HausdorffLimit(1)}) ==
+        Needs{.distance = true, .distance_back = true, .cost = true});
 }
 
 TEST_CASE("Filters are asked in their order after the first NormalFlip, and as which they refuse") {

@@ -32,17 +32,16 @@
 
 namespace quadrille::internal {
 
-/// The targets of the options; distances are asked for only if one of them is a distance.
+/// The targets of the options; distances are needed only if one of them is a distance.
 class SoupStop {
 public:
-  static constexpr bool asks_for_distance = true;
-  bool is_asking_for_distance() const { return error_ || relative_error_ || is_asking_both_ways(); }
-  static constexpr bool asks_both_ways = true;
-  bool is_asking_both_ways() const { return hausdorff_ || relative_hausdorff_ || tolerance_; }
-  static constexpr bool asks_for_tolerance = true;
-  bool is_asking_for_tolerance() const { return tolerance_.has_value(); }
-  static constexpr bool asks_for_cost = true;
-  bool is_asking_for_cost() const { return cost_.has_value(); }
+  static constexpr Needs needs = {.tolerance = true, .cost = true};
+  Needs needs_now() const {
+    return {.distance = error_ || relative_error_,
+            .distance_back = hausdorff_ || relative_hausdorff_,
+            .tolerance = tolerance_.has_value(),
+            .cost = cost_.has_value()};
+  }
 
   explicit SoupStop(const SoupOptions& options) {
     if (options.faces)
@@ -61,7 +60,7 @@ public:
       take_limits(options, error_, relative_error_);
     if (options.stop)
       stop_ = {&options.stop};
-    else if (!faces_ && !ratio_ && !vertices_ && !cost_ && !is_asking_for_distance())
+    else if (!faces_ && !ratio_ && !vertices_ && needs_now() == Needs{})
       ratio_ = FaceRatio{};
   }
 

@@ -191,8 +191,8 @@ constexpr void check_placement() {
 template <class Stop, class Cost>
 constexpr void check_stop() {
   static_assert(
-      !asks_for_cost<Stop> || has_cost_in_mesh_units<Cost>,
-      "The stop policy asks what contractions cost in the mesh's units, and this ScaleFree "
+      !needs_of<Stop>().cost || has_cost_in_mesh_units<Cost>,
+      "The stop policy needs what contractions cost in the mesh's units, and this ScaleFree "
       "cost does not tell: give it a member degree(), see <quadrille/concepts.h>.");
 }
 

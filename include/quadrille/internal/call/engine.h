@@ -57,11 +57,10 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
 /// faces given?
 template <class Input>
 void check_tolerances(const Input& input, const StopRule& stop, bool have_faces) {
-  if (stop.is_asking_for_tolerance() && !have_faces &&
-      input.tolerances.size() < input.positions.size())
+  if (stop.needs().tolerance && !have_faces && input.tolerances.size() < input.positions.size())
     throw std::invalid_argument(
         "quadrille::simplify: ToleranceLimit needs tolerances: pass vertex_tolerance_map");
-  if (!stop.is_asking_for_tolerance() && !input.tolerances.empty())
+  if (!stop.needs().tolerance && !input.tolerances.empty())
     throw std::invalid_argument("quadrille::simplify: nothing holds the tolerances of "
                                 "vertex_tolerance_map: pass ToleranceLimit as stop policy");
 }

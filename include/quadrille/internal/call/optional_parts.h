@@ -24,8 +24,8 @@ OptionalParts<Policies> optional_parts([[maybe_unused]] const Intersection& inte
     parts.run_passes = &run_passes<Policies>;
   if constexpr (is_recorded)
     parts.make_recording = &make_recording<Policies>;
-  if constexpr (asks_for_distance<Stop>)
-    parts.distances = distance_calls<Policies, asks_both_ways<Stop>>();
+  if constexpr (needs_of<Stop>().distance)
+    parts.distances = distance_calls<Policies, needs_of<Stop>().distance_back>();
   if constexpr (!std::same_as<Intersection, AnyIntersection>)
     if (intersection.is_asked)
       parts.make_intersection_check = &Intersection::template make_check<Policies::Cost::dimension>;

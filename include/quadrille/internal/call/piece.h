@@ -74,12 +74,12 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   if (!bounds.empty() && bounds.size() != piece.triangles.size())
     throw std::invalid_argument("quadrille: a piece has " + std::to_string(bounds.size()) +
                                 " bounds, not " + std::to_string(piece.triangles.size()));
-  if (policies.stop.is_asking_for_tolerance() && piece.tolerances.empty()) {
+  if (policies.stop.needs().tolerance && piece.tolerances.empty()) {
     if (bounds.empty() && !piece.triangles.empty())
       throw std::invalid_argument("quadrille: a piece has no tolerances");
     policies.optional.greatest_tolerance = piece.greatest_tolerance;
   }
-  if (policies.stop.is_asking_for_distance()) {
+  if (policies.stop.needs().distance) {
     bounds.resize(piece.triangles.size());
     policies.optional.bounds = &bounds;
   }

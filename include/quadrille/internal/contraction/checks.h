@@ -45,7 +45,7 @@ public:
         channels_(channels), is_topology_kept_(is_topology_kept),
         optional_(policies, complex, geometry, is_topology_kept),
         goes_where_written_(optional_.is_any() ||
-                            (scale.writes_floats() && policies.stop.is_asking_for_distance())) {}
+                            (scale.writes_floats() && policies.stop.needs().distance)) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
   const OptionalChecks& optional() const { return optional_; }

@@ -50,7 +50,7 @@ public:
   void tell(Report& report, bool has_all_points) const {
     const double unit = bounds_.greatest_tolerance();
     report.distance_bound = scale_.length_of_mesh(unit * bounds_.greatest(complex_));
-    if (policies_.stop.is_asking_both_ways() && has_all_points)
+    if (policies_.stop.needs().distance_back && has_all_points)
       report.hausdorff_bound = (std::max)(
           report.distance_bound, scale_.length_of_mesh(unit * bounds_.greatest_back(complex_)));
     if (bounds_.has_tolerances() && has_all_points)
@@ -94,7 +94,7 @@ private:
   bool measure_too_far_both_ways(Contraction& contraction, Status& status) const {
     if (measure_too_far(contraction, status))
       return true;
-    if (!policies_.stop.is_asking_both_ways())
+    if (!policies_.stop.needs().distance_back)
       return false;
     auto& scratch = contraction.scratch().distance;
     const double used = status.next_tolerance;

@@ -54,8 +54,8 @@ public:
                             std::vector<double>(width_ * vertices),
                             {},
                             {},
-                            policies_.stop.is_asking_for_distance(),
-                            policies_.stop.is_asking_both_ways()};
+                            policies_.stop.needs().distance,
+                            policies_.stop.needs().distance_back};
     std::vector<double> memory;
     for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
       const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
@@ -129,7 +129,7 @@ public:
       add_inputs(face, faces);
     RecordedContraction removal;
     removal.error = event.radius;
-    if (policies_.stop.is_asking_both_ways()) // its points have no place left
+    if (policies_.stop.needs().distance_back) // its points have no place left
       removal.distance_bound = std::numeric_limits<double>::infinity();
     removal.removed_faces = faces;
     policies_.recorder.record(removal);
@@ -178,7 +178,7 @@ private:
       return {};
   }
   RecordList empty_list() const {
-    return {width_, policies_.stop.is_asking_for_distance(), policies_.stop.is_asking_both_ways()};
+    return {width_, policies_.stop.needs().distance, policies_.stop.needs().distance_back};
   }
 
   // The numbers of a vertex at a position; in a memory, if there are more than the position's.
@@ -223,7 +223,7 @@ private:
   }
 
   double distance_bound(const Contraction& contraction) const {
-    if (!policies_.stop.is_asking_for_distance())
+    if (!policies_.stop.needs().distance)
       return 0;
     const auto greatest = [](const std::vector<float>& values) {
       float result = 0;
@@ -233,7 +233,7 @@ private:
     };
     const auto& scratch = contraction.scratch().distance;
     double bound = greatest(contraction.bounds());
-    if (policies_.stop.is_asking_both_ways())
+    if (policies_.stop.needs().distance_back)
       bound = scratch.back.is_any_lost()
                   ? std::numeric_limits<double>::infinity()
                   : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.back.bounds())));

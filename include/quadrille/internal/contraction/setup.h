@@ -38,7 +38,7 @@ Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policie
   if (input.writes_floats &&
       (needs_closed_surface<typename Policies::Placement> ||
        policies.optional.make_intersection_check || policies.optional.make_normal_check ||
-       policies.stop.is_asking_for_distance()))
+       policies.stop.needs().distance))
     scale.write_floats();
   if constexpr (requires {
                   cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);

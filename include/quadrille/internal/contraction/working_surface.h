@@ -95,7 +95,7 @@ public:
                       is_topology_kept_),
         shape_check_(scale_, complex_, geometry_, parts_, appearance_.seams()),
         costs_(policies.optional.costs, complex_),
-        edges_(policies.stop.is_asking_for_edges(), complex_, scratch()), progress_(policies) {
+        edges_(policies.stop.needs().edges, complex_, scratch()), progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
       back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally,
                                             policies.threads);
@@ -230,7 +230,7 @@ public:
   /// the report the rest, and the visitor that this is the end.
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
-    if (policies_.stop.is_asking_for_distance())
+    if (policies_.stop.needs().distance)
       distance_check_.tell(report, progress_.has_all_points());
     if (policies_.optional.bounds)
       bounds_.tell(*policies_.optional.bounds, complex_, numbering_.faces);
@@ -265,8 +265,8 @@ private:
           policies_.threads);
     else
       input_parts_ = InputParts(complex_, geometry_, scale_, numbering_.vertices);
-    if (policies_.stop.is_asking_for_distance()) {
-      const bool both_ways = policies_.stop.is_asking_both_ways();
+    if (policies_.stop.needs().distance) {
+      const bool both_ways = policies_.stop.needs().distance_back;
       bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box),
                                both_ways, tolerances_of(complex_, tolerances, scale_));
       if (policies_.optional.bounds)
@@ -276,7 +276,7 @@ private:
       progress_.announce_distance(0);
       if (both_ways)
         progress_.announce_distance_back(0);
-      if (policies_.stop.is_asking_for_tolerance())
+      if (policies_.stop.needs().tolerance)
         progress_.announce_tolerance(0);
     }
   }

@@ -3,6 +3,7 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/needs.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
 
@@ -26,21 +27,21 @@ public:
   explicit DistanceChoice(Kind kind, double number = 0, bool is_relative = false)
       : kind_(kind), number_(number), is_relative_(is_relative) {}
 
-  static constexpr bool asks_for_distance = true;
-  static constexpr bool asks_both_ways = true;
-  static constexpr bool asks_for_tolerance = true;
-  bool is_asking_for_distance() const { return kind_ != Kind::unlimited; }
-  bool is_asking_both_ways() const { return kind_ == Kind::both_ways || is_asking_for_tolerance(); }
-  bool is_asking_for_tolerance() const { return kind_ == Kind::tolerances; }
+  static constexpr Needs needs = {.tolerance = true};
+  Needs needs_now() const {
+    return {.distance = kind_ != Kind::unlimited,
+            .distance_back = kind_ == Kind::both_ways,
+            .tolerance = kind_ == Kind::tolerances};
+  }
 
   Kind kind() const { return kind_; }
   double distance(double diagonal) const { return is_relative_ ? number_ * diagonal : number_; }
   bool operator()(const Status& status) const {
-    if (is_asking_for_tolerance())
+    if (kind_ == Kind::tolerances)
       return ToleranceLimit{}(status);
     const double limit = distance(status.diagonal);
-    return (is_asking_for_distance() && status.next_distance > limit) ||
-           (is_asking_both_ways() && status.next_distance_back > limit);
+    return (kind_ != Kind::unlimited && status.next_distance > limit) ||
+           (kind_ == Kind::both_ways && status.next_distance_back > limit);
   }
 
 private:
@@ -52,14 +53,14 @@ private:
 /// Among policies there may be one limit; each of them as a tuple of what it is, or of nothing.
 template <class Policy>
 auto limit_as_tuple(const Policy& policy) {
-  if constexpr (asks_for_distance<Policy>)
+  if constexpr (needs_of<Policy>().distance)
     return std::tuple<Policy>(policy);
   else
     return std::tuple<>();
 }
 template <class Policy>
 auto other_as_tuple(const Policy& policy) {
-  if constexpr (asks_for_distance<Policy>)
+  if constexpr (needs_of<Policy>().distance)
     return std::tuple<>();
   else
     return std::tuple<Policy>(policy);
@@ -68,16 +69,12 @@ auto other_as_tuple(const Policy& policy) {
 /// A limit in a part, which is as large as the whole.
 template <class Limit>
 struct LimitInPart {
-  static constexpr bool asks_for_distance = true;
-  static constexpr bool asks_both_ways = internal::asks_both_ways<Limit>;
-  static constexpr bool asks_for_tolerance = internal::asks_for_tolerance<Limit>;
+  static constexpr Needs needs = needs_of<Limit>();
 
   Limit limit;
   double diagonal; ///< of the whole
 
-  bool is_asking_for_distance() const { return internal::is_asking_for_distance(limit); }
-  bool is_asking_both_ways() const { return internal::is_asking_both_ways(limit); }
-  bool is_asking_for_tolerance() const { return internal::is_asking_for_tolerance(limit); }
+  Needs needs_now() const { return internal::needs_now(limit); }
   bool operator()(Status status) const {
     status.diagonal = diagonal;
     return limit(status);
@@ -88,7 +85,7 @@ struct LimitInPart {
 /// no faces if nothing is said of them; the other a tuple of a limit, or of nothing.
 template <class Stop>
 auto faces_and_limit(const Stop& stop) {
-  if constexpr (asks_for_distance<Stop>)
+  if constexpr (needs_of<Stop>().distance)
     return std::pair(FaceCount{0}, std::tuple<Stop>(stop));
   else
     return std::pair(stop, std::tuple<>());
@@ -96,7 +93,7 @@ auto faces_and_limit(const Stop& stop) {
 template <class First, class Second>
 auto faces_and_limit(const AnyOf<First, Second>& stop) {
   const auto& [first, second] = stop.stops();
-  if constexpr (asks_for_distance<First>)
+  if constexpr (needs_of<First>().distance)
     return std::pair(second, std::tuple<First>(first));
   else
     return std::pair(first, std::tuple<Second>(second));

@@ -61,16 +61,9 @@ public:
     std::apply(add, limits_);
   }
   /// Are distances limited?
-  bool is_limited() const {
-    return std::apply([](const auto&... limit) { return (is_asking_for_distance(limit) || ...); },
-                      limits_);
-  }
-
+  bool is_limited() const { return needs_of_limits().distance; }
   /// By tolerances?
-  bool is_limited_by_tolerance() const {
-    return std::apply([](const auto&... limit) { return (is_asking_for_tolerance(limit) || ...); },
-                      limits_);
-  }
+  bool is_limited_by_tolerance() const { return needs_of_limits().tolerance; }
 
   /// Simplifies a part, and writes what is left; false, and nothing is written, if it is cancelled.
   template <class IsCancelled>
@@ -157,6 +150,11 @@ private:
     const IsCancelled* is_cancelled;
     bool proceed(const Status&) const { return !(*is_cancelled)(); }
   };
+
+  Needs needs_of_limits() const {
+    return std::apply([](const auto&... limit) { return (needs_now(limit) | ... | Needs{}); },
+                      limits_);
+  }
 
   // Where the part ends, by the phase and by the limit of distances, if there is one.
   template <class Stop>

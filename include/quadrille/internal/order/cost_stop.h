@@ -17,7 +17,7 @@ template <class Policies>
 class CostStop {
 public:
   explicit CostStop(WorkingSurface<Policies>& surface)
-      : surface_(surface), is_asking_(surface.policies().stop.is_asking_for_cost()) {
+      : surface_(surface), is_asking_(surface.policies().stop.needs().cost) {
     announce_none();
   }
 

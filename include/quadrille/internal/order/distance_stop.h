@@ -19,9 +19,9 @@ public:
   using Cost = typename Policies::Cost;
 
   explicit DistanceStop(WorkingSurface<Policies>& surface)
-      : surface_(surface), is_asking_(surface.policies().stop.is_asking_for_distance()),
-        none_(surface.policies().stop.is_asking_both_ways() ? 0 : infinity),
-        unused_(surface.policies().stop.is_asking_for_tolerance() ? 0 : infinity) {}
+      : surface_(surface), is_asking_(surface.policies().stop.needs().distance),
+        none_(surface.policies().stop.needs().distance_back ? 0 : infinity),
+        unused_(surface.policies().stop.needs().tolerance ? 0 : infinity) {}
 
   bool is_asking() const { return is_asking_; }
   /// The contraction may get another target.

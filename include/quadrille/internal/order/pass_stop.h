@@ -13,14 +13,14 @@ bool is_stop_in_pass(const WorkingSurface<Policies>& surface,
   Status status = surface.status();
   status.next_error = contraction.error();
   const auto& stop = surface.policies().stop;
-  if (stop.is_asking_for_cost())
+  if (stop.needs().cost)
     status.next_cost = surface.evaluator().cost_of_mesh(contraction.key());
-  if (!stop.is_asking_for_distance())
+  if (!stop.needs().distance)
     return stop(status);
   status.next_distance = 0;
-  if (stop.is_asking_both_ways())
+  if (stop.needs().distance_back)
     status.next_distance_back = 0;
-  if (stop.is_asking_for_tolerance())
+  if (stop.needs().tolerance)
     status.next_tolerance = 0;
   return stop(status) || surface.distance_check().is_too_far(contraction, status);
 }

@@ -4,6 +4,7 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/policy/pair_indices.h>
 #include <quadrille/internal/policy/tie_break.h>
+#include <quadrille/needs.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
@@ -179,74 +180,35 @@ bool is_passed(const Stop& stop, const Status& status) {
     return false;
 }
 
-/// May a stop policy look at Status::next_distance?
-template <class Stop>
-inline constexpr bool asks_for_distance = requires {
-  requires Stop::asks_for_distance;
-};
-
-/// And does this one?
-template <class Stop>
-bool is_asking_for_distance(const Stop& stop) {
-  if constexpr (requires { stop.is_asking_for_distance(); })
-    return stop.is_asking_for_distance();
-  return asks_for_distance<Stop>;
+/// With what the needs imply: a tolerance is one of distances both ways, these are looked for after
+/// the one way.
+constexpr Needs with_implied(Needs needs) {
+  needs.distance_back = needs.distance_back || needs.tolerance;
+  needs.distance = needs.distance || needs.distance_back;
+  return needs;
 }
 
-/// May it look at Status::next_distance_back as well?
+/// What stop policies of a type may need.
 template <class Stop>
-inline constexpr bool asks_both_ways = requires {
-  requires Stop::asks_both_ways;
-};
-
-/// And does this one?
-template <class Stop>
-bool is_asking_both_ways(const Stop& stop) {
-  if constexpr (requires { stop.is_asking_both_ways(); })
-    return stop.is_asking_both_ways();
-  return asks_both_ways<Stop>;
+constexpr Needs needs_of() {
+  if constexpr (requires { Stop::needs; })
+    return with_implied(Stop::needs);
+  else
+    return {};
 }
 
-/// And at Status::next_tolerance?
+/// And what this one needs.
 template <class Stop>
-inline constexpr bool asks_for_tolerance = requires {
-  requires Stop::asks_for_tolerance;
-};
-
-/// And does this one?
-template <class Stop>
-bool is_asking_for_tolerance(const Stop& stop) {
-  if constexpr (requires { stop.is_asking_for_tolerance(); })
-    return stop.is_asking_for_tolerance();
-  return asks_for_tolerance<Stop>;
-}
-
-/// May a stop policy look at Status::next_cost?
-template <class Stop>
-inline constexpr bool asks_for_cost = requires {
-  requires Stop::asks_for_cost;
-};
-
-/// And does this one?
-template <class Stop>
-bool is_asking_for_cost(const Stop& stop) {
-  if constexpr (requires { stop.is_asking_for_cost(); })
-    return stop.is_asking_for_cost();
-  return asks_for_cost<Stop>;
-}
-
-/// May it look at Status::edges?
-template <class Stop>
-inline constexpr bool asks_for_edges = requires {
-  requires Stop::asks_for_edges;
-};
-
-/// And does this one?
-template <class Stop>
-bool is_asking_for_edges(const Stop& stop) {
-  if constexpr (requires { stop.is_asking_for_edges(); })
-    return stop.is_asking_for_edges();
-  return asks_for_edges<Stop>;
+Needs needs_now(const Stop& stop) {
+  if constexpr (requires { stop.needs_now(); }) {
+    static_assert(
+        requires { Stop::needs; },
+        "A stop policy with needs_now() has to say `static constexpr Needs needs` as well: "
+        "what those of its type may need.");
+    return with_implied(stop.needs_now()) & needs_of<Stop>();
+  } else {
+    return needs_of<Stop>();
+  }
 }
 
 /// By which power of lengths the values of a cost grow, if that is known.

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_POLICY_STOP_RULE_H
 
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/needs.h>
 #include <quadrille/report.h>
 
 #include <memory>
@@ -16,13 +17,7 @@ public:
   template <class Stop>
   static StopRule of(Stop stop) {
     StopRule rule;
-    rule.is_asking_ = asks_for_distance<Stop> && internal::is_asking_for_distance(stop);
-    rule.is_asking_both_ways_ =
-        rule.is_asking_ && asks_both_ways<Stop> && internal::is_asking_both_ways(stop);
-    rule.is_asking_for_tolerance_ = rule.is_asking_both_ways_ && asks_for_tolerance<Stop> &&
-                                    internal::is_asking_for_tolerance(stop);
-    rule.is_asking_for_cost_ = asks_for_cost<Stop> && internal::is_asking_for_cost(stop);
-    rule.is_asking_for_edges_ = asks_for_edges<Stop> && internal::is_asking_for_edges(stop);
+    rule.needs_ = internal::needs_now(stop);
     rule.is_enough_ = [](const void* policy, const Status& status) -> bool {
       return (*static_cast<const Stop*>(policy))(status);
     };
@@ -37,16 +32,8 @@ public:
   bool operator()(const Status& status) const { return is_enough_(policy_.get(), status); }
   /// Is that beyond the target and not just at it?
   bool is_passed(const Status& status) const { return is_passed_(policy_.get(), status); }
-  /// Does it look at Status::next_distance?
-  bool is_asking_for_distance() const { return is_asking_; }
-  /// And at Status::next_distance_back?
-  bool is_asking_both_ways() const { return is_asking_both_ways_; }
-  /// And at Status::next_tolerance?
-  bool is_asking_for_tolerance() const { return is_asking_for_tolerance_; }
-  /// Does it look at Status::next_cost?
-  bool is_asking_for_cost() const { return is_asking_for_cost_; }
-  /// Does it look at Status::edges?
-  bool is_asking_for_edges() const { return is_asking_for_edges_; }
+  /// Which numbers of the status it looks at that have to be found out.
+  const Needs& needs() const { return needs_; }
 
 private:
   using Asked = bool (*)(const void*, const Status&);
@@ -55,8 +42,7 @@ private:
 
   std::shared_ptr<const void> policy_;
   Asked is_enough_ = nullptr, is_passed_ = nullptr;
-  bool is_asking_ = false, is_asking_both_ways_ = false, is_asking_for_tolerance_ = false;
-  bool is_asking_for_cost_ = false, is_asking_for_edges_ = false;
+  Needs needs_;
 };
 
 } // namespace quadrille::internal
