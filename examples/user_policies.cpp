@@ -1,4 +1,5 @@
-// One policy of each kind written by the user, and a filter. Simplifies a Surface_mesh with each.
+// One policy of each kind written by the user, a filter and a guard. Simplifies a Surface_mesh with
+// each.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 #include <numeric>
+#include <quadrille/guard.h>
 #include <quadrille/simplify.h>
 #include <vector>
 
@@ -98,6 +100,30 @@ struct ByImportance {
   }
 };
 
+// A guard: no vertex leaves its cell of a grid. It knows the cell of each vertex of the input.
+struct SameCell {
+  double size; // of a cell, in the mesh's units
+
+  static Vector<3> cell(const auto& p, double size) {
+    return {{std::floor(p[0] / size), std::floor(p[1] / size), std::floor(p[2] / size)}};
+  }
+  struct State {
+    double size;
+    std::vector<Vector<3>> cells; // of each vertex
+    bool allows(const auto& contraction) const {
+      const Vector<3>& first = cells[contraction.first()];
+      return first == cells[contraction.second()] && first == cell(contraction.target(), size);
+    }
+    void follow(const auto&) {} // the vertex that is kept has the cell that it had
+  };
+  State begin(const GuardedSurface& surface) const {
+    State state{size, std::vector<Vector<3>>(surface.vertex_count)};
+    for (const auto& [index, point] : surface.vertices)
+      state.cells[index] = cell(point, size);
+    return state;
+  }
+};
+
 int main(int argc, char* argv[]) {
   Mesh mesh;
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cow.off");
@@ -121,6 +147,7 @@ int main(int argc, char* argv[]) {
   run("stop", Deadline{std::chrono::steady_clock::now() + std::chrono::milliseconds(2)});
   run("filter", NoStretch{}, FaceCount{1000});
   run("selection", KeepAway{&is_selected});
+  run("guard", SameCell{0.02}, FaceCount{0});
   run("importance", ByImportance{&importance}, MidpointPlacement{});
   run("all", MovedArea{}, OnSegment{}, EdgesAndSeams{}, FaceCount{1000}, NoStretch{});
 }

@@ -7,7 +7,7 @@
 set -eu
 cd -- "$1/include/quadrille/internal"
 
-rooms="base memory complex surface distance intersection normals policy cost appearance input evaluation pairs contraction order adapter levels call file cluster planar verify"
+rooms="base memory complex surface guard distance intersection normals policy cost appearance input evaluation pairs contraction order adapter levels call file cluster planar verify"
 
 for room in *; do
   case " $rooms " in

@@ -58,7 +58,7 @@ struct Options {
   bool keeps_parts = false;           // neither: see topology()
   bool forbids_intersections = false; // of faces that do not intersect in IN
   bool keeps_solid = false;           // and requires that IN is one
-  double normal_degrees = 180;        // that normals may turn in all
+  std::optional<double> normal_degrees; // that normals may turn in all
   bool is_relaxed = false;            // the order
   unsigned threads = 0;               // 0: as many as the machine has, where the order is relaxed
   std::optional<Amount> weld;
@@ -88,7 +88,7 @@ struct Options {
         target.is_limited() || std::any_of(levels.begin(), levels.end(), [](const auto& level) {
           return level.target.is_limited();
         });
-    return is_limited || forbids_intersections || keeps_solid || normal_degrees < 180;
+    return is_limited || forbids_intersections || keeps_solid || normal_degrees;
   }
 };
 

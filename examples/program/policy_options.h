@@ -149,10 +149,10 @@ inline void add_promises(CLI::App& app, Options& options) {
   app.add_flag("--no-self-intersection", options.forbids_intersections,
                "no faces of OUT intersect that do not in IN; takes several times as long")
       ->group("Policies");
-  const auto is_angle = [](double degrees) { return degrees > 0 && degrees <= 180; };
+  const auto is_angle = [](double degrees) { return degrees > 0 && degrees < 180; };
   app.add_option("--normals", options.normal_degrees,
                  "no normal of OUT is further from those of IN that it stands for")
-      ->check(number_that(is_angle, "an angle above 0 and up to 180 degrees"))
+      ->check(number_that(is_angle, "an angle above 0 and below 180 degrees"))
       ->type_name("DEGREES")
       ->group("Policies");
   app.add_flag("--solid", options.keeps_solid,

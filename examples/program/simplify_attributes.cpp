@@ -64,8 +64,9 @@ private:
     const quadrille::Report report = quadrille::simplify(
         mesh_.points, mesh_.triangles, cost, internal::placement_of<Cost>(options_),
         quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
-        *options_.topology, internal::intersection_of(options_),
-        quadrille::NormalDeviation{options_.normal_deviation}, quadrille::record_into(recorder),
+        *options_.topology, internal::normal_deviation_of(options_),
+        internal::no_self_intersection_of(options_), internal::keep_solid_of(options_),
+        quadrille::record_into(recorder),
         quadrille::parameters::vertex_image_map(internal::PointImages{&image_})
             .vertex_tolerance_map(internal::SoupValues{&options_.tolerance})
             .vertex_attribute_map(CGAL::make_property_map(carried))

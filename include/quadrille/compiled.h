@@ -126,7 +126,7 @@ struct SoupOptions {
   double pairs_closer_than = 0;                       ///< see ThresholdPairs; 0: edges only
   std::optional<Topology> topology = std::nullopt;    ///< kept, or free with pairs by default
   double normal_flip = 90;                            ///< degrees, see NormalFlip
-  double normal_deviation = 180;                      ///< degrees, see NormalDeviation
+  std::optional<double> normal_deviation;             ///< degrees, see NormalDeviation
   bool no_self_intersection = false;                  ///< see NoSelfIntersection
   bool keep_solid = false;                            ///< see keep_solid()
   /// A filter beside these: may this contraction be done? See FilterPolicy; with several threads it

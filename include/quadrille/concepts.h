@@ -256,7 +256,7 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// **Has models** NormalFlip, TriangleShape, HighestDegree, SmallestAngle, LongestEdge,
 /// HeightField. NoSelfIntersection and NormalDeviation are none: they have to follow contractions,
-/// which a filter does not see.
+/// which a filter does not see: see GuardPolicy in <quadrille/guard.h>.
 ///
 /// **Requirements**, for a constant `filter`:
 ///

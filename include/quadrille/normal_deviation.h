@@ -2,8 +2,9 @@
 #define QUADRILLE_NORMAL_DEVIATION_H
 
 #include <quadrille/internal/base/text.h>
+#include <quadrille/internal/guard/surface_guard.h>
 #include <quadrille/internal/normals/face_cones.h>
-#include <quadrille/internal/normals/normal_check.h>
+#include <quadrille/report.h>
 
 #include <cstddef>
 #include <memory>
@@ -11,7 +12,7 @@
 
 namespace quadrille {
 
-/// An argument of `simplify`: normals stay within an angle of those of the input.
+/// A guard, an argument of `simplify`: normals stay within an angle of those of the input.
 ///
 /// Each contraction maps the surface onto what is left: both ends of the pair, and all faces with
 /// them, go to the new vertex. No normal of the result is further than `degrees` from the normal of
@@ -27,25 +28,25 @@ namespace quadrille {
 /// free, a contraction is refused that takes a face and leaves none at the edge that it becomes. A
 /// part that goes whole, with Topology::parts_may_vanish, leaves nothing to compare.
 ///
-/// For any order. Where points are of floats, or coordinates_are_floats, it is kept of the result as
-/// rounded to floats. 16 bytes a face, and about one microsecond a contraction.
+/// For any order. Where points are of floats, or coordinates_are_floats, it is kept of the result
+/// as rounded to floats. 16 bytes a face, and about one microsecond a contraction.
 struct NormalDeviation {
-  /// In (0, 180]; at 180 all are allowed, and it is as if this were not there.
-  double degrees = 60;
+  double degrees = 60; ///< in (0, 180)
 
-  /// Throws std::invalid_argument for an angle that is not in (0, 180].
+  static constexpr Rejection cause = Rejection::normal_deviation; ///< what is refused counts as it
+  static constexpr bool works_in_passes = true; ///< each face has a cone of its own
+
+  /// Throws std::invalid_argument for an angle that is not in (0, 180).
   void validate() const {
-    if (!(degrees > 0 && degrees <= 180))
+    if (!(degrees > 0 && degrees < 180))
       throw std::invalid_argument("quadrille::NormalDeviation: " + internal::text_of(degrees) +
-                                  " degrees are not in (0, 180]");
+                                  " degrees are not in (0, 180)");
   }
 
   /// For the engine: what bounds the normals.
   template <std::size_t N>
-  static std::unique_ptr<internal::NormalCheck>
-  make_normal_check(const internal::TriangleComplex& complex, const internal::Geometry<N>& geometry,
-                    bool is_topology_kept, double degrees) {
-    return internal::make_normal_check<N>(complex, geometry, is_topology_kept, degrees);
+  std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
+    return std::make_unique<internal::FaceCones<N>>(room, degrees);
   }
 };
 

@@ -5,15 +5,17 @@
 // <quadrille/simplify.h> includes. That does not include this one, so that calls that do without
 // need not compile it.
 
+#include <quadrille/internal/guard/surface_guard.h>
 #include <quadrille/internal/intersection/face_intersections.h>
-#include <quadrille/internal/intersection/intersection_check.h>
+#include <quadrille/report.h>
 
 #include <cstddef>
 #include <memory>
 
 namespace quadrille {
 
-/// An argument of `simplify`: the surface does not pass through itself where it did not before.
+/// A guard, an argument of `simplify`: the surface does not pass through itself where it did not
+/// before.
 ///
 /// Two faces intersect if they have a point in common beside the vertices and edges that both have:
 /// so do faces that lie on each other in a plane, and those that touch where they have no common
@@ -30,14 +32,12 @@ namespace quadrille {
 /// For GreedyOrder only. O(log n) for each contraction, as a rule, and 44 bytes a face: all takes
 /// three to five times as long.
 struct NoSelfIntersection {
-  /// If not, it is as if this were not there: for programs that choose at run time.
-  bool is_asked = true;
+  static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
 
   /// For the engine: what keeps the faces apart.
   template <std::size_t N>
-  static std::unique_ptr<internal::IntersectionCheck>
-  make_check(const internal::TriangleComplex& complex, const internal::Geometry<N>& geometry) {
-    return internal::make_intersection_check<N>(complex, geometry);
+  std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
+    return std::make_unique<internal::FaceIntersections<N>>(room.complex, room.geometry);
   }
 };
 

@@ -48,10 +48,11 @@ inline namespace QUADRILLE_THREADING {
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default
 /// - GreedyOrder or RelaxedOrder, or AnyOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
-/// - NoSelfIntersection, of <quadrille/self_intersection.h>: no faces come to intersect; or
-///   keep_solid(), of <quadrille/solid.h>: a closed solid stays one
-/// - NormalDeviation, of <quadrille/normal_deviation.h>: normals stay within an angle of the
-/// input's
+/// - guards, any number, each with a header of its own: NoSelfIntersection, of
+///   <quadrille/self_intersection.h>: no faces come to intersect; keep_solid(), of
+///   <quadrille/solid.h>: a closed solid stays one; NormalDeviation, of
+///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
+///   of the user's. A std::optional of one may be absent
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h

@@ -3,25 +3,31 @@
 
 // This header includes what <quadrille/self_intersection.h> does.
 
-#include <quadrille/internal/intersection/solid_requirement.h>
+#include <quadrille/internal/guard/surface_guard.h>
+#include <quadrille/internal/intersection/solid_guard.h>
 #include <quadrille/report.h>
 #include <quadrille/self_intersection.h>
+#include <quadrille/topology.h>
+
+#include <cstddef>
+#include <memory>
 
 namespace quadrille {
 
-/// What keep_solid() makes: an argument of `simplify`.
-struct KeepSolid : NoSelfIntersection {
-  /// If not, it is a NoSelfIntersection and no more: for programs that choose at run time.
-  bool is_solid_asked = true;
+/// What keep_solid() makes: a guard, an argument of `simplify`.
+struct KeepSolid {
+  static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
+  static constexpr Topology topology = Topology::kept;             ///< no other one goes with it
+  static constexpr bool asks_for_volume = true;                    ///< a solid encloses one
 
-  /// For the engine: refuses what is no solid before anything is changed.
-  template <class Surface>
-  static void require_solid(Surface& surface, const Report& report) {
-    internal::require_solid(surface, report);
+  /// For the engine: refuses what is no solid before anything is changed, and keeps faces apart.
+  template <std::size_t N>
+  std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
+    return std::make_unique<internal::SolidGuard<N>>(room);
   }
 };
 
-/// An argument of `simplify`: a solid stays one, as for printing and simulation.
+/// A guard, an argument of `simplify`: a solid stays one, as for printing and simulation.
 ///
 /// It is Topology::kept and NoSelfIntersection{}, and it requires an input that is closed, each
 /// edge with as many faces on one side as on the other, and of which no two faces intersect. Then

@@ -1,6 +1,7 @@
 // Promises of the whole surface, of a file in parts.
 #include <quadrille/file.h>
 #include <quadrille/hull.h>
+#include <quadrille/levels.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/self_intersection.h>
 
@@ -19,6 +20,7 @@ constexpr std::size_t of_remedy = size<OptimalPlacement>;
 #else
 constexpr std::size_t of_faces_apart = size<OptimalPlacement, NoSelfIntersection>; // mistake
 constexpr std::size_t of_normals = size<OptimalPlacement, NormalDeviation>;        // mistake
+constexpr std::size_t of_recorder = size<OptimalPlacement, RecordInto<Levels>>;    // mistake
 constexpr std::size_t of_hull = size<OuterHull>;                                   // mistake
 #endif
 

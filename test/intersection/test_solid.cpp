@@ -257,7 +257,8 @@ TEST_CASE("keep_solid: what is no solid is refused, and told where") {
   bool is_of_face = false; // the place that it tells is a corner of the face that is gone
   for (const std::uint32_t v : gone) {
     const Position& p = open.points[v];
-    is_of_face |= is_open.find("from " + internal::text_of_place(p)) != std::string::npos;
+    is_of_face |= is_open.find("from (" + internal::text_of(p[0]) + ", " + internal::text_of(p[1]) +
+                               ", " + internal::text_of(p[2]) + ")") != std::string::npos;
   }
   CHECK(is_of_face);
   const std::string is_turned =
@@ -283,12 +284,12 @@ TEST_CASE("keep_solid: what is no solid is refused, and told where") {
 
 TEST_CASE("keep_solid: chosen at run time, it is as if it were not there") {
   Soup open = test::grid(8, 8);
-  KeepSolid choice;
-  choice.is_solid_asked = false;
+  std::optional<KeepSolid> choice;
   CHECK(complaint(open, choice, Topology::free).empty());
   test::Mesh mesh = test::make_mesh(test::sphere(2));
-  CHECK(simplify(mesh, choice).self_intersections.has_value());
-  CHECK_FALSE(simplify(mesh, choice).volume_before.has_value());
-  choice.is_asked = false;
   CHECK_FALSE(simplify(mesh, choice).self_intersections.has_value());
+  CHECK_FALSE(simplify(mesh, choice).volume_before.has_value());
+  choice = keep_solid();
+  CHECK(simplify(mesh, choice).self_intersections.has_value());
+  CHECK(simplify(mesh, choice).volume_before.has_value());
 }

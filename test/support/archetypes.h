@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_TEST_ARCHETYPES_H
 #define QUADRILLE_TEST_ARCHETYPES_H
 
+#include <quadrille/guard.h>
 #include <quadrille/pairs.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
@@ -87,6 +88,23 @@ struct FilterArchetype : Minimal {
   ConvertibleTo<bool> allows(const Contraction&) const {
     return ConvertibleTo<bool>(true);
   }
+};
+
+/// Allows everything, and follows nothing.
+struct GuardArchetype : Minimal {
+  struct State {
+    State() = default;
+    State(State&&) = default;
+    State& operator=(State&&) = default;
+
+    template <class Contraction>
+    ConvertibleTo<bool> allows(const Contraction&) {
+      return ConvertibleTo<bool>(true);
+    }
+    template <class Contraction>
+    void follow(const Contraction&) {}
+  };
+  State begin(const quadrille::GuardedSurface&) const { return {}; }
 };
 
 } // namespace test

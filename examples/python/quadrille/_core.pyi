@@ -87,7 +87,7 @@ class Options:
     pairs_closer_than: float
     topology: Optional[Topology]
     normal_flip: float
-    normal_deviation: float
+    normal_deviation: Optional[float]
     no_self_intersection: bool
     keep_solid: bool
     coordinates_are_floats: bool

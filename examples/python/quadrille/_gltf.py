@@ -42,7 +42,7 @@ class GltfOptions(TypedDict, total=False):
     topology: Optional[TopologyName]
     pairs_closer_than: float
     normal_flip: float
-    normal_deviation: float
+    normal_deviation: Optional[float]
     no_self_intersection: bool
     keep_solid: bool
     eager: bool

@@ -41,7 +41,7 @@ def make_options(
     topology: Optional[TopologyName] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
-    normal_deviation: float = 180.0,
+    normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,
     keep_solid: bool = False,
     eager: bool = False,
@@ -53,7 +53,8 @@ def make_options(
     for name, count in (("faces", faces), ("vertices", vertices)):
         if count is not None:
             setattr(options, name, read_count(name, count))
-    for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error)):
+    for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error),
+                         ("normal_deviation", normal_deviation)):
         if number is not None:
             setattr(options, name, read_number(name, number))
     if target_reduction is not None:
@@ -72,7 +73,7 @@ def make_options(
     numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,
                    crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
                    line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
-                   normal_flip=normal_flip, normal_deviation=normal_deviation, share=share)
+                   normal_flip=normal_flip, share=share)
     for name, number in numbers.items():
         setattr(options, name, read_number(name, number))
     options.threads = read_count("threads", threads)

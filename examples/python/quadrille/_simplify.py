@@ -48,7 +48,7 @@ def simplify(
     topology: Optional[TopologyName] = None,
     pairs_closer_than: float = 0.0,
     normal_flip: float = 90.0,
-    normal_deviation: float = 180.0,
+    normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,
     keep_solid: bool = False,
     keep_volume: bool = False,
@@ -133,7 +133,7 @@ def simplify(
     pairs_closer_than  points closer than that may be joined without an edge, in the unit of the points;
                      topology is 'free' then by default
     normal_flip      no face turns by that many degrees or more at once, in (0, 180]
-    normal_deviation  no normal is further from those of the input that it stands for, in (0, 180]
+    normal_deviation  no normal is further from those of the input that it stands for, in (0, 180)
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
                      several times as long
     keep_solid       a closed solid stays one, and the surface has to be one: see solid.h; for 'greedy'

@@ -10,6 +10,7 @@
 #include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
@@ -150,11 +151,21 @@ inline AnyOrder order_of(const SoupOptions& options) {
   return RelaxedOrder{options.share, options.refresh, options.threads};
 }
 
-inline KeepSolid intersection_of(const SoupOptions& options) {
-  KeepSolid result;
-  result.is_asked = options.no_self_intersection || options.keep_solid;
-  result.is_solid_asked = options.keep_solid;
-  return result;
+// The guards that the options ask for. A solid keeps faces apart by itself.
+inline std::optional<NormalDeviation> normal_deviation_of(const SoupOptions& options) {
+  if (!options.normal_deviation)
+    return std::nullopt;
+  return NormalDeviation{*options.normal_deviation};
+}
+inline std::optional<NoSelfIntersection> no_self_intersection_of(const SoupOptions& options) {
+  if (!options.no_self_intersection || options.keep_solid)
+    return std::nullopt;
+  return NoSelfIntersection{};
+}
+inline std::optional<KeepSolid> keep_solid_of(const SoupOptions& options) {
+  if (!options.keep_solid)
+    return std::nullopt;
+  return KeepSolid{};
 }
 
 /// The named parameters that the options say.
@@ -183,8 +194,8 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
       return simplify(run.points, run.triangles, cost, placement,
                       ThresholdPairs(options.pairs_closer_than), SoupStop(options), order,
                       NormalFlip(options.normal_flip), SoupFilter{options.allows},
-                      intersection_of(options), NormalDeviation{options.normal_deviation},
-                      record_into(recorder), more..., topology..., rest...);
+                      normal_deviation_of(options), no_self_intersection_of(options),
+                      keep_solid_of(options), record_into(recorder), more..., topology..., rest...);
     };
     return options.topology ? run_with(*options.topology) : run_with();
   };

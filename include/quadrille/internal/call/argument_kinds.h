@@ -4,9 +4,8 @@
 #include <quadrille/channels.h>
 #include <quadrille/concepts.h>
 #include <quadrille/internal/call/carried.h>
-#include <quadrille/internal/call/intersection_choice.h>
 #include <quadrille/internal/call/named_parameters.h>
-#include <quadrille/internal/call/normal_choice.h>
+#include <quadrille/internal/policy/guard_set.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/placement.h>
 #include <quadrille/record.h>
@@ -31,8 +30,7 @@ enum class Kind {
   channel,
   split_vertices,
   recorder,
-  intersection,
-  normal_limit,
+  guard,
   named_parameters,
   unknown
 };
@@ -76,10 +74,8 @@ constexpr Kind kind_of() {
     return Kind::split_vertices;
   else if constexpr (is_recorder<T>)
     return Kind::recorder;
-  else if constexpr (IsIntersection<T>)
-    return Kind::intersection;
-  else if constexpr (IsNormalLimit<T>)
-    return Kind::normal_limit;
+  else if constexpr (is_guard<T>)
+    return Kind::guard;
   else if constexpr (is_order<T>)
     return Kind::order;
   else if constexpr (LooksLikeCost<T>)

@@ -7,12 +7,11 @@
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/call/argument_kinds.h>
 #include <quadrille/internal/call/carried.h>
-#include <quadrille/internal/call/intersection_choice.h>
 #include <quadrille/internal/call/named_parameters.h>
-#include <quadrille/internal/call/normal_choice.h>
 #include <quadrille/internal/call/optional_parts.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/engine_policies.h>
+#include <quadrille/internal/policy/guard_set.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
@@ -85,6 +84,23 @@ auto pick_filters(const Arguments&... arguments) {
   return std::apply(
       [](const auto&... filter) { return FilterList<Cost::dimension>::of(filter...); }, given);
 }
+
+/// The guards among the arguments.
+template <class Cost, class... Arguments>
+auto pick_guards(const Arguments&... arguments) {
+  GuardSet<Cost::dimension> guards;
+  const auto add = [&]<class T>([[maybe_unused]] const T& argument) {
+    if constexpr (kind_of<T, Cost>() == Kind::guard)
+      guards.add(argument);
+  };
+  (add(arguments), ...);
+  return guards;
+}
+
+/// Can a guard be asked in an order of this type? Where either is told at run time, that is too.
+template <class Guard, class Order>
+inline constexpr bool suits_order =
+    !std::same_as<Order, RelaxedOrder> || !IsGuard<Guard> || works_in_passes<Guard>;
 
 /// An argument of no kind, as compilers name it: `position` counts all arguments of the call
 /// from 1.
@@ -168,10 +184,6 @@ constexpr void check_counts() {
                 "simplify takes one order: pass only one.");
   static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
                 "simplify takes one recorder: pass record_into only once.");
-  static_assert(count_of<Kind::intersection, Cost, Arguments...> <= 1,
-                "simplify takes one NoSelfIntersection or keep_solid(): pass only one.");
-  static_assert(count_of<Kind::normal_limit, Cost, Arguments...> <= 1,
-                "simplify takes one NormalDeviation: pass it only once.");
   static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
                 "simplify takes one Topology: pass only one.");
   static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
@@ -196,6 +208,14 @@ constexpr void check_stop() {
       "cost does not tell: give it a member degree(), see <quadrille/concepts.h>.");
 }
 
+template <class Order, class... Arguments>
+constexpr void check_guards() {
+  static_assert((suits_order<Arguments, Order> && ...),
+                "A guard of this call needs GreedyOrder, since the blocks of a pass do not see "
+                "each other: NoSelfIntersection, keep_solid(), or one without works_in_passes. "
+                "Leave RelaxedOrder out.");
+}
+
 /// All policies of a call, checked for fitting together. Cost and placement may be template
 /// arguments, or NotGiven.
 template <class CostArgument, class PlacementArgument, class... Arguments>
@@ -213,9 +233,9 @@ auto pick_policies(const Arguments&... arguments) {
   check_stop<std::remove_const_t<decltype(stop)>, Cost>();
   validate_all(cost, placement, pairs, stop);
   validate(order);
-  const auto intersection = pick<Kind::intersection, Cost, AnyIntersection>(arguments...);
-  const auto normal_limit = pick<Kind::normal_limit, Cost, AnyNormals>(arguments...);
-  check_order(intersection, order);
+  check_guards<std::remove_const_t<decltype(order)>, Arguments...>();
+  const auto guards = pick_guards<Cost>(arguments...);
+  guards.require_greedy_order(has_passes(order));
   const auto carried = pick_carried<Cost>(arguments...);
   using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
                                       EnginePlacement<std::remove_const_t<decltype(placement)>>,
@@ -231,11 +251,11 @@ auto pick_policies(const Arguments&... arguments) {
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       threads_here(threads_of(order)),
       pick_recorder<Cost>(arguments...),
-      topology_beside(intersection, pick_topology<Cost>(arguments...)),
+      guards.topology_beside(pick_topology<Cost>(arguments...)),
       pick_filters<Cost>(arguments...),
+      guards,
       optional_parts<Policies, std::remove_const_t<decltype(stop)>,
-                     std::remove_const_t<decltype(order)>, is_recorded>(intersection,
-                                                                        normal_limit)};
+                     std::remove_const_t<decltype(order)>, is_recorded>()};
   policies.threads.validate();
   return policies;
 }

@@ -78,12 +78,10 @@ contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& po
   WorkingSurface<Policies> surface(std::move(input), box, policies);
   const EnclosedVolume volume(surface, box);
   report.volume_before = volume(surface);
-  surface.checks().optional().begin(report);
-  if (policies.optional.require_solid)
-    policies.optional.require_solid(surface, report);
+  surface.guards().begin(report);
   report.stop = contract(surface, report, watch);
   report.volume_after = volume(surface);
-  surface.checks().optional().end(report);
+  surface.guards().end(report);
   if (surface.progress().is_cancelled() && !surface.progress().has_begun())
     return std::nullopt;
   if (surface.recording())

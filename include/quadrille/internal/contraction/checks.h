@@ -8,7 +8,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/optional_checks.h>
+#include <quadrille/internal/contraction/guard_list.h>
 #include <quadrille/internal/evaluation/pair_names.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
@@ -39,20 +39,19 @@ public:
   Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
          const Numbering& numbering, const Geometry<dimension>& geometry,
          const SharedVertices& shared, const LinkCondition& link_condition, const SeamGraph& seams,
-         const ChannelsOf<Policies>& channels, bool is_topology_kept)
+         const ChannelsOf<Policies>& channels, const GuardList<dimension>& guards,
+         bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
         geometry_(geometry), shared_(shared), link_condition_(link_condition), seams_(seams),
-        channels_(channels), is_topology_kept_(is_topology_kept),
-        optional_(policies, complex, geometry, is_topology_kept),
-        goes_where_written_(optional_.is_any() ||
+        channels_(channels), guards_(guards), is_topology_kept_(is_topology_kept),
+        goes_where_written_(!guards.empty() ||
                             (scale.writes_floats() && policies.stop.needs().distance)) {}
 
   const LinkCondition& link_condition() const { return link_condition_; }
-  const OptionalChecks& optional() const { return optional_; }
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
-  /// that costs the same suits them, it goes there. Where faces are kept apart, or normals or
-  /// distances bounded, it goes to a place that can be written as it is.
+  /// that costs the same suits them, it goes there. Where there are guards, or distances are
+  /// bounded, it goes to a place that can be written as it is.
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
@@ -105,8 +104,8 @@ private:
       if (!cause &&
           !policies_.placement.admits(seen_pair(contraction), star_view(contraction), target))
         return Placement::cause;
-    if (!cause && optional_.is_any()) [[unlikely]]
-      return optional_.refusal(contraction, space(target));
+    if (!cause && !guards_.empty()) [[unlikely]]
+      return guards_.rejection(contraction, target);
     return cause;
   }
 
@@ -154,8 +153,8 @@ private:
   const LinkCondition& link_condition_;
   const SeamGraph& seams_;
   const ChannelsOf<Policies>& channels_;
+  const GuardList<dimension>& guards_;
   bool is_topology_kept_;
-  OptionalChecks optional_;
   bool goes_where_written_; // see rejection()
 };
 

@@ -38,7 +38,7 @@ private:
 };
 
 /// The volume that a surface encloses, where it is known to enclose one and the placement asks, or
-/// keep_solid(): the sum of the tetrahedra of its faces and the middle of a box. In linear time.
+/// a guard: the sum of the tetrahedra of its faces and the middle of a box. In linear time.
 template <class Policies>
 class EnclosedVolume {
 public:
@@ -51,7 +51,7 @@ public:
   EnclosedVolume(Surface& surface, const Box& box)
       : scale_(surface.evaluator().scale()),
         middle_(space(scale_.position_from_mesh(0.5 * box.low + 0.5 * box.high))) {
-    if (surface.policies().optional.require_solid)
+    if (surface.policies().guards.asks_for_volume())
       is_known_ = true; // once it has been checked
     if (!asks_for_volume<Placement> || surface.progress().is_cancelled())
       return;

@@ -35,10 +35,8 @@ Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policie
   using Cost = typename Policies::Cost;
   const Cost& cost = policies.cost;
   Scale<N> scale(box, is_scale_free<Cost>);
-  if (input.writes_floats &&
-      (needs_closed_surface<typename Policies::Placement> ||
-       policies.optional.make_intersection_check || policies.optional.make_normal_check ||
-       policies.stop.needs().distance))
+  if (input.writes_floats && (needs_closed_surface<typename Policies::Placement> ||
+                              !policies.guards.empty() || policies.stop.needs().distance))
     scale.write_floats();
   if constexpr (requires {
                   cost.attribute_weights(attributes_of(box.low), attributes_of(box.high), 1.0);

@@ -17,6 +17,7 @@
 #include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
+#include <quadrille/internal/contraction/guard_list.h>
 #include <quadrille/internal/contraction/input_parts.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
@@ -86,8 +87,9 @@ public:
                     scratches_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, appearance_.channels(),
                    importance_, numbering_),
+        guards_(policies.guards, {complex_, geometry_, numbering_, scale_, is_topology_kept_}),
         checks_(policies, scale_, complex_, numbering_, geometry_, shared_, link_condition_,
-                appearance_.seams(), appearance_.channels(), is_topology_kept_),
+                appearance_.seams(), appearance_.channels(), guards_, is_topology_kept_),
         distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
                         checks_),
         displacement_(scale_.diagonal(), scale_.length_from_mesh(scale_.diagonal())),
@@ -132,8 +134,7 @@ public:
     return std::tie(self.recording_, self.costs_, self.edges_, self.bounds_,
                     self.appearance_.channels(), self.appearance_.seams(), self.pairs_,
                     self.numbering_, self.moved_, self.memories_, self.geometry_, self.shared_,
-                    self.link_condition_, self.terms_, self.importance_, self.parts_,
-                    self.checks_.optional());
+                    self.link_condition_, self.terms_, self.importance_, self.parts_, self.guards_);
   }
 
   const Policies& policies() const { return policies_; }
@@ -155,6 +156,7 @@ public:
   bool are_seams_kept() const { return appearance_.seams().keeps_channels(); }
   PairFinder<Policies>& pairs() { return pairs_; }
   const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
+  GuardList<dimension>& guards() { return guards_; }
   const Checks<Policies>& checks() const { return checks_; }
   const DistanceCheck<Policies>& distance_check() const { return distance_check_; }
   TargetRules<Policies>& target_rules() { return target_rules_; }
@@ -350,6 +352,7 @@ private:
   Appearance<Policies> appearance_;
   OptionalRecording<Policies> recording_;
   PairEvaluator<Policies> evaluator_;
+  GuardList<dimension> guards_;
   Checks<Policies> checks_;
   DistanceCheck<Policies> distance_check_;
   Displacement displacement_;

@@ -1,8 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
 #define QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
 
-#include <quadrille/internal/call/intersection_choice.h>
-#include <quadrille/internal/call/normal_choice.h>
 #include <quadrille/internal/file/cost_samples.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/loaded_part.h>
@@ -10,6 +8,7 @@
 #include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/piece_of_part.h>
 #include <quadrille/internal/file/sample_file.h>
+#include <quadrille/internal/policy/guard_set.h>
 #include <quadrille/simplify.h>
 
 #include <algorithm>
@@ -33,13 +32,13 @@ public:
   static_assert(!asks_for_indices<Placement>,
                 "quadrille: each part of a file counts its vertices anew: a placement that asks "
                 "for indices in the input is for surfaces in memory");
-  static_assert(!(IsIntersection<Policies> || ...),
-                "quadrille: each part of a file is simplified without the others, which its faces "
-                "could come to intersect: NoSelfIntersection and keep_solid() are for surfaces in "
-                "memory");
-  static_assert(!(IsNormalLimit<Policies> || ...),
-                "quadrille: each phase of a file begins with the normals that the one before it "
-                "has left, so that angles would add up: NormalDeviation is for surfaces in memory");
+  static_assert(((!is_guard<Policies> || works_in_parts<Policies>)&&...),
+                "quadrille: each part of a file is simplified without the others, in phases that "
+                "begin anew, so that guards are for surfaces in memory: NoSelfIntersection, "
+                "keep_solid(), NormalDeviation, or one without works_in_parts");
+  static_assert(!(is_recorder<Policies> || ...),
+                "quadrille: parts of a file are simplified several at a time and number vertices "
+                "anew: a recorder is for surfaces in memory");
   static_assert(!needs_closed_surface<Placement>,
                 "quadrille: a part of a file is no closed surface: hulls are for surfaces in "
                 "memory");

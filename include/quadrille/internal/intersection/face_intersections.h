@@ -4,23 +4,23 @@
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/guard/surface_guard.h>
 #include <quadrille/internal/intersection/box_tree.h>
 #include <quadrille/internal/intersection/edge_order.h>
 #include <quadrille/internal/intersection/face_sides.h>
 #include <quadrille/internal/intersection/flat_fan.h>
-#include <quadrille/internal/intersection/intersection_check.h>
 #include <quadrille/internal/intersection/near_faces.h>
 #include <quadrille/internal/intersection/swept_space.h>
 #include <quadrille/internal/intersection/tree_order.h>
 #include <quadrille/internal/intersection/triangle_pair.h>
 #include <quadrille/internal/surface/geometry.h>
+#include <quadrille/report.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,20 +32,24 @@ namespace quadrille::internal {
 /// order: what was next to each other still is. So all that takes linear time, but for the first
 /// sort. 44 bytes a face.
 template <std::size_t N>
-class FaceIntersections final : public IntersectionCheck {
+class FaceIntersections : public SurfaceGuard<N> {
 public:
   FaceIntersections(const TriangleComplex& complex, const Geometry<N>& geometry)
       : complex_(complex), geometry_(geometry) {}
 
-  void begin() override {
+  void begin(Report& report) override {
     forget_pair();
     met_before_.assign(complex_.vertex_capacity(), {none, none, none, none});
     sort_faces();
     plant();
+    report.self_intersections = {count(), 0};
   }
 
+  bool rejects(const GuardedPair<N>& pair) override {
+    return makes_intersection(pair.star, pair.first, pair.second, space(pair.target));
+  }
   bool makes_intersection(const PairStar& star, Index first, Index second,
-                          const Vector<3>& target) override {
+                          const Vector<3>& target) {
     if (pair_ != std::array{first, second})
       look_at(star, first, second);
     for (const TriedPlace& tried : tried_)
@@ -60,9 +64,11 @@ public:
     return intersects;
   }
 
-  Index face_in_the_way() const override { return in_the_way_; }
+  bool has_obstacles() const override { return true; }
+  Index obstacle() const override { return in_the_way_; }
 
-  void follow(const PairStar& star, Index first) override {
+  void follow(const GuardedPair<N>& pair, Index) override { follow(pair.star, pair.first); }
+  void follow(const PairStar& star, Index first) {
     forget_pair();
     for (const StarFace& f : star.shared)
       forget(f.face);
@@ -82,7 +88,10 @@ public:
       forget(face);
   }
 
-  std::size_t count() override {
+  void end(Report& report) override { report.self_intersections->after = count(); }
+
+  /// How many pairs of faces intersect, now.
+  std::size_t count() {
     replant();
     std::size_t count = 0;
     for (std::size_t begin = 0; begin < faces_.size(); begin += BoxTree::width)
@@ -90,7 +99,8 @@ public:
     return count;
   }
 
-  std::array<Index, 2> first_pair() override {
+  /// One of these, of which there is at least one: the first in an order of its own.
+  std::array<Index, 2> first_pair() {
     replant();
     std::array<Index, 2> first{none, none};
     for (std::size_t begin = 0; begin < faces_.size() && first[0] == none; begin += BoxTree::width)
@@ -394,13 +404,6 @@ private:
   SweptSpace swept_; // by old_ on the way to target_
   FlatFan fan_;
 };
-
-/// What keeps the faces of a surface apart.
-template <std::size_t N>
-std::unique_ptr<IntersectionCheck> make_intersection_check(const TriangleComplex& complex,
-                                                           const Geometry<N>& geometry) {
-  return std::make_unique<FaceIntersections<N>>(complex, geometry);
-}
 
 } // namespace quadrille::internal
 

@@ -5,39 +5,56 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/star_face.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/guard/surface_guard.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/internal/normals/cones_of_star.h>
-#include <quadrille/internal/normals/normal_check.h>
 #include <quadrille/internal/normals/normal_cone.h>
 #include <quadrille/internal/surface/geometry.h>
+#include <quadrille/report.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <numbers>
 #include <vector>
 
 namespace quadrille::internal {
 
 /// Of each face, the cone of the normals of all faces of the input that contractions have mapped
-/// into it or onto its edges, where both ends of each pair went to the new vertex.
+/// into it or onto its edges, where both ends of each pair went to the new vertex. See
+/// NormalDeviation.
 template <std::size_t N>
-class FaceCones final : public NormalCheck {
+class FaceCones final : public SurfaceGuard<N> {
 public:
-  FaceCones(const TriangleComplex& complex, const Geometry<N>& geometry, bool is_topology_kept,
-            double degrees)
-      : complex_(complex), geometry_(geometry), is_topology_kept_(is_topology_kept),
+  FaceCones(const GuardRoom<N>& room, double degrees)
+      : complex_(room.complex), geometry_(room.geometry), is_topology_kept_(room.is_topology_kept),
         limit_(degrees * (std::numbers::pi / 180)) {}
 
-  void begin() override {
+  void begin(Report&) override {
     cones_.resize(complex_.face_capacity());
     for (Index face = 0; face < cones_.size(); ++face)
       if (!complex_.is_removed(face))
         cones_[face] = NormalCone(normal_of(face));
   }
 
-  bool is_too_far(const PairStar& star, Index second, const Vector<3>& target) const override {
+  bool rejects(const GuardedPair<N>& pair) override {
+    return is_too_far(pair.star, pair.second, space(pair.target));
+  }
+
+  void follow(const GuardedPair<N>& pair, Index) override {
+    const ConesOfStar cones = cones_of(pair.star, pair.second);
+    for (const ConesOfStar::Face& f : cones.faces())
+      cones_[f.face.face] = f.cone;
+  }
+
+  void pack() override {
+    internal::pack_if(cones_, [this](Index face) { return !complex_.is_removed(face); });
+  }
+
+  void end(Report& report) override { report.normal_bound_degrees = greatest_degrees(); }
+
+private:
+  bool is_too_far(const PairStar& star, Index second, const Vector<3>& target) const {
     if (star.hub != none && meets_further_hub(star, second))
       return true; // of whose faces not all are known
     const ConesOfStar cones = cones_of(star, second);
@@ -51,17 +68,7 @@ public:
            std::any_of(cones.faces().begin(), cones.faces().end(), is_face_too_far);
   }
 
-  void follow(const PairStar& star, Index second) override {
-    const ConesOfStar cones = cones_of(star, second);
-    for (const ConesOfStar::Face& f : cones.faces())
-      cones_[f.face.face] = f.cone;
-  }
-
-  void pack() override {
-    internal::pack_if(cones_, [this](Index face) { return !complex_.is_removed(face); });
-  }
-
-  double greatest_degrees() const override {
+  double greatest_degrees() const {
     double greatest = 0;
     for (Index face = 0; face < cones_.size(); ++face) {
       if (complex_.is_removed(face) || cones_[face].is_empty())
@@ -73,7 +80,6 @@ public:
     return greatest * (180 / std::numbers::pi);
   }
 
-private:
   Vector<3> place(Index v) const { return space(geometry_.position(v)); }
   FaceNormal normal_of(Index face) const {
     const auto& v = complex_.vertices(face);
@@ -98,14 +104,6 @@ private:
   double limit_; // in radians
   std::vector<NormalCone> cones_;
 };
-
-/// What bounds the normals.
-template <std::size_t N>
-std::unique_ptr<NormalCheck> make_normal_check(const TriangleComplex& complex,
-                                               const Geometry<N>& geometry, bool is_topology_kept,
-                                               double degrees) {
-  return std::make_unique<FaceCones<N>>(complex, geometry, is_topology_kept, degrees);
-}
 
 } // namespace quadrille::internal
 

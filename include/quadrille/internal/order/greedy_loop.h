@@ -139,9 +139,8 @@ private:
   // To an end, where faces are in the way of the place of least cost, which ends seldom are: shells
   // and walls close together would soon hold each other. And around a hub: see may_try_ends().
   bool moves_to_end(Contraction& contraction, Rejection cause) {
-    const bool is_in_the_way =
-        !looks_at_star<typename Policies::Placement> && cause == Rejection::self_intersection;
-    return (is_in_the_way || tries_ends_) &&
+    return ((!looks_at_star<typename Policies::Placement> && is_for_obstacle(cause)) ||
+            tries_ends_) &&
            internal::moves_to_end(surface_.evaluator(), contraction,
                                   [this](Contraction& c) { return refusal(c); });
   }
@@ -163,8 +162,8 @@ private:
   // Does the first end that it might go to cost more than others? Whether faces are in the way
   // there is looked at when its turn comes: most pairs are outdated before that.
   bool waits_for_end(const Contraction& contraction, Rejection cause, const QueuedPair& pair) {
-    if (cause != Rejection::self_intersection || looks_at_star<typename Policies::Placement> ||
-        is_last_resort_ || !may_move_to_end(surface_.evaluator(), contraction))
+    if (looks_at_star<typename Policies::Placement> || !is_for_obstacle(cause) || is_last_resort_ ||
+        !may_move_to_end(surface_.evaluator(), contraction))
       return false;
     const auto key =
         static_cast<float>(surface_.evaluator().at_ends(contraction.candidate())[0].key);
@@ -197,7 +196,7 @@ private:
   // need not be near the pairs. As long as looking at all of them again pays.
   QUADRILLE_NOINLINE bool may_have_way() {
     const auto faces = static_cast<double>(surface_.status().faces);
-    if (!has_met_intersection_ || faces > part_that_pays * faces_before_way_)
+    if (!has_met_obstacle_ || faces > part_that_pays * faces_before_way_)
       return false;
     faces_before_way_ = faces;
     waiting_.release_all(push_again());
@@ -360,14 +359,14 @@ private:
     internal::refuse(surface_, {pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
-    has_met_intersection_ |= cause == Rejection::self_intersection;
-    waiting_.add(pair, Hold<Policies>::is_by(cause), face_in_the_way(cause));
+    const auto* const guard = surface_.guards().with_obstacles(cause);
+    has_met_obstacle_ |= guard != nullptr;
+    waiting_.add(pair, Hold<Policies>::is_by(cause), guard ? guard->obstacle() : none);
   }
 
-  Index face_in_the_way(Rejection cause) const {
-    if (cause != Rejection::self_intersection) [[likely]]
-      return none;
-    return surface_.checks().optional().intersections()->face_in_the_way();
+  // Has a guard refused a pair because of faces that may change?
+  bool is_for_obstacle(Rejection cause) const {
+    return surface_.guards().with_obstacles(cause) != nullptr;
   }
 
   void contract(const Contraction& contraction) {
@@ -398,7 +397,7 @@ private:
   bool is_last_resort_ = false; // has one of the deferred pairs its turn?
   bool tries_ends_ = false;     // see may_try_ends()
   std::size_t pairs_seen_ = 0;
-  bool has_met_distance_ = false, has_met_destruction_ = false, has_met_intersection_ = false;
+  bool has_met_distance_ = false, has_met_destruction_ = false, has_met_obstacle_ = false;
   double faces_before_way_ = no_limit; // see may_have_way()
 };
 

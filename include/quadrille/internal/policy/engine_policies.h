@@ -3,6 +3,7 @@
 
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/policy/filter_list.h>
+#include <quadrille/internal/policy/guard_set.h>
 #include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/internal/policy/recorder_handle.h>
 #include <quadrille/internal/policy/stop_rule.h>
@@ -10,7 +11,6 @@
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,15 +26,10 @@ template <class Policies>
 struct RecordingNeeds;
 template <class Policies>
 struct DistanceCalls;
-template <std::size_t N>
-class Geometry;
 template <class Memory>
 struct GivenMemories;
 struct FaceBound;
 class CostHistogram;
-class IntersectionCheck;
-class NormalCheck;
-class TriangleComplex;
 
 /// What only some calls need, as functions: a call that cannot need it does not compile it.
 template <class Policies>
@@ -45,15 +40,6 @@ struct OptionalParts {
   std::unique_ptr<Recording<Policies>> (*make_recording)(const RecordingNeeds<Policies>&) = nullptr;
   /// What measures distances for a stop policy that asks for them.
   const DistanceCalls<Policies>* distances = nullptr;
-  /// What keeps faces apart.
-  std::unique_ptr<IntersectionCheck> (*make_intersection_check)(
-      const TriangleComplex&, const Geometry<Policies::Cost::dimension>&) = nullptr;
-  /// What bounds normals, by an angle in degrees.
-  std::unique_ptr<NormalCheck> (*make_normal_check)(const TriangleComplex&,
-                                                    const Geometry<Policies::Cost::dimension>&,
-                                                    bool is_topology_kept,
-                                                    double degrees) = nullptr;
-  double normal_degrees = 180;
   /// What vertices remember at the beginning instead of what their faces leave, if that is given.
   const GivenMemories<typename Policies::Cost::Memory>* memories = nullptr;
   /// How far each input face is from the input of all pieces, at the beginning and then at the end;
@@ -64,8 +50,6 @@ struct OptionalParts {
   std::optional<double> greatest_tolerance = {};
   /// Counts what contractions cost.
   CostHistogram* costs = nullptr;
-  /// Throws if a surface is no solid.
-  void (*require_solid)(WorkingSurface<Policies>&, const Report&) = nullptr;
 };
 
 /// Everything that `simplify` was asked for, each with its default where it was not named. The
@@ -88,6 +72,7 @@ struct Policies {
   RecorderHandle recorder;
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   FilterList<Cost::dimension> filters;
+  GuardSet<Cost::dimension> guards;
   OptionalParts<Policies> optional;
 };
 

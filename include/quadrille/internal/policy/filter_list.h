@@ -55,7 +55,8 @@ private:
   QUADRILLE_NOINLINE std::optional<Rejection>
   refusal_by_others(const ContractionView<N>& view, const Contraction& contraction,
                     const Numbering& numbering, const Scale<N>& scale) const {
-    const IndexedContraction<N> indexed(view, contraction, numbering);
+    const IndexedContraction<N> indexed(view, contraction.star(), contraction.first(),
+                                        contraction.second(), numbering);
     for (const Other& other : others_)
       if (!other.allows(other.filter.get(), indexed, scale))
         return other.cause;

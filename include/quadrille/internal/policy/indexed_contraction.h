@@ -45,12 +45,11 @@ private:
 template <std::size_t N>
 class IndexedContraction : public ContractionView<N> {
 public:
-  template <class Contraction>
-  IndexedContraction(const ContractionView<N>& view, const Contraction& contraction,
+  template <class Star>
+  IndexedContraction(const ContractionView<N>& view, const Star& star, Index first, Index second,
                      const Numbering& numbering)
-      : ContractionView<N>(view), first_(contraction.first()), second_(contraction.second()),
-        shared_(contraction.star().shared.begin(), contraction.star().shared.end()),
-        numbering_(numbering) {}
+      : ContractionView<N>(view), first_(first), second_(second),
+        shared_(star.shared.begin(), star.shared.end()), numbering_(numbering) {}
 
   /// The ends. A vertex that others have become part of still has an index of its own.
   std::size_t first() const { return numbering_.vertices[first_]; }

@@ -1,0 +1,162 @@
+#ifndef QUADRILLE_INTERNAL_POLICY_GUARD_SET_H
+#define QUADRILLE_INTERNAL_POLICY_GUARD_SET_H
+
+#include <quadrille/internal/policy/policies.h>
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+struct GuardedSurface; // is in <quadrille/guard.h>: include that to write a guard
+
+namespace internal {
+
+template <std::size_t N>
+class SurfaceGuard;
+template <std::size_t N>
+struct GuardRoom;
+
+/// Makes what guards a surface for a guard of the user's: is in <quadrille/guard.h>.
+template <class Guard, std::size_t N>
+struct MadeByUser;
+
+/// Is it a guard of the library's? Each has a header of its own.
+template <class T>
+concept IsOwnGuard = requires(const T guard, const GuardRoom<3>& room) {
+  guard.make_guard(room);
+};
+
+/// Is it a guard, of the library's or of the user's?
+template <class T>
+concept IsGuard = IsOwnGuard<T> || requires(const T guard, const GuardedSurface& surface) {
+  guard.begin(surface);
+};
+
+template <class T>
+inline constexpr bool is_guard = IsGuard<T>;
+template <class T>
+inline constexpr bool is_guard<std::optional<T>> = IsGuard<T>;
+
+/// The type of a guard that may be absent.
+template <class T>
+struct PresentGuard {
+  using type = T;
+};
+template <class T>
+struct PresentGuard<std::optional<T>> {
+  using type = T;
+};
+
+/// May several threads ask it, and tell it of contractions? Else it needs GreedyOrder.
+template <class Guard>
+inline constexpr bool works_in_passes = requires {
+  requires PresentGuard<Guard>::type::works_in_passes;
+};
+
+/// Does it keep over a whole file what it keeps in each of its parts, in phases that begin anew?
+template <class Guard>
+inline constexpr bool works_in_parts = requires {
+  requires PresentGuard<Guard>::type::works_in_parts;
+};
+
+/// Makes what guards a surface, of a guard of any type.
+template <std::size_t N>
+class GuardMaker {
+public:
+  virtual ~GuardMaker() = default;
+  virtual std::unique_ptr<SurfaceGuard<N>> make(const GuardRoom<N>& room) const = 0;
+};
+
+template <class Guard, std::size_t N>
+class GuardMakerOf final : public GuardMaker<N> {
+public:
+  explicit GuardMakerOf(const Guard& guard) : guard_(guard) {}
+
+  std::unique_ptr<SurfaceGuard<N>> make(const GuardRoom<N>& room) const override {
+    if constexpr (IsOwnGuard<Guard>)
+      return guard_.make_guard(room);
+    else
+      return MadeByUser<Guard, N>::make(guard_, room);
+  }
+
+private:
+  Guard guard_;
+};
+
+/// The guards of a call, told at run time. A call without one compiles none, and has none to ask.
+template <std::size_t N>
+class GuardSet {
+public:
+  struct Entry {
+    std::shared_ptr<const GuardMaker<N>> maker;
+    Rejection cause;
+  };
+
+  /// Adds a guard, unless it is absent.
+  template <class Guard>
+  void add(const std::optional<Guard>& guard) {
+    if (guard)
+      add(*guard);
+  }
+  template <class Guard>
+  void add(const Guard& guard) {
+    validate(guard);
+    entries_.push_back({std::make_shared<const GuardMakerOf<Guard, N>>(guard), cause<Guard>()});
+    works_in_passes_ &= internal::works_in_passes<Guard>;
+    asks_for_volume_ |= internal::asks_for_volume<Guard>;
+    if constexpr (requires { Guard::topology; })
+      topology_ = Guard::topology;
+  }
+
+  bool empty() const { return entries_.empty(); }
+  /// In the order of the call.
+  const std::vector<Entry>& entries() const { return entries_; }
+  /// Does one of them know that the surface encloses a volume, which the report is to tell?
+  bool asks_for_volume() const { return asks_for_volume_; }
+
+  /// Throws if one of them needs GreedyOrder, where the order of a call has passes.
+  void require_greedy_order(bool has_passes) const {
+    if (has_passes && !works_in_passes_)
+      throw std::invalid_argument(
+          "quadrille::simplify: a guard of this call needs GreedyOrder, since the blocks of a pass "
+          "do not see each other: NoSelfIntersection, keep_solid(), or one without "
+          "works_in_passes");
+  }
+  /// The topology of a call beside them. Throws if it asks for another than they keep.
+  std::optional<Topology> topology_beside(std::optional<Topology> topology) const {
+    if (!topology_)
+      return topology;
+    if (topology.value_or(*topology_) != *topology_)
+      throw std::invalid_argument(
+          "quadrille::simplify: a guard of this call keeps the topology, as keep_solid() does: "
+          "pass no Topology::free or Topology::parts_may_vanish beside it");
+    return topology_;
+  }
+
+private:
+  template <class Guard>
+  static constexpr Rejection cause() {
+    if constexpr (requires { Guard::cause; })
+      return Guard::cause;
+    else
+      return Rejection::filter;
+  }
+
+  std::vector<Entry> entries_;
+  bool works_in_passes_ = true, asks_for_volume_ = false;
+  std::optional<Topology> topology_;
+};
+
+} // namespace internal
+
+} // namespace quadrille
+
+#endif // QUADRILLE_INTERNAL_POLICY_GUARD_SET_H
