@@ -108,35 +108,34 @@ ColorDifference color_difference(const Soup& input, const Soup& answer, std::siz
   return {std::sqrt((in_to_out + out_to_in) / 2), std::sqrt(in_to_out), std::sqrt(out_to_in)};
 }
 
-std::vector<quadrille::Vector<3>> points_of(const Soup& soup) {
+template <class Position>
+quadrille::TriangleSoup<Position> triangles_between(std::vector<Position> points,
+                                                    const Triangles& triangles) {
+  quadrille::TriangleSoup<Position> result{std::move(points), {}};
+  for (const auto& [a, b, c] : triangles)
+    result.triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                                static_cast<std::uint32_t>(c)});
+  return result;
+}
+
+quadrille::TriangleSoup<> shape_of(const Soup& soup) {
   std::vector<quadrille::Vector<3>> points;
   for (const Point& p : soup.points)
     points.push_back({{p.x(), p.y(), p.z()}});
-  return points;
-}
-
-std::vector<std::array<std::size_t, 3>> indices(const Triangles& triangles) {
-  std::vector<std::array<std::size_t, 3>> result;
-  for (const auto& [a, b, c] : triangles)
-    result.push_back({a, b, c});
-  return result;
+  return triangles_between(std::move(points), soup.triangles);
 }
 
 quadrille::TexturedSoup textured(const Soup& soup) {
-  quadrille::TexturedSoup result;
-  result.points = points_of(soup);
-  result.triangles = indices(soup.triangles);
+  std::vector<quadrille::Vector<2>> coordinates;
   for (std::size_t i = 0; i < soup.attributes.size(); ++i)
-    result.coordinates.push_back(
-        {{soup.attributes.values[2 * i], soup.attributes.values[2 * i + 1]}});
-  result.coordinate_triangles = indices(soup.attributes.triangles);
-  return result;
+    coordinates.push_back({{soup.attributes.values[2 * i], soup.attributes.values[2 * i + 1]}});
+  return {shape_of(soup), triangles_between(std::move(coordinates), soup.attributes.triangles), {}};
 }
 
 } // namespace
 
 std::size_t open_edges(const Soup& soup) {
-  return quadrille::count_torn_edges(points_of(soup), indices(soup.triangles));
+  return quadrille::count_torn_edges(shape_of(soup));
 }
 
 AttributeQuality measure(const Model& input, const Soup& answer, std::size_t samples) {

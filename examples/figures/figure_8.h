@@ -9,6 +9,7 @@
 #include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
 #include <quadrille/simplify.h>
+#include <quadrille/triangle_soup.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 

@@ -30,14 +30,12 @@ Options times(Options options, double factor) {
 template <class Run>
 Coarse coarsest(const IndexedMesh& mesh, const Options& options, Run run) {
   namespace internal = quadrille::internal;
-  const internal::CheckedSurface input = internal::checked_surface(mesh.points, mesh.triangles);
+  const auto surface_of = [](const IndexedMesh& of) {
+    return internal::checked_surface("quadrille::calibrated", of.points, of.triangles);
+  };
   const double distance = length_of(*options.target.error, diagonal(mesh.points, mesh.triangles));
-  return internal::calibrate(
-      distance, quadrille::Calibration{}, run, [&](const Coarse& coarse, double error) {
-        return internal::proved_distance(
-            input, internal::checked_surface(coarse.mesh.points, coarse.mesh.triangles), distance,
-            error);
-      });
+  return internal::calibrate(surface_of(mesh), distance, quadrille::Calibration{}, run,
+                             [&](const Coarse& coarse) { return surface_of(coarse.mesh); });
 }
 
 } // namespace

@@ -24,20 +24,18 @@ bool has_textures(const IndexedMesh& mesh) {
 quadrille::TexturedSoup textured_soup(const IndexedMesh& mesh) {
   quadrille::TexturedSoup soup;
   for (const Point& p : mesh.points)
-    soup.points.push_back({p.x(), p.y(), p.z()});
+    soup.shape.points.push_back({p.x(), p.y(), p.z()});
   const bool has_corners = !mesh.corner_textures.empty();
   for (const auto& [u, v] : has_corners ? mesh.corner_textures.values : mesh.texture_coordinates)
-    soup.coordinates.push_back({u, v});
+    soup.texture.points.push_back({u, v});
   const FaceParts& parts = mesh.parts;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const FacePart* const part = parts.of_faces.empty() ? nullptr : &parts.parts[parts.of_faces[t]];
     if (has_corners && part && !part->has_textures)
       continue;
-    const auto& [a, b, c] = mesh.triangles[t];
-    const auto& [p, q, r] =
-        has_corners ? mesh.corner_textures.triples[t] : value_triangles(mesh)[t];
-    soup.triangles.push_back({a, b, c});
-    soup.coordinate_triangles.push_back({p, q, r});
+    soup.shape.triangles.push_back(mesh.triangles[t]);
+    soup.texture.triangles.push_back(has_corners ? mesh.corner_textures.triples[t]
+                                                 : value_triangles(mesh)[t]);
     soup.labels.push_back(part ? part->material : 0);
   }
   return soup;
@@ -73,7 +71,7 @@ std::optional<TextureMeasurement> measure_texture(const IndexedMesh& input,
   if (!has_textures(input) || !has_textures(result))
     return std::nullopt;
   const quadrille::TexturedSoup before = textured_soup(input), after = textured_soup(result);
-  if (before.triangles.empty() || after.triangles.empty())
+  if (before.shape.triangles.empty() || after.shape.triangles.empty())
     return std::nullopt;
   return TextureMeasurement{area(result), quadrille::texture_deviation(after, before)};
 }

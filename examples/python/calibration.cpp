@@ -21,11 +21,12 @@ SoupOptions times(SoupOptions options, double factor) {
 } // namespace
 
 SoupResult calibrated_soup(const SoupView& soup, const SoupOptions& options) {
-  const internal::CheckedSurface input = internal::checked_surface(soup.points, soup.triangles);
-  const double distance =
-      internal::distance_of(options.error ? HausdorffLimit{*options.error}
-                                          : HausdorffLimit::relative(*options.relative_error),
-                            input);
+  const auto surface_of = [](const auto& of) {
+    return internal::checked_surface("quadrille::calibrated", of.points, of.triangles);
+  };
+  const TriangleSoup<> input = surface_of(soup);
+  const HausdorffLimit limit = options.error ? HausdorffLimit{*options.error}
+                                             : HausdorffLimit::relative(*options.relative_error);
   bool is_cancelled = false;
   const auto run = [&](double factor) {
     if (is_cancelled)
@@ -34,11 +35,8 @@ SoupResult calibrated_soup(const SoupView& soup, const SoupOptions& options) {
     is_cancelled = result.report.stop == StopReason::cancelled;
     return result;
   };
-  return internal::calibrate(
-      distance, Calibration{}, run, [&](const SoupResult& coarse, double error) {
-        return internal::proved_distance(
-            input, internal::checked_surface(coarse.points, coarse.triangles), distance, error);
-      });
+  return internal::calibrate(input, internal::distance_of(limit, input), Calibration{}, run,
+                             surface_of);
 }
 
 } // namespace quadrille_examples

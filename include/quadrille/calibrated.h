@@ -15,6 +15,7 @@
 #include <quadrille/report.h>
 #include <quadrille/simplified.h>
 #include <quadrille/stop.h>
+#include <quadrille/triangle_soup.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,12 +62,12 @@ namespace internal {
 
 /// If both surfaces are proved to be within a distance of each other, a bound of it that is at most
 /// `error` too large; else infinity. Samples refuse what is clearly beyond.
-inline double proved_distance(const CheckedSurface& a, const CheckedSurface& b, double distance,
+inline double proved_distance(const SurfaceView& a, const SurfaceView& b, double distance,
                               double error) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (b.faces.empty() ||
-      surface_distance(a.points, a.faces, b.points, b.faces, {.samples = 20'000}).hausdorff >
-          distance)
+  if (b.triangles.empty() ||
+      surface_distance(a.points, a.triangles, b.points, b.triangles, {.samples = 20'000})
+              .hausdorff > distance)
     return infinity;
   CheckProgress progress({}, 1);
   const CheckedDistance apart(a, {}, b, progress);
@@ -75,10 +76,11 @@ inline double proved_distance(const CheckedSurface& a, const CheckedSurface& b, 
   return bound <= distance ? bound : infinity;
 }
 
-/// The coarsest of what run(factor) makes within multiples of a limit, a report and a factor among
-/// it, of which bound_of(it, error) proves that it is within the limit itself.
-template <class Run, class BoundOf>
-auto calibrate(double distance, const Calibration& calibration, Run run, BoundOf bound_of) {
+/// The coarsest of what run(factor) makes of the input within multiples of a limit, a report and a
+/// factor among it, of which measuring proves that surface_of(it) is within the limit itself.
+template <class Run, class SurfaceOf>
+auto calibrate(const SurfaceView& input, double distance, const Calibration& calibration, Run run,
+               SurfaceOf surface_of) {
   auto best = run(1.0);
   if (!(distance > 0) || best.report.stop != StopReason::target_met)
     return best;
@@ -86,7 +88,8 @@ auto calibrate(double distance, const Calibration& calibration, Run run, BoundOf
     auto next = run(factor);
     if (next.report.faces_after >= best.report.faces_after)
       return false;
-    const double bound = bound_of(next, calibration.error * distance);
+    const double bound =
+        proved_distance(input, surface_of(next), distance, calibration.error * distance);
     if (!(bound <= distance))
       return false;
     next.report.distance_bound = next.report.hausdorff_bound = bound;
@@ -106,8 +109,8 @@ auto calibrate(double distance, const Calibration& calibration, Run run, BoundOf
 }
 
 /// The distance of a limit, of a surface.
-inline double distance_of(const HausdorffLimit& limit, const CheckedSurface& surface) {
-  return limit.distance(surface.faces.empty() ? 0 : diagonal(surface.box()));
+inline double distance_of(const HausdorffLimit& limit, const SurfaceView& surface) {
+  return limit.distance(surface.triangles.empty() ? 0 : diagonal(box_of(surface)));
 }
 
 } // namespace internal
@@ -134,19 +137,18 @@ requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
                                                                const Arguments&... arguments) {
   limit.validate();
   calibration.validate();
-  const internal::CheckedSurface input = internal::checked_surface(mesh);
-  const double distance = internal::distance_of(limit, input);
+  const auto surface_of = [](const Mesh& of) {
+    return internal::checked_surface("quadrille::calibrated", of);
+  };
+  const TriangleSoup<> input = surface_of(mesh);
   return internal::calibrate(
-      distance, calibration,
+      input, internal::distance_of(limit, input), calibration,
       [&](double factor) {
         auto [coarse, report] =
             simplified<Cost, Placement>(mesh, limit.times(factor), arguments...);
         return Calibrated<Mesh>{std::move(coarse), report, factor};
       },
-      [&](const Calibrated<Mesh>& coarse, double error) {
-        return internal::proved_distance(input, internal::checked_surface(coarse.mesh), distance,
-                                         error);
-      });
+      [&](const Calibrated<Mesh>& coarse) { return surface_of(coarse.mesh); });
 }
 
 /// The same with the usual calibration.
@@ -161,31 +163,30 @@ requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
 /// each run: pass none.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
-requires internal::MeasurableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
 calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit,
            const Calibration& calibration, const Arguments&... arguments) {
   limit.validate();
   calibration.validate();
-  const internal::CheckedSurface input = internal::checked_surface(points, triangles);
-  const double distance = internal::distance_of(limit, input);
+  const auto surface_of = [](const Points& of_points, const Triangles& of_triangles) {
+    return internal::checked_surface("quadrille::calibrated", of_points, of_triangles);
+  };
+  const TriangleSoup<> input = surface_of(points, triangles);
   using Coarse = CalibratedSoup<Points, Triangles>;
   return internal::calibrate(
-      distance, calibration,
+      input, internal::distance_of(limit, input), calibration,
       [&](double factor) {
         auto [p, t, report] =
             simplified<Cost, Placement>(points, triangles, limit.times(factor), arguments...);
         return Coarse{std::move(p), std::move(t), report, factor};
       },
-      [&](const Coarse& coarse, double error) {
-        return internal::proved_distance(
-            input, internal::checked_surface(coarse.points, coarse.triangles), distance, error);
-      });
+      [&](const Coarse& coarse) { return surface_of(coarse.points, coarse.triangles); });
 }
 
 /// The same with the usual calibration.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles>
-requires internal::MeasurableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
+requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
 calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limit) {
   return calibrated<Cost, Placement>(points, triangles, limit, Calibration{});
 }

@@ -166,8 +166,8 @@ using DistanceMesh = CGAL::Surface_mesh<DistancePoint>;
 
 /// The box of the vertices that faces use. Throws where the mesh cannot be measured.
 template <class Mesh>
-CGAL::Bbox_3 distance_box(const Mesh& mesh) {
-  return bounding_box(distance_surface(mesh).vertices);
+CGAL::Bbox_3 measured_box(const char* caller, const Mesh& mesh) {
+  return bounding_box(measured_surface(caller, mesh).vertices);
 }
 
 template <class Mesh>
@@ -178,20 +178,6 @@ DistanceMesh distance_mesh(const Mesh& mesh, const DistanceFrame& frame) {
     copy.point(v) = frame.to(copy.point(v));
   return copy;
 }
-
-/// A mesh whose faces can be listed and walked around.
-template <class Mesh>
-concept MeasurableMesh = requires(const Mesh& mesh) {
-  vertices(mesh);
-  halfedges(mesh);
-  faces(mesh);
-};
-
-/// The two halves of a polygon soup: points, and triples of indices into them.
-template <class Points, class Triangles>
-concept MeasurableSoup =
-    std::ranges::random_access_range<const Points> && std::ranges::input_range<const Triangles> &&
-    std::ranges::input_range<std::ranges::range_reference_t<const Triangles>>;
 
 } // namespace internal
 
@@ -207,31 +193,33 @@ concept MeasurableSoup =
 /// mesh types may differ. Isolated vertices do not count.
 ///
 /// Complexity: O((n + s) log n) for n faces and s samples.
-/// Throws std::invalid_argument when a mesh has no face, a face that is no triangle, or a
-/// coordinate that is not finite.
+/// Throws std::invalid_argument when a mesh has no face, a face that is no triangle, or a vertex
+/// that is not finite, with its number.
 ///
 /// The unit of the coordinates does not matter, as far as doubles hold them: what is measured is a
 /// copy of both surfaces, scaled by a power of two.
-template <internal::MeasurableMesh MeshA, internal::MeasurableMesh MeshB>
+template <internal::ReadableGraph MeshA, internal::ReadableGraph MeshB>
 SurfaceDistance surface_distance(const MeshA& a, const MeshB& b,
                                  const DistanceSampling& sampling = {}) {
-  return internal::distance_between(internal::distance_surface(a), internal::distance_surface(b),
-                                    sampling);
+  return internal::distance_between(
+      internal::measured_surface("quadrille::surface_distance: surface a", a),
+      internal::measured_surface("quadrille::surface_distance: surface b", b), sampling);
 }
 
 /// The sampled distance between two polygon soups, which may be non-manifold.
 ///
-/// Points are anything with x(), y() and z(), or three numbers by index, in a random access range;
-/// triangles are ranges of three indices. Otherwise as for meshes, and std::out_of_range when an
-/// index names no point.
+/// Points are anything with x(), y() and z(), or three numbers by index, in a range;
+/// triangles are random access ranges of three indices. Otherwise as for meshes;
+/// std::invalid_argument also when an index names no point.
 template <class PointsA, class TrianglesA, class PointsB, class TrianglesB>
-requires internal::MeasurableSoup<PointsA, TrianglesA> &&
-    internal::MeasurableSoup<PointsB, TrianglesB>
-        SurfaceDistance surface_distance(const PointsA& points_a, const TrianglesA& triangles_a,
-                                         const PointsB& points_b, const TrianglesB& triangles_b,
-                                         const DistanceSampling& sampling = {}) {
-  return internal::distance_between(internal::distance_surface(points_a, triangles_a),
-                                    internal::distance_surface(points_b, triangles_b), sampling);
+requires internal::ReadableSoup<PointsA, TrianglesA> && internal::ReadableSoup<PointsB, TrianglesB>
+    SurfaceDistance surface_distance(const PointsA& points_a, const TrianglesA& triangles_a,
+                                     const PointsB& points_b, const TrianglesB& triangles_b,
+                                     const DistanceSampling& sampling = {}) {
+  return internal::distance_between(
+      internal::measured_surface("quadrille::surface_distance: surface a", points_a, triangles_a),
+      internal::measured_surface("quadrille::surface_distance: surface b", points_b, triangles_b),
+      sampling);
 }
 
 /// The Hausdorff distance between two triangle meshes, the larger of both directions, in the unit
@@ -246,11 +234,12 @@ requires internal::MeasurableSoup<PointsA, TrianglesA> &&
 ///
 /// Mesh types, the scaled copies, and what is thrown, are as for surface_distance();
 /// std::invalid_argument also when `error` is not positive.
-template <internal::MeasurableMesh MeshA, internal::MeasurableMesh MeshB>
+template <internal::ReadableGraph MeshA, internal::ReadableGraph MeshB>
 double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
   if (!(error > 0))
-    throw std::invalid_argument("quadrille: the error of bounded_hausdorff() must be positive");
-  const CGAL::Bbox_3 box = internal::distance_box(a) + internal::distance_box(b);
+    throw std::invalid_argument("quadrille::bounded_hausdorff: the error must be positive");
+  const CGAL::Bbox_3 box = internal::measured_box("quadrille::bounded_hausdorff: surface a", a) +
+                           internal::measured_box("quadrille::bounded_hausdorff: surface b", b);
   const double farthest = internal::diagonal(box);
   if (farthest == 0)
     return 0; // all is one point, which CGAL does not measure
@@ -266,22 +255,27 @@ double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
 
 /// The length of the diagonal of the axis-parallel box around the vertices of a mesh; 0 when there
 /// are none. Vertices that no edge has belong to no surface, and do not count.
-template <internal::MeasurableMesh Mesh>
+template <internal::ReadableGraph Mesh>
 double bounding_box_diagonal(const Mesh& mesh) {
   const auto position = get(CGAL::vertex_point, mesh);
   std::vector<internal::DistancePoint> points;
-  for (const auto v : vertices(mesh))
+  std::size_t number = 0;
+  for (const auto v : vertices(mesh)) {
     if (halfedge(v, mesh) != boost::graph_traits<Mesh>::null_halfedge())
-      points.push_back(internal::to_distance_point(get(position, v)));
+      points.push_back(internal::distance_point(
+          internal::read_point("quadrille::bounding_box_diagonal", get(position, v), number)));
+    ++number;
+  }
   return points.empty() ? 0 : internal::diagonal(internal::bounding_box(points));
 }
 
 /// The same for points, all of which count.
 template <std::ranges::input_range Points>
-requires(!internal::MeasurableMesh<Points>) double bounding_box_diagonal(const Points& points) {
+requires(!internal::ReadableGraph<Points>) double bounding_box_diagonal(const Points& points) {
   std::vector<internal::DistancePoint> copies;
   for (const auto& p : points)
-    copies.push_back(internal::to_distance_point(p));
+    copies.push_back(internal::distance_point(
+        internal::read_point("quadrille::bounding_box_diagonal", p, copies.size())));
   return copies.empty() ? 0 : internal::diagonal(internal::bounding_box(copies));
 }
 

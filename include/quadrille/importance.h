@@ -1,16 +1,12 @@
 #ifndef QUADRILLE_IMPORTANCE_H
 #define QUADRILLE_IMPORTANCE_H
 
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/read_indices.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/base/text.h>
-#include <quadrille/internal/call/meshes.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/scale.h>
+#include <quadrille/triangle_soup.h>
 #include <quadrille/vector.h>
-
-#include <CGAL/boost/graph/properties.h>
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -49,72 +45,19 @@ struct ViewImportance {
 
 namespace internal {
 
-/// A surface of which importances are told, in the engine's unit.
-struct WeighedSurface {
-  const char* function; ///< whose name errors begin with
-  std::vector<Vector<3>> positions;
-  std::vector<std::array<std::size_t, 3>> triangles;
-
-  void add_point(const Vector<3>& p) {
-    if (!is_finite(p))
-      throw std::invalid_argument(function + (": vertex " + std::to_string(positions.size())) +
-                                  " is not finite");
-    positions.push_back(p);
-  }
-  template <class Face>
-  void add_face(const Face& face) {
-    const auto [a, b, c] = read_indices(face, triangles.size(), positions.size(), {function},
-                                        [] { return " is not a triangle"; });
-    triangles.push_back({a, b, c});
-  }
-
-  /// Brings it to the engine's unit, so that nothing over- or underflows.
-  Scale<3> rescale() {
-    const Scale<3> scale(Box<3>(positions), true);
-    for (Vector<3>& p : positions)
-      p = scale.position_from_mesh(p);
-    return scale;
-  }
-};
-
-template <class Mesh>
-WeighedSurface weighed_mesh(const char* function, const Mesh& mesh) {
-  WeighedSurface surface{function, {}, {}};
-  const auto points = get(CGAL::vertex_point, mesh);
-  const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  for (const auto v : vertices(mesh)) {
-    put(number, v, surface.positions.size());
-    surface.add_point(position_of(get(points, v)));
-  }
-  std::vector<std::size_t> corners;
-  for (const auto f : faces(mesh)) {
-    corners.clear();
-    const auto first = halfedge(f, mesh);
-    auto h = first;
-    do
-      corners.push_back(get(number, target(h, mesh)));
-    while ((h = next(h, mesh)) != first);
-    surface.add_face(corners);
-  }
-  return surface;
-}
-
-template <class Points, class Triangles>
-WeighedSurface weighed_soup(const char* function, const Points& points,
-                            const Triangles& triangles) {
-  WeighedSurface surface{function, {}, {}};
-  for (const auto& p : points)
-    surface.add_point(position_of(p));
-  for (const auto& triangle : triangles)
-    surface.add_face(triangle);
-  return surface;
+/// Brings a surface to the engine's unit, so that nothing over- or underflows.
+inline Scale<3> rescale(TriangleSoup<>& surface) {
+  const Scale<3> scale(Box<3>(surface.points), true);
+  for (Vector<3>& p : surface.points)
+    p = scale.position_from_mesh(p);
+  return scale;
 }
 
 /// The vertex normals of a surface: of unit length, or 0 where no face has an area.
-inline std::vector<Vector<3>> vertex_normals(const WeighedSurface& surface) {
-  std::vector<Vector<3>> normals(surface.positions.size());
+inline std::vector<Vector<3>> vertex_normals(const SurfaceView& surface) {
+  std::vector<Vector<3>> normals(surface.points.size());
   for (const auto& [a, b, c] : surface.triangles) {
-    const auto& at = surface.positions;
+    const auto& at = surface.points;
     const Vector<3> normal = normal_vector(at[a], at[b], at[c]);
     for (std::size_t v : {a, b, c})
       normals[v] += normal;
@@ -140,11 +83,11 @@ inline double dirichlet_energy(const std::array<Vector<3>, 3>& at,
 
 /// The root of the sum of the squares of both principal curvatures, at each vertex: by how much
 /// vertex normals turn over its faces, in the mean of their areas.
-inline std::vector<double> curvatures(const WeighedSurface& surface) {
+inline std::vector<double> curvatures(const SurfaceView& surface) {
   const std::vector<Vector<3>> normals = vertex_normals(surface);
-  std::vector<double> curvature(surface.positions.size()), area(surface.positions.size());
+  std::vector<double> curvature(surface.points.size()), area(surface.points.size());
   for (const auto& [a, b, c] : surface.triangles) {
-    const std::array at{surface.positions[a], surface.positions[b], surface.positions[c]};
+    const std::array at{surface.points[a], surface.points[b], surface.points[c]};
     const double doubled = std::sqrt(squared_length(normal_vector(at[0], at[1], at[2])));
     if (!(doubled > 0))
       continue;
@@ -160,10 +103,10 @@ inline std::vector<double> curvatures(const WeighedSurface& surface) {
 }
 
 /// The mean over the area of a surface of what its vertices have.
-inline double mean_over(const WeighedSurface& surface, const std::vector<double>& values) {
+inline double mean_over(const SurfaceView& surface, const std::vector<double>& values) {
   double sum = 0, area = 0;
   for (const auto& [a, b, c] : surface.triangles) {
-    const auto& at = surface.positions;
+    const auto& at = surface.points;
     const double of_face = std::sqrt(squared_length(normal_vector(at[a], at[b], at[c])));
     sum += of_face * (values[a] + values[b] + values[c]) / 3;
     area += of_face;
@@ -177,9 +120,10 @@ inline void require_factor(const char* function, const char* name, double factor
                                 " is negative or not finite");
 }
 
-inline std::vector<double> importances(WeighedSurface surface, const CurvatureImportance& how) {
-  require_factor(surface.function, "strength", how.strength);
-  surface.rescale();
+inline std::vector<double> importances(const char* function, TriangleSoup<> surface,
+                                       const CurvatureImportance& how) {
+  require_factor(function, "strength", how.strength);
+  rescale(surface);
   std::vector<double> importances = curvatures(surface);
   constexpr double flat = 0x1p-50; // a turn of 2⁻³⁰ across a surface of the size 2²⁰: rounding
   const double mean = mean_over(surface, importances);
@@ -189,11 +133,11 @@ inline std::vector<double> importances(WeighedSurface surface, const CurvatureIm
 }
 
 /// How much each vertex counts for how it is turned to an eye, in the unit of the surface.
-inline std::vector<double> facing(const WeighedSurface& surface, const Vector<3>& eye,
+inline std::vector<double> facing(const SurfaceView& surface, const Vector<3>& eye,
                                   const ViewImportance& how) {
-  std::vector<std::array<bool, 2>> has_face(surface.positions.size()); // away, towards the eye
+  std::vector<std::array<bool, 2>> has_face(surface.points.size()); // away, towards the eye
   for (const auto& [a, b, c] : surface.triangles) {
-    const auto& at = surface.positions;
+    const auto& at = surface.points;
     const Vector<3> normal = normal_vector(at[a], at[b], at[c]);
     if (!(squared_length(normal) > 0))
       continue;
@@ -206,21 +150,22 @@ inline std::vector<double> facing(const WeighedSurface& surface, const Vector<3>
   return factors;
 }
 
-inline std::vector<double> importances(WeighedSurface surface, const ViewImportance& how) {
+inline std::vector<double> importances(const char* function, TriangleSoup<> surface,
+                                       const ViewImportance& how) {
   constexpr double nearest = 1e-2; // of the way to the farthest vertex
-  require_factor(surface.function, "turned_away", how.turned_away);
-  require_factor(surface.function, "outline", how.outline);
+  require_factor(function, "turned_away", how.turned_away);
+  require_factor(function, "outline", how.outline);
   if (!is_finite(how.eye))
-    throw std::invalid_argument(std::string(surface.function) + ": the eye is not finite");
-  const Scale<3> scale = surface.rescale();
+    throw std::invalid_argument(std::string(function) + ": the eye is not finite");
+  const Scale<3> scale = rescale(surface);
   const Vector<3> eye = scale.position_from_mesh(how.eye);
   std::vector<double> importances = facing(surface, eye, how);
   const auto distance = [&](const Vector<3>& p) { return std::sqrt(squared_distance(p, eye)); };
   double farthest = 0;
-  for (const Vector<3>& p : surface.positions)
+  for (const Vector<3>& p : surface.points)
     farthest = (std::max)(farthest, distance(p));
   for (std::size_t v = 0; v < importances.size() && farthest > 0; ++v)
-    importances[v] *= std::pow((std::max)(distance(surface.positions[v]) / farthest, nearest), -3);
+    importances[v] *= std::pow((std::max)(distance(surface.points[v]) / farthest, nearest), -3);
   return importances;
 }
 
@@ -249,17 +194,17 @@ void put_importances(const Mesh& mesh, Map map, const std::vector<double>& impor
 template <std::ranges::input_range Points, std::ranges::input_range Triangles>
 std::vector<double> curvature_importance(const Points& points, const Triangles& triangles,
                                          const CurvatureImportance& how = {}) {
-  return internal::importances(
-      internal::weighed_soup("quadrille::curvature_importance", points, triangles), how);
+  constexpr const char* function = "quadrille::curvature_importance";
+  return internal::importances(function, internal::read_surface(function, points, triangles), how);
 }
 
 /// The same of a mesh, a model of CGAL's FaceListGraph, written to a property map of its vertices.
 template <class Mesh, class Map>
 requires internal::ReadableGraph<Mesh>
 void curvature_importance(const Mesh& mesh, Map map, const CurvatureImportance& how = {}) {
+  constexpr const char* function = "quadrille::curvature_importance";
   internal::put_importances(
-      mesh, map,
-      internal::importances(internal::weighed_mesh("quadrille::curvature_importance", mesh), how));
+      mesh, map, internal::importances(function, internal::read_surface(function, mesh), how));
 }
 
 /// Importances for vertex_importance_map for a surface that is seen from a place: in proportion to
@@ -274,17 +219,17 @@ void curvature_importance(const Mesh& mesh, Map map, const CurvatureImportance& 
 template <std::ranges::input_range Points, std::ranges::input_range Triangles>
 std::vector<double> view_importance(const Points& points, const Triangles& triangles,
                                     const ViewImportance& how) {
-  return internal::importances(
-      internal::weighed_soup("quadrille::view_importance", points, triangles), how);
+  constexpr const char* function = "quadrille::view_importance";
+  return internal::importances(function, internal::read_surface(function, points, triangles), how);
 }
 
 /// The same of a mesh, a model of CGAL's FaceListGraph, written to a property map of its vertices.
 template <class Mesh, class Map>
 requires internal::ReadableGraph<Mesh>
 void view_importance(const Mesh& mesh, Map map, const ViewImportance& how) {
+  constexpr const char* function = "quadrille::view_importance";
   internal::put_importances(
-      mesh, map,
-      internal::importances(internal::weighed_mesh("quadrille::view_importance", mesh), how));
+      mesh, map, internal::importances(function, internal::read_surface(function, mesh), how));
 }
 
 } // namespace quadrille

@@ -1,22 +1,12 @@
 #ifndef QUADRILLE_PAIRS_H
 #define QUADRILLE_PAIRS_H
 
-#include <quadrille/vector.h>
+#include <quadrille/triangle_soup.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <span>
 
 namespace quadrille {
-
-/// What a pair policy sees: the surface as it is at the beginning, in the mesh's units.
-struct SurfaceView {
-  std::span<const Vector<3>> points;                       ///< by the indices that emit takes
-  std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
-  std::span<const std::uint32_t> constrained = {}; ///< points that stay where they are, ascending
-};
 
 /// What a pair policy calls for each pair (i, j) of indices of points that it selects, in any
 /// order.

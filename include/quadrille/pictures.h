@@ -2,14 +2,14 @@
 #define QUADRILLE_PICTURES_H
 
 #include <quadrille/concepts.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/read_indices.h>
-#include <quadrille/internal/call/meshes.h>
-#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/pairs/pair_selection.h>
-#include <quadrille/pairs.h>
+#include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
+#include <quadrille/triangle_soup.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -44,13 +44,6 @@ struct EllipsoidShape {
   double longest;
   std::size_t meridians = 16; ///< of the mesh of an ellipsoid, at least 3
   std::size_t parallels = 8;  ///< at least 1; it has 2 · meridians · parallels faces
-};
-
-/// A polygon soup of triangles.
-template <class Point>
-struct TriangleSoup {
-  std::vector<Point> points;                           ///< where they are
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
 };
 
 /// A pair of vertices, to be drawn as a segment.
@@ -154,15 +147,8 @@ private:
   std::size_t count_ = 0;
 };
 
-inline void add_position(const Vector<3>& position, SurfaceInput<3>& surface) {
-  if (!is_finite(position))
-    throw std::invalid_argument("quadrille::pair_segments: vertex " +
-                                std::to_string(surface.positions.size()) + " is not finite");
-  surface.positions.push_back(position);
-}
-
 /// The edges of a surface, each once with the lower index first, in order.
-inline std::vector<std::array<Index, 2>> edges_of(const SurfaceInput<3>& surface) {
+inline std::vector<std::array<Index, 2>> edges_of(const SurfaceView& surface) {
   std::vector<std::array<Index, 2>> edges;
   for (const auto& t : surface.triangles)
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) // else it is no face
@@ -174,11 +160,11 @@ inline std::vector<std::array<Index, 2>> edges_of(const SurfaceInput<3>& surface
 }
 
 template <class Point, PairPolicy Pairs>
-std::vector<PairSegment<Point>> pair_segments(const SurfaceInput<3>& surface, const Pairs& policy) {
+std::vector<PairSegment<Point>> pair_segments(const SurfaceView& surface, const Pairs& policy) {
   if constexpr (requires { policy.validate(); })
     policy.validate();
   const auto edges = edges_of(surface);
-  std::vector<bool> has_faces(surface.positions.size(), false);
+  std::vector<bool> has_faces(surface.points.size(), false);
   for (const auto& [v, w] : edges)
     has_faces[v] = has_faces[w] = true;
   auto pairs = emitted_pairs(PairSource::of(policy), surface);
@@ -189,7 +175,7 @@ std::vector<PairSegment<Point>> pair_segments(const SurfaceInput<3>& surface, co
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
-  const auto place = [&](Index v) { return point_at<Point>(surface.positions[v]); };
+  const auto place = [&](Index v) { return point_at<Point>(surface.points[v]); };
   std::vector<PairSegment<Point>> segments;
   segments.reserve(pairs.size());
   for (const auto& pair : pairs)
@@ -253,23 +239,9 @@ requires(!internal::ReadableGraph<Points>) auto quadric_ellipsoids(const Points&
 template <class Mesh, PairPolicy Pairs>
 requires internal::ReadableGraph<Mesh>
 auto pair_segments(const Mesh& mesh, const Pairs& pairs) {
-  const auto points = get(CGAL::vertex_point, mesh);
-  using Point = typename boost::property_traits<decltype(points)>::value_type;
-  const auto number = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), mesh);
-  internal::SurfaceInput<3> surface;
-  for (const auto v : vertices(mesh)) {
-    put(number, v, static_cast<std::uint32_t>(surface.positions.size()));
-    internal::add_position(internal::position_of(get(points, v)), surface);
-  }
-  for (const auto f : faces(mesh)) {
-    const auto a = halfedge(f, mesh), b = next(a, mesh), c = next(b, mesh);
-    if (next(c, mesh) != a)
-      throw std::invalid_argument("quadrille::pair_segments: face " +
-                                  std::to_string(surface.triangles.size()) + " is not a triangle");
-    surface.triangles.push_back(
-        {get(number, target(a, mesh)), get(number, target(b, mesh)), get(number, target(c, mesh))});
-  }
-  return internal::pair_segments<Point>(surface, pairs);
+  using Points = typename boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
+  return internal::pair_segments<typename boost::property_traits<Points>::value_type>(
+      internal::read_surface("quadrille::pair_segments", mesh), pairs);
 }
 
 /// The same for a soup. Throws std::invalid_argument also for a triangle that names a point which
@@ -277,14 +249,8 @@ auto pair_segments(const Mesh& mesh, const Pairs& pairs) {
 template <std::ranges::random_access_range Points, std::ranges::input_range Triangles,
           PairPolicy Pairs>
 auto pair_segments(const Points& points, const Triangles& triangles, const Pairs& pairs) {
-  internal::SurfaceInput<3> surface;
-  for (const auto& p : points)
-    internal::add_position(internal::position_of(p), surface);
-  for (const auto& triangle : triangles)
-    surface.triangles.push_back(
-        internal::read_indices(triangle, surface.triangles.size(), surface.positions.size(),
-                               {"quadrille::pair_segments"}, [] { return " is not a triangle"; }));
-  return internal::pair_segments<std::ranges::range_value_t<Points>>(surface, pairs);
+  return internal::pair_segments<std::ranges::range_value_t<Points>>(
+      internal::read_surface("quadrille::pair_segments", points, triangles), pairs);
 }
 
 } // namespace quadrille

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_TEXTURE_DEVIATION_H
 #define QUADRILLE_TEXTURE_DEVIATION_H
 
+#include <quadrille/triangle_soup.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -21,13 +22,10 @@
 
 namespace quadrille {
 
-/// Triangles with texture coordinates at their corners, as in an OBJ file: three indices of points
-/// and three of coordinates each.
+/// A surface with texture coordinates at the corners of its triangles, as in an OBJ file.
 struct TexturedSoup {
-  std::vector<Vector<3>> points;                                ///< in space
-  std::vector<std::array<std::size_t, 3>> triangles;            ///< indices of points
-  std::vector<Vector<2>> coordinates;                           ///< in the texture
-  std::vector<std::array<std::size_t, 3>> coordinate_triangles; ///< one for each triangle
+  TriangleSoup<> shape;            ///< in space
+  TriangleSoup<Vector<2>> texture; ///< the triangles of the shape where they lie in the texture
   std::vector<std::size_t> labels; ///< of each triangle, as its material; empty: all the same
 };
 
@@ -44,8 +42,9 @@ namespace internal {
 
 /// A triangle in the plane of the texture.
 inline std::array<Vector<2>, 3> texture_corners(const TexturedSoup& soup, std::size_t triangle) {
-  const auto [a, b, c] = soup.coordinate_triangles[triangle];
-  return {soup.coordinates[a], soup.coordinates[b], soup.coordinates[c]};
+  const auto [a, b, c] = soup.texture.triangles[triangle];
+  const std::vector<Vector<2>>& at = soup.texture.points;
+  return {at[a], at[b], at[c]};
 }
 
 /// The triangles of a texture's plane, found by place.
@@ -55,16 +54,17 @@ public:
     low_.coordinates.fill((std::numeric_limits<double>::max)());
     Vector<2> high;
     high.coordinates.fill(std::numeric_limits<double>::lowest());
-    for (const Vector<2>& q : soup.coordinates)
+    for (const Vector<2>& q : soup.texture.points)
       for (std::size_t i = 0; i < 2; ++i) {
         low_[i] = (std::min)(low_[i], q[i]);
         high[i] = (std::max)(high[i], q[i]);
       }
-    side_ = 1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(soup.triangles.size())));
+    side_ =
+        1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(soup.shape.triangles.size())));
     for (std::size_t i = 0; i < 2; ++i)
       cells_a_unit_[i] = high[i] > low_[i] ? static_cast<double>(side_) / (high[i] - low_[i]) : 0;
     cells_.resize(side_ * side_);
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < soup.shape.triangles.size(); ++t) {
       const auto [a, b, c] = texture_corners(soup_, t);
       for_each_cell({(std::min)({cell(a, 0), cell(b, 0), cell(c, 0)}),
                      (std::max)({cell(a, 0), cell(b, 0), cell(c, 0)})},
@@ -120,14 +120,14 @@ inline void require_textured(const TexturedSoup& soup, const char* which) {
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument(std::string("quadrille::texture_deviation: ") + which + what);
   };
-  if (soup.coordinate_triangles.size() != soup.triangles.size())
+  if (soup.texture.triangles.size() != soup.shape.triangles.size())
     refuse(" has not three coordinates for each triangle");
-  if (!soup.labels.empty() && soup.labels.size() != soup.triangles.size())
+  if (!soup.labels.empty() && soup.labels.size() != soup.shape.triangles.size())
     refuse(" has not a label for each triangle");
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+  for (std::size_t t = 0; t < soup.shape.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      if (soup.triangles[t][i] >= soup.points.size() ||
-          soup.coordinate_triangles[t][i] >= soup.coordinates.size())
+      if (soup.shape.triangles[t][i] >= soup.shape.points.size() ||
+          soup.texture.triangles[t][i] >= soup.texture.points.size())
         refuse(" names a point or a coordinate that is not there, in triangle " +
                std::to_string(t));
 }
@@ -146,8 +146,8 @@ public:
       : surface_(surface), original_(original), grid_(original) {}
 
   double area(std::size_t t) const {
-    const auto [a, b, c] = surface_.triangles[t];
-    const auto& p = surface_.points;
+    const auto [a, b, c] = surface_.shape.triangles[t];
+    const auto& p = surface_.shape.points;
     return std::sqrt(squared_length(cross(p[b] - p[a], p[c] - p[a]))) / 2;
   }
 
@@ -162,10 +162,11 @@ public:
     const auto mix = [&](const auto& x, const auto& y, const auto& z) {
       return (1 - u - v) * x + u * y + v * z;
     };
-    const auto [a, b, c] = surface_.triangles[t];
+    const auto [a, b, c] = surface_.shape.triangles[t];
     const auto [qa, qb, qc] = texture_corners(surface_, t);
-    return nearest(t, mix(surface_.points[a], surface_.points[b], surface_.points[c]),
-                   mix(qa, qb, qc), TextureGrid::double_area(qa, qb, qc));
+    return nearest(
+        t, mix(surface_.shape.points[a], surface_.shape.points[b], surface_.shape.points[c]),
+        mix(qa, qb, qc), TextureGrid::double_area(qa, qb, qc));
   }
 
 private:
@@ -178,7 +179,7 @@ private:
         return;
       Vector<3> place;
       for (std::size_t i = 0; i < 3; ++i)
-        place += weights[i] * original_.points[original_.triangles[face][i]];
+        place += weights[i] * original_.shape.points[original_.shape.triangles[face][i]];
       const double squared = squared_distance(p, place);
       if (squared < found.squared)
         found = {squared, area * orientation < 0};
@@ -211,13 +212,13 @@ inline TextureDeviation texture_deviation(const TexturedSoup& surface, const Tex
   internal::require_textured(original, "the original");
   const internal::TextureSampler sampler(surface, original);
   double all = 0;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  for (std::size_t t = 0; t < surface.shape.triangles.size(); ++t)
     all += sampler.area(t);
 
   std::vector<double> squares; // of those that do not bleed
   std::size_t taken = 0, flipped = 0;
   double passed = 0;
-  for (std::size_t t = 0; all > 0 && t < surface.triangles.size(); ++t) {
+  for (std::size_t t = 0; all > 0 && t < surface.shape.triangles.size(); ++t) {
     passed += sampler.area(t) / all;
     for (; static_cast<double>(taken) < passed * static_cast<double>(samples); ++taken) {
       const internal::NearestInTexture nearest = sampler.nearest(t, taken);
@@ -243,14 +244,13 @@ inline TextureDeviation texture_deviation(const TexturedSoup& surface, const Tex
 
 /// How many edges a surface has with other than two faces, if points at the same place are one: of
 /// a closed surface, how many are torn.
-inline std::size_t count_torn_edges(const std::vector<Vector<3>>& points,
-                                    const std::vector<std::array<std::size_t, 3>>& triangles) {
+inline std::size_t count_torn_edges(const SurfaceView& surface) {
   std::map<std::array<double, 3>, std::size_t> place;
   std::vector<std::size_t> welded;
-  for (const Vector<3>& p : points)
+  for (const Vector<3>& p : surface.points)
     welded.push_back(place.try_emplace({p[0], p[1], p[2]}, place.size()).first->second);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> faces;
-  for (const auto& t : triangles)
+  for (const auto& t : surface.triangles)
     for (std::size_t i = 0; i < 3; ++i)
       ++faces[std::minmax({welded[t[i]], welded[t[(i + 1) % 3]]})];
   return static_cast<std::size_t>(

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Does a result keep what was promised of it? This header measures; it takes no part in
-// simplifying, shares no code with what does, and quadrille/simplify.h never includes it.
+// simplifying, shares no code with what does but how points and triangles are read, and
+// quadrille/simplify.h never includes it.
 //
 // Licence: this file is MIT, but it includes CGAL's Polygon Mesh Processing, box intersection and
 // Surface_mesh, which are GPL-3.0-or-later (or commercial). A program that includes it is bound by
@@ -34,7 +35,7 @@ namespace internal {
 /// What claims say of two surfaces, one after the other.
 class Verification {
 public:
-  Verification(CheckedSurface input, CheckedSurface result)
+  Verification(TriangleSoup<> input, TriangleSoup<> result)
       : input_(std::move(input)), result_(std::move(result)) {}
 
   Verdict operator()(const Claims& claims) {
@@ -66,10 +67,10 @@ private:
   // Nothing can be said of a surface without faces but that the other one has none either.
   bool are_both_there(const Claims& claims) {
     const bool is_any_claimed = stages(claims) > 0 || claims.normal_deviation;
-    if (!is_any_claimed || (!input_.faces.empty() && !result_.faces.empty()))
+    if (!is_any_claimed || (!input_.triangles.empty() && !result_.triangles.empty()))
       return true;
-    add_number("faces, where only one of both surfaces has any", input_.faces.size(),
-               result_.faces.size());
+    add_number("faces, where only one of both surfaces has any", input_.triangles.size(),
+               result_.triangles.size());
     return false;
   }
 
@@ -122,10 +123,8 @@ private:
 
   // Where it is not held, it is so at a face of the result.
   void add(Finding finding, std::size_t face) {
-    if (!finding.is_held) {
-      const auto& p = result_.points[result_.faces[face][0]];
-      finding.place = Vector<3>{{p.x(), p.y(), p.z()}};
-    }
+    if (!finding.is_held)
+      finding.place = result_.points[result_.triangles[face][0]];
     verdict_.findings.push_back(std::move(finding));
   }
 
@@ -134,15 +133,9 @@ private:
                                  static_cast<double>(measured), 0, promised == measured});
   }
 
-  CheckedSurface input_, result_;
+  TriangleSoup<> input_, result_;
   Verdict verdict_;
 };
-
-/// The two halves of a polygon soup: points, and triples of indices into them.
-template <class Points, class Triangles>
-concept CheckableSoup =
-    std::ranges::input_range<const Points> && std::ranges::input_range<const Triangles> &&
-    std::ranges::input_range<std::ranges::range_reference_t<const Triangles>>;
 
 } // namespace internal
 
@@ -175,8 +168,9 @@ concept CheckableSoup =
 template <class MeshA, class MeshB>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, const Claims& claims) {
-  return internal::Verification(internal::checked_surface(input),
-                                internal::checked_surface(result))(claims);
+  return internal::Verification(internal::checked_surface("quadrille::verify: the input", input),
+                                internal::checked_surface("quadrille::verify: the result", result))(
+      claims);
 }
 
 /// The same with maps of the vertices of the input, as named parameters of quadrille::parameters
@@ -193,16 +187,17 @@ requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
 /// The same for polygon soups, which may be non-manifold.
 ///
 /// Points are anything with x(), y() and z(), or three numbers by index, in a range; triangles are
-/// ranges of three indices. Faces whose three indices are not different are left out. Throws
-/// std::out_of_range when an index names no point, otherwise as for meshes.
+/// random access ranges of three indices. Faces whose three indices are not different are left out.
+/// Throws std::invalid_argument also when an index names no point.
 template <class PointsA, class TrianglesA, class PointsB, class TrianglesB>
-requires internal::CheckableSoup<PointsA, TrianglesA> &&
-    internal::CheckableSoup<PointsB, TrianglesB>
-        Verdict verify(const PointsA& input_points, const TrianglesA& input_triangles,
-                       const PointsB& result_points, const TrianglesB& result_triangles,
-                       const Claims& claims) {
-  return internal::Verification(internal::checked_surface(input_points, input_triangles),
-                                internal::checked_surface(result_points, result_triangles))(claims);
+requires internal::ReadableSoup<PointsA, TrianglesA> && internal::ReadableSoup<PointsB, TrianglesB>
+    Verdict verify(const PointsA& input_points, const TrianglesA& input_triangles,
+                   const PointsB& result_points, const TrianglesB& result_triangles,
+                   const Claims& claims) {
+  return internal::Verification(
+      internal::checked_surface("quadrille::verify: the input", input_points, input_triangles),
+      internal::checked_surface("quadrille::verify: the result", result_points, result_triangles))(
+      claims);
 }
 
 } // namespace quadrille

@@ -653,13 +653,11 @@ TEST_CASE("The firmer borders of charts are held, the less the texture bleeds") 
   const Textured surface = with_points(sphere_of_20_charts(3), tilted(sphere_of_20_charts(3).soup));
   const auto as_soup = [](const Textured& textured) {
     TexturedSoup soup;
-    soup.points = textured.soup.points;
-    for (std::size_t t = 0; t < textured.labels.size(); ++t) {
-      const auto [a, b, c] = textured.soup.triangles[t];
-      soup.triangles.push_back({a, b, c});
-      soup.coordinate_triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-      soup.coordinates.insert(soup.coordinates.end(), textured.texture[t].begin(),
-                              textured.texture[t].end());
+    soup.shape = {textured.soup.points, textured.soup.triangles};
+    for (const auto& corners : textured.texture) {
+      const auto first = static_cast<std::uint32_t>(soup.texture.points.size());
+      soup.texture.triangles.push_back({first, first + 1, first + 2});
+      soup.texture.points.insert(soup.texture.points.end(), corners.begin(), corners.end());
     }
     return soup;
   };

@@ -53,17 +53,8 @@ Textured sphere_of_patches(std::size_t count) {
 }
 
 TexturedSoup measured(const Textured& surface) {
-  TexturedSoup soup;
-  for (const Position& p : surface.soup.points)
-    soup.points.push_back(p);
-  for (const Triangle& t : surface.soup.triangles)
-    soup.triangles.push_back({t[0], t[1], t[2]});
   const auto [values, triples] = indexed(surface.texture);
-  for (const TexturePlace& q : values)
-    soup.coordinates.push_back(q);
-  for (const auto& t : triples)
-    soup.coordinate_triangles.push_back({t[0], t[1], t[2]});
-  return soup;
+  return {{surface.soup.points, surface.soup.triangles}, {values, triples}, {}};
 }
 
 /// Of the edges of a closed surface, in which part the faces differ at both ends.

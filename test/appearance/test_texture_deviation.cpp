@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
@@ -21,13 +22,9 @@ using namespace quadrille;
 // A grid in the plane z = 0, whose texture is a map of its points.
 template <class Map>
 TexturedSoup textured(const test::Soup& soup, Map map) {
-  TexturedSoup result;
-  result.points = soup.points;
-  for (const auto& t : soup.triangles)
-    result.triangles.push_back({t[0], t[1], t[2]});
-  result.coordinate_triangles = result.triangles;
+  TexturedSoup result{{soup.points, soup.triangles}, {{}, soup.triangles}, {}};
   for (const auto& p : soup.points)
-    result.coordinates.push_back(map(p));
+    result.texture.points.push_back(map(p));
   return result;
 }
 
@@ -82,8 +79,8 @@ TEST_CASE("A surface that is turned over in its texture is seen") {
 
 TEST_CASE("Where labels differ, a place of the texture is another one") {
   TexturedSoup original = textured(sheet, flat), surface = original;
-  original.labels.assign(original.triangles.size(), 1);
-  surface.labels.assign(surface.triangles.size(), 2);
+  original.labels.assign(sheet.triangles.size(), 1);
+  surface.labels.assign(sheet.triangles.size(), 2);
   CHECK(texture_deviation(surface, original, 1000).bleeding == 1);
 }
 
@@ -100,20 +97,20 @@ TEST_CASE("Of several places with the same texture the nearest counts") {
 
 TEST_CASE("Torn edges are those of other than two faces, after welding") {
   const test::Soup sphere = test::sphere(2);
-  std::vector<Vector<3>> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  TriangleSoup<> torn;
   for (const auto& t : sphere.triangles) { // no two faces share a vertex
-    triangles.push_back({points.size(), points.size() + 1, points.size() + 2});
+    const auto first = static_cast<std::uint32_t>(torn.points.size());
+    torn.triangles.push_back({first, first + 1, first + 2});
     for (std::size_t i = 0; i < 3; ++i)
-      points.push_back(sphere.points[t[i]]);
+      torn.points.push_back(sphere.points[t[i]]);
   }
-  CHECK(count_torn_edges(points, triangles) == 0);
-  points[0][0] += 1e-9;
-  CHECK(count_torn_edges(points, triangles) == 4); // two of its face, two of the other faces there
+  CHECK(count_torn_edges(torn) == 0);
+  torn.points[0][0] += 1e-9;
+  CHECK(count_torn_edges(torn) == 4); // two of its face, two of the other faces there
 
-  const std::vector<Vector<3>> book{
-      {{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, {{-1, 1, 0}}, {{-1, -1, 0}}};
-  CHECK(count_torn_edges(book, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}) == 7); // with its spine
+  const TriangleSoup<> book{{{{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, {{-1, 1, 0}}, {{-1, -1, 0}}},
+                            {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
+  CHECK(count_torn_edges(book) == 7); // with its spine
 }
 
 TEST_CASE("A simplified terrain keeps its texture by TextureQuadric, and not by Quadric") {
@@ -138,16 +135,12 @@ TEST_CASE("A simplified terrain keeps its texture by TextureQuadric, and not by 
                                CGAL::parameters::vertex_texture_map(map));
     else
       simplify(points, triangles, FaceRatio{0.05}, EndpointPlacement{});
-    TexturedSoup result;
+    TexturedSoup result{{{}, triangles}, {{}, triangles}, {}};
     for (std::size_t i = 0; i < points.size(); ++i) {
-      result.points.push_back({{points[i][0], points[i][1], points[i][2]}});
-      const Vector<3>& p = result.points.back();
-      result.coordinates.push_back(by_texture ? Vector<2>{{coordinates[i][0], coordinates[i][1]}}
-                                              : wavy(p)); // ends keep their texture
+      const Vector<3>& p = result.shape.points.emplace_back(Vector<3>{points[i]});
+      result.texture.points.push_back(by_texture ? Vector<2>{coordinates[i]}
+                                                 : wavy(p)); // ends keep their texture
     }
-    for (const auto& t : triangles)
-      result.triangles.push_back({t[0], t[1], t[2]});
-    result.coordinate_triangles = result.triangles;
     return texture_deviation(result, original, 50'000).rms;
   };
   CHECK(rms_by(true) < 0.5 * rms_by(false));
@@ -156,9 +149,9 @@ TEST_CASE("A simplified terrain keeps its texture by TextureQuadric, and not by 
 TEST_CASE("Soups without coordinates for all corners are refused") {
   TexturedSoup soup = textured(sheet, flat);
   const TexturedSoup original = soup;
-  soup.coordinate_triangles.pop_back();
+  soup.texture.triangles.pop_back();
   CHECK_THROWS_AS(texture_deviation(soup, original), std::invalid_argument);
   soup = original;
-  soup.coordinate_triangles[3][1] = soup.coordinates.size();
+  soup.texture.triangles[3][1] = static_cast<std::uint32_t>(soup.texture.points.size());
   CHECK_THROWS_AS(texture_deviation(soup, original), std::invalid_argument);
 }

@@ -202,15 +202,14 @@ bool do_intersect(const internal::FaceCorners& a, const internal::FaceCorners& b
 }
 
 /// Two faces as verify() sees them.
-internal::CheckedSurface checked_pair(const internal::FaceCorners& a,
-                                      const internal::FaceCorners& b) {
-  internal::CheckedSurface surface;
+TriangleSoup<> checked_pair(const internal::FaceCorners& a, const internal::FaceCorners& b) {
+  TriangleSoup<> surface;
   surface.points.resize(6);
   for (const internal::FaceCorners& face : {a, b})
     for (std::size_t i = 0; i < 3; ++i)
-      surface.points[face.vertices[i]] = point(face.points[i]);
-  surface.faces = {{a.vertices[0], a.vertices[1], a.vertices[2]},
-                   {b.vertices[0], b.vertices[1], b.vertices[2]}};
+      surface.points[face.vertices[i]] = face.points[i];
+  surface.triangles = {{a.vertices[0], a.vertices[1], a.vertices[2]},
+                       {b.vertices[0], b.vertices[1], b.vertices[2]}};
   return surface;
 }
 

@@ -8,6 +8,7 @@
 #include <quadrille/internal/adapter/vertex_numbers.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/vector.h>
@@ -15,10 +16,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <array>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -36,7 +34,6 @@ public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
-  using Halfedge = typename Traits::halfedge_descriptor;
   using Edge = typename Traits::edge_descriptor;
   using Face = typename Traits::face_descriptor;
 
@@ -127,17 +124,10 @@ private:
   }
 
   void read_faces(SurfaceInput<dimension>& surface) {
-    for (Face f : faces(mesh_)) {
-      const Halfedge first = halfedge(f, mesh_), second = next(first, mesh_);
-      const std::array<Halfedge, 3> h{first, second, next(second, mesh_)};
-      if (next(h[2], mesh_) != h[0])
-        throw std::invalid_argument(
-            "quadrille::simplify: face " + std::to_string(surface.triangles.size()) +
-            " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_faces makes it so");
-      surface.triangles.push_back({vertices_.index(target(h[0], mesh_)),
-                                   vertices_.index(target(h[1], mesh_)),
-                                   vertices_.index(target(h[2], mesh_))});
-    }
+    for (Face f : faces(mesh_))
+      surface.triangles.push_back(read_face("quadrille::simplify", mesh_, f,
+                                            surface.triangles.size(),
+                                            [this](Vertex v) { return vertices_.index(v); }));
     TriangleComplex::check_size(0, surface.triangles.size());
   }
 

@@ -129,7 +129,8 @@ public:
     if constexpr (dimension == 3)
       piece_.positions = {};
     for (std::size_t face = 0; face < piece_.triangles.size(); ++face)
-      input.triangles.push_back(read_triangle(piece_.triangles[face], face, count));
+      input.triangles.push_back(
+          read_triangle("quadrille::simplify", piece_.triangles[face], face, count));
     piece_.triangles = {};
     input.is_fixed = std::move(piece_.is_fixed);
     for (Index v = 0; v < piece_.is_shared.size(); ++v)

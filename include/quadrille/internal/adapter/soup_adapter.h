@@ -7,6 +7,7 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
@@ -51,7 +52,8 @@ public:
       require_finite(surface.positions.back(), v);
     }
     for (std::size_t face = 0; face < std::ranges::size(triangles_); ++face)
-      surface.triangles.push_back(read_triangle(triangles_[face], face, surface.positions.size()));
+      surface.triangles.push_back(
+          read_triangle("quadrille::simplify", triangles_[face], face, surface.positions.size()));
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
     if constexpr (dimension == 3)

@@ -4,8 +4,6 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/read_indices.h>
-#include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/internal/policy/policies.h>
@@ -20,16 +18,6 @@
 /// What the adapters of soups have in common.
 
 namespace quadrille::internal {
-
-/// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
-/// there.
-template <class Triangle>
-TriangleComplex::Triangle read_triangle(const Triangle& triangle, std::size_t face,
-                                        std::size_t points) {
-  return read_indices(triangle, face, points, {"quadrille::simplify"}, [] {
-    return " is not a triangle; CGAL::Polygon_mesh_processing::triangulate_polygons makes it so";
-  });
-}
 
 /// The numbers of a result in the order of their inputs, which are below `count`.
 inline Array<Index> in_order(const Array<Index>& inputs, std::size_t count) {

@@ -6,6 +6,7 @@
 #include <quadrille/internal/adapter/split_points.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
@@ -46,7 +47,8 @@ public:
     weld(surface);
     Array<TriangleComplex::Triangle> corners(workspace_);
     for (std::size_t face = 0; face < std::ranges::size(triangles_); ++face) {
-      corners.push_back(read_triangle(triangles_[face], face, vertex_of_.size()));
+      corners.push_back(
+          read_triangle("quadrille::simplify", triangles_[face], face, vertex_of_.size()));
       const auto [a, b, c] = corners.back();
       surface.triangles.push_back({vertex_of_[a], vertex_of_[b], vertex_of_[c]});
     }

@@ -52,14 +52,6 @@ concept FaceGraph = requires(G& g) {
   get(CGAL::vertex_point, g);
 };
 
-/// A graph of which a constant one can be read.
-template <class G>
-concept ReadableGraph = requires(const G& g) {
-  vertices(g);
-  halfedges(g);
-  faces(g);
-};
-
 template <class P>
 concept PointContainer = std::ranges::random_access_range<P> && !FaceGraph<P> && !RowsOfPoints<P> &&
                          requires(P & points) {

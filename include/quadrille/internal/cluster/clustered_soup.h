@@ -4,7 +4,7 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/read_indices.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
@@ -33,15 +33,14 @@ public:
   /// Throws std::invalid_argument for a triangle that is none or names a point that is not there,
   /// and for a point that is not finite; std::length_error where 32 bits do not number them.
   ClusteredSoup(Points& points, Triangles& triangles) : points_(points), triangles_(triangles) {
-    require_sizes();
+    require_numbers("quadrille::cluster_vertices", point_count(), triangle_count());
     for (std::size_t v = 0; v < point_count(); ++v)
       if (!is_finite(position_of(points_[v])))
         refuse_clustering("point " + std::to_string(v) + " is not finite");
     is_used_.resize(point_count());
     for (std::size_t f = 0; f < triangle_count(); ++f) {
       const auto [a, b, c] =
-          read_indices(triangles_[f], f, point_count(), {"quadrille::cluster_vertices"},
-                       [] { return " is not a triangle"; });
+          read_triangle("quadrille::cluster_vertices", triangles_[f], f, point_count());
       if (a != b && b != c && c != a)
         is_used_[a] = is_used_[b] = is_used_[c] = 1;
     }
@@ -102,13 +101,6 @@ private:
   Box<3> box_of(PositionAt at) const {
     return Box<3>(Positions<PositionAt>{point_count(), at},
                   [this](std::size_t v) { return is_used(v); });
-  }
-
-  void require_sizes() const {
-    if (point_count() >= none || triangle_count() >= none)
-      throw std::length_error("quadrille::cluster_vertices: " + std::to_string(point_count()) +
-                              " points and " + std::to_string(triangle_count()) +
-                              " triangles do not fit into 32-bit indices");
   }
 
   Points& points_;

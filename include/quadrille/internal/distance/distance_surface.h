@@ -1,25 +1,21 @@
 #ifndef QUADRILLE_INTERNAL_DISTANCE_DISTANCE_SURFACE_H
 #define QUADRILLE_INTERNAL_DISTANCE_DISTANCE_SURFACE_H
 
-#include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/base/safe_length.h>
+#include <quadrille/triangle_soup.h>
 #include <quadrille/vector.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/properties.h>
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <iterator>
 #include <limits>
-#include <ranges>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace quadrille::internal {
@@ -41,78 +37,35 @@ struct DistanceSurface {
   }
 };
 
-template <class Point>
-DistancePoint to_distance_point(const Point& p) {
-  const Vector<3> q = position_of(p);
-  if (!is_finite(q))
-    throw std::invalid_argument("quadrille: a coordinate of a measured surface is not finite");
-  return {q[0], q[1], q[2]};
+inline DistancePoint distance_point(const Vector<3>& p) {
+  return {p[0], p[1], p[2]};
 }
 
-inline void require_triangles(const DistanceSurface& surface) {
-  if (surface.triangles.empty())
-    throw std::invalid_argument("quadrille: a surface without faces is at no distance");
-}
-
-template <class Mesh>
-DistanceSurface distance_surface(const Mesh& mesh) {
-  using Traits = boost::graph_traits<Mesh>;
-  const auto position = get(CGAL::vertex_point, mesh);
-  DistanceSurface surface;
-  for (const auto v : vertices(mesh))
-    if (halfedge(v, mesh) != Traits::null_halfedge())
-      surface.vertices.push_back(to_distance_point(get(position, v)));
-  for (const auto f : faces(mesh)) {
-    std::array<DistancePoint, 3> corners;
-    std::size_t degree = 0;
-    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh)) {
-      if (degree < 3)
-        corners[degree] = to_distance_point(get(position, v));
-      ++degree;
-    }
-    if (degree != 3)
-      throw std::invalid_argument("quadrille: a face of a measured surface is not a triangle");
-    surface.triangles.emplace_back(corners[0], corners[1], corners[2]);
+inline DistanceSurface distance_surface(const SurfaceView& surface) {
+  DistanceSurface result;
+  std::vector<bool> is_used(surface.points.size(), false);
+  result.triangles.reserve(surface.triangles.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    is_used[a] = is_used[b] = is_used[c] = true;
+    result.triangles.emplace_back(distance_point(surface.points[a]),
+                                  distance_point(surface.points[b]),
+                                  distance_point(surface.points[c]));
   }
-  require_triangles(surface);
-  return surface;
+  for (std::size_t v = 0; v < surface.points.size(); ++v)
+    if (is_used[v])
+      result.vertices.push_back(distance_point(surface.points[v]));
+  return result;
 }
 
-/// How many elements there are: std::ranges::distance is not in every library.
-template <class Range>
-std::size_t length_of(const Range& range) {
-  std::size_t length = 0;
-  for (auto i = std::ranges::begin(range); i != std::ranges::end(range); ++i)
-    ++length;
-  return length;
-}
-
-template <class Points, class Triangles>
-DistanceSurface distance_surface(const Points& points, const Triangles& triangles) {
-  const std::size_t count = length_of(points);
-  const auto first = std::ranges::begin(points);
-  using Step = std::iter_difference_t<decltype(first)>;
-  DistanceSurface surface;
-  std::vector<bool> used(count, false);
-  for (const auto& triangle : triangles) {
-    if (length_of(triangle) != 3)
-      throw std::invalid_argument("quadrille: a face of a measured surface is not a triangle");
-    std::array<DistancePoint, 3> corners;
-    std::size_t corner = 0;
-    for (const auto vertex : triangle) {
-      const auto v = static_cast<std::size_t>(vertex);
-      if (v >= count)
-        throw std::out_of_range("quadrille: a triangle names a point that does not exist");
-      used[v] = true;
-      corners[corner++] = to_distance_point(first[static_cast<Step>(v)]);
-    }
-    surface.triangles.emplace_back(corners[0], corners[1], corners[2]);
-  }
-  require_triangles(surface);
-  for (std::size_t v = 0; v < count; ++v)
-    if (used[v])
-      surface.vertices.push_back(to_distance_point(first[static_cast<Step>(v)]));
-  return surface;
+/// Of a mesh, or of points and triangles. Throws as read_surface() does, and std::invalid_argument
+/// where there is no face.
+template <class... Surface>
+DistanceSurface measured_surface(const char* caller, const Surface&... surface) {
+  DistanceSurface result = distance_surface(read_surface(caller, surface...));
+  if (result.triangles.empty())
+    throw std::invalid_argument(caller +
+                                std::string(": a surface without faces is at no distance"));
+  return result;
 }
 
 inline CGAL::Bbox_3 bounding_box(const std::vector<DistancePoint>& points) {

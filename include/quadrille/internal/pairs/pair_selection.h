@@ -7,6 +7,7 @@
 #include <quadrille/internal/pairs/pair_lists.h>
 #include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/pairs.h>
+#include <quadrille/triangle_soup.h>
 
 #include <algorithm>
 #include <array>
@@ -18,26 +19,16 @@
 namespace quadrille::internal {
 
 /// The pairs that a policy emits, each once with the lower index first, in order.
-template <std::size_t N>
-std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
-                                                const SurfaceInput<N>& input) {
+inline std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
+                                                       const SurfaceView& surface) {
   if (!policy.selects())
     return {};
-  std::vector<Vector<3>> points;
-  points.reserve(input.positions.size());
-  for (const Vector<N>& p : input.positions)
-    points.push_back(space(p));
   std::vector<std::array<Index, 2>> pairs;
-  std::vector<Index> constrained;
-  for (std::size_t v = 0; v < input.is_fixed.size(); ++v)
-    if (input.is_fixed[v])
-      constrained.push_back(static_cast<Index>(v));
-  const SurfaceView surface{points, input.triangles, constrained};
   const EmitPair emit = [&](std::size_t i, std::size_t j) {
-    if (i >= points.size() || j >= points.size())
+    if (i >= surface.points.size() || j >= surface.points.size())
       throw std::out_of_range("quadrille::simplify: the pair policy selected vertices " +
                               std::to_string(i) + " and " + std::to_string(j) + " of " +
-                              std::to_string(points.size()));
+                              std::to_string(surface.points.size()));
     if (i != j)
       pairs.push_back({static_cast<Index>((std::min)(i, j)), static_cast<Index>((std::max)(i, j))});
   };
@@ -45,6 +36,20 @@ std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
+}
+
+template <std::size_t N>
+std::vector<std::array<Index, 2>> emitted_pairs(const PairSource& policy,
+                                                const SurfaceInput<N>& input) {
+  std::vector<Vector<3>> points;
+  points.reserve(input.positions.size());
+  for (const Vector<N>& p : input.positions)
+    points.push_back(space(p));
+  std::vector<Index> constrained;
+  for (std::size_t v = 0; v < input.is_fixed.size(); ++v)
+    if (input.is_fixed[v])
+      constrained.push_back(static_cast<Index>(v));
+  return emitted_pairs(policy, SurfaceView{points, input.triangles, constrained});
 }
 
 /// The lists of the pairs that a policy selects; where it includes all edges, of the others only.

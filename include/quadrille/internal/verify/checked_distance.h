@@ -21,18 +21,18 @@ class CheckedDistance {
 public:
   /// No tolerances: they are 0. Both surfaces have faces. Throws std::invalid_argument where
   /// tolerances are not as many as the input has vertices, or no distances.
-  CheckedDistance(const CheckedSurface& input, const std::vector<double>& tolerances,
-                  const CheckedSurface& result, CheckProgress& progress)
-      : frame_(input.box() + result.box()), diagonal_(diagonal(input.box() + result.box())),
+  CheckedDistance(const SurfaceView& input, const std::vector<double>& tolerances,
+                  const SurfaceView& result, CheckProgress& progress)
+      : frame_(box_of(input) + box_of(result)), diagonal_(diagonal(box_of(input) + box_of(result))),
         progress_(progress) {
     if (!tolerances.empty())
       require_tolerances(input, tolerances);
-    for (const Corners& corners : input.faces) {
+    for (const Corners& corners : input.triangles) {
       const double tolerance = tolerance_of(corners, tolerances);
       input_.push_back({triangle(input, corners), frame_.to(tolerance)});
       least_ = (std::min)(least_, tolerance);
     }
-    for (const Corners& corners : result.faces)
+    for (const Corners& corners : result.triangles)
       result_.push_back({triangle(result, corners), 0});
   }
 
@@ -54,8 +54,7 @@ public:
 private:
   using Faces = std::vector<AllowedFaces::Face>;
 
-  static void require_tolerances(const CheckedSurface& input,
-                                 const std::vector<double>& tolerances) {
+  static void require_tolerances(const SurfaceView& input, const std::vector<double>& tolerances) {
     if (tolerances.size() != input.points.size())
       throw std::invalid_argument(
           "quadrille::verify: there are not as many tolerances as vertices of the input");
@@ -68,11 +67,8 @@ private:
     return (std::min)({of_vertex[corners[0]], of_vertex[corners[1]], of_vertex[corners[2]]});
   }
 
-  DistanceTriangle triangle(const CheckedSurface& surface, const Corners& corners) const {
-    const auto point = [&](std::size_t v) {
-      const auto& p = surface.points[v];
-      return frame_.to(DistancePoint(p.x(), p.y(), p.z()));
-    };
+  DistanceTriangle triangle(const SurfaceView& surface, const Corners& corners) const {
+    const auto point = [&](std::size_t v) { return frame_.to(distance_point(surface.points[v])); };
     return {point(corners[0]), point(corners[1]), point(corners[2])};
   }
 

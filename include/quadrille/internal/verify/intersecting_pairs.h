@@ -4,6 +4,7 @@
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
@@ -24,7 +25,7 @@ namespace quadrille::internal {
 /// area, and pairs on the same three vertices, do not count.
 class IntersectingPairs {
 public:
-  explicit IntersectingPairs(const CheckedSurface& surface) : surface_(surface) {}
+  explicit IntersectingPairs(const SurfaceView& surface) : surface_(surface) {}
 
   struct Kind {
     std::size_t count = 0;
@@ -44,8 +45,8 @@ public:
   Found find(CheckProgress& progress) const {
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
     std::vector<Box> boxes;
-    for (std::size_t face = 0; face < surface_.faces.size(); ++face)
-      if (const auto triangle = surface_.triangle(face); !triangle.is_degenerate())
+    for (std::size_t face = 0; face < surface_.triangles.size(); ++face)
+      if (const auto triangle = exact_triangle(face); !triangle.is_degenerate())
         boxes.emplace_back(triangle.bbox(), face);
     Found found;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
@@ -61,29 +62,37 @@ public:
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  using Segment = ExactKernel::Segment_3;
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Segment = Kernel::Segment_3;
   using Rational = CGAL::Exact_rational;
   using RationalKernel = CGAL::Simple_cartesian<Rational>;
   using RationalTriangle = std::array<RationalKernel::Point_3, 3>;
 
+  Kernel::Point_3 exact_point(std::size_t v) const {
+    const Vector<3>& p = surface_.points[v];
+    return {p[0], p[1], p[2]};
+  }
+  Kernel::Triangle_3 exact_triangle(std::size_t face) const {
+    const auto& [a, b, c] = surface_.triangles[face];
+    return {exact_point(a), exact_point(b), exact_point(c)};
+  }
+
   bool intersect(std::size_t a, std::size_t b) const {
-    const Corners& p = surface_.faces[a];
-    const Corners& q = surface_.faces[b];
+    const Corners& p = surface_.triangles[a];
+    const Corners& q = surface_.triangles[b];
     const auto is_common = [](const Corners& of) {
       return [&of](std::size_t v) { return std::find(of.begin(), of.end(), v) != of.end(); };
     };
     Corners s = p, t = q; // those that both have come first
     std::stable_partition(s.begin(), s.end(), is_common(q));
     std::stable_partition(t.begin(), t.end(), is_common(p));
-    const auto at = [&](std::size_t v) -> const auto& {
-      return surface_.points[v];
-    };
+    const auto at = [&](std::size_t v) { return exact_point(v); };
     switch (std::count_if(p.begin(), p.end(), is_common(q))) {
     case 0:
-      return CGAL::do_intersect(surface_.triangle(a), surface_.triangle(b));
+      return CGAL::do_intersect(exact_triangle(a), exact_triangle(b));
     case 1:
-      return CGAL::do_intersect(surface_.triangle(a), Segment(at(t[1]), at(t[2]))) ||
-             CGAL::do_intersect(surface_.triangle(b), Segment(at(s[1]), at(s[2])));
+      return CGAL::do_intersect(exact_triangle(a), Segment(at(t[1]), at(t[2]))) ||
+             CGAL::do_intersect(exact_triangle(b), Segment(at(s[1]), at(s[2])));
     case 2:
       return CGAL::coplanar(at(s[0]), at(s[1]), at(s[2]), at(t[2])) &&
              CGAL::coplanar_orientation(at(s[0]), at(s[1]), at(s[2]), at(t[2])) == CGAL::POSITIVE;
@@ -109,11 +118,11 @@ private:
 
   // Are there corners of a face on both sides of the plane of another one?
   bool crosses_plane(std::size_t face, std::size_t other) const {
-    const Corners& corners = surface_.faces[face];
-    const auto t = surface_.triangle(other);
+    const Corners& corners = surface_.triangles[face];
+    const auto t = exact_triangle(other);
     const auto has = [&](CGAL::Orientation side) {
       return std::any_of(corners.begin(), corners.end(), [&](std::size_t v) {
-        return CGAL::orientation(t[0], t[1], t[2], surface_.points[v]) == side;
+        return CGAL::orientation(t[0], t[1], t[2], exact_point(v)) == side;
       });
     };
     return has(CGAL::POSITIVE) && has(CGAL::NEGATIVE);
@@ -144,13 +153,13 @@ private:
 
   RationalTriangle rational(std::size_t face) const {
     const auto point = [&](std::size_t corner) {
-      const auto& p = surface_.points[surface_.faces[face][corner]];
-      return RationalKernel::Point_3(p.x(), p.y(), p.z());
+      const Vector<3>& p = surface_.points[surface_.triangles[face][corner]];
+      return RationalKernel::Point_3(p[0], p[1], p[2]);
     };
     return {point(0), point(1), point(2)};
   }
 
-  const CheckedSurface& surface_;
+  SurfaceView surface_;
 };
 
 } // namespace quadrille::internal

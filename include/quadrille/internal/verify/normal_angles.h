@@ -33,16 +33,16 @@ public:
   /// `images`: of each vertex of the input the one of the result that it has become; no vertex of
   /// the result where it is none. Throws std::invalid_argument where these are not as many as the
   /// vertices of the input.
-  NormalAngles(const CheckedSurface& input, const std::vector<std::size_t>& images,
-               const CheckedSurface& result)
+  NormalAngles(const SurfaceView& input, const std::vector<std::size_t>& images,
+               const SurfaceView& result)
       : input_(input), images_(images), result_(result) {
     if (images.size() != input.points.size())
       throw std::invalid_argument(
           "quadrille::verify: there are not as many images as vertices of the input");
     std::set<Corners> fronts;
-    for (std::size_t face = 0; face < result.faces.size(); ++face)
-      if (is_front(result.faces[face], fronts)) {
-        const Corners& f = result.faces[face];
+    for (std::size_t face = 0; face < result.triangles.size(); ++face)
+      if (is_front(result.triangles[face], fronts)) {
+        const Corners& f = result.triangles[face];
         faces_[rotated(f)].push_back(face);
         for (std::size_t i = 0; i < 3; ++i)
           at_edges_[std::minmax(f[i], f[(i + 1) % 3])].push_back(face);
@@ -53,7 +53,7 @@ public:
     Greatest greatest;
     std::set<Corners> fronts;
     std::set<std::size_t> known;
-    for (const Corners& face : input_.faces) {
+    for (const Corners& face : input_.triangles) {
       if (!is_front(face, fronts))
         continue;
       const std::vector<std::size_t> images = faces_of(face);
@@ -61,7 +61,7 @@ public:
         known.insert(images.begin(), images.end());
       if (const auto normal = normal_of(input_, face))
         for (std::size_t image : images)
-          if (const auto other = normal_of(result_, result_.faces[image]))
+          if (const auto other = normal_of(result_, result_.triangles[image]))
             take(*normal, *other, image, greatest);
     }
     for (const auto& [corners, faces] : faces_)
@@ -99,10 +99,13 @@ private:
 
   /// Those that a face of the input lies on, or of which it lies on an edge.
   std::vector<std::size_t> faces_of(const Corners& face) const {
-    const Corners image{images_[face[0]], images_[face[1]], images_[face[2]]};
-    if (std::any_of(image.begin(), image.end(),
-                    [&](std::size_t v) { return v >= result_.points.size(); }))
+    if (std::any_of(face.begin(), face.end(),
+                    [&](std::size_t v) { return images_[v] >= result_.points.size(); }))
       return {};
+    const auto image_of = [&](std::size_t i) {
+      return static_cast<std::uint32_t>(images_[face[i]]);
+    };
+    const Corners image{image_of(0), image_of(1), image_of(2)};
     const std::set<std::size_t> different(image.begin(), image.end());
     if (different.size() == 3)
       return found(faces_, rotated(image), rotated({image[1], image[0], image[2]}));
@@ -120,11 +123,9 @@ private:
   }
 
   /// Nothing where doubles do not know it.
-  static std::optional<Normal> normal_of(const CheckedSurface& surface, const Corners& face) {
+  static std::optional<Normal> normal_of(const SurfaceView& surface, const Corners& face) {
     const auto edge = [&](std::size_t i) {
-      const auto& p = surface.points[face[0]];
-      const auto& q = surface.points[face[i]];
-      return Vector<3>{{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
+      return surface.points[face[i]] - surface.points[face[0]];
     };
     const Vector<3> e = edge(1), f = edge(2), n = cross(e, f);
     const double length = std::sqrt(squared_length(n));
@@ -146,9 +147,9 @@ private:
     greatest.at_most = (std::max)(greatest.at_most, degrees * (angle + error));
   }
 
-  const CheckedSurface& input_;
+  SurfaceView input_;
   const std::vector<std::size_t>& images_;
-  const CheckedSurface& result_;
+  SurfaceView result_;
   std::map<Corners, std::vector<std::size_t>> faces_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> at_edges_;
 };

@@ -18,13 +18,11 @@ inline double length(const Vector<3>& v) {
 }
 
 /// The corners of a face of a surface, less a point.
-inline std::array<Vector<3>, 3> corners_seen_from(const CheckedSurface& surface, std::size_t face,
+inline std::array<Vector<3>, 3> corners_seen_from(const SurfaceView& surface, std::size_t face,
                                                   const Vector<3>& p) {
   std::array<Vector<3>, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& q = surface.points[surface.faces[face][i]];
-    corners[i] = Vector<3>{{q.x() - p[0], q.y() - p[1], q.z() - p[2]}};
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    corners[i] = surface.points[surface.triangles[face][i]] - p;
   return corners;
 }
 
@@ -32,7 +30,7 @@ inline std::array<Vector<3>, 3> corners_seen_from(const CheckedSurface& surface,
 class PartShape {
 public:
   PartShape() = default;
-  PartShape(const CheckedSurface& surface, const std::vector<std::size_t>& faces) {
+  PartShape(const SurfaceView& surface, const std::vector<std::size_t>& faces) {
     for (const std::size_t face : faces)
       for (const Vector<3>& p : corners_seen_from(surface, face, {}))
         for (std::size_t i = 0; i < 3; ++i) {
@@ -72,7 +70,7 @@ private:
 
   /// Integrals over the faces. A volume counts if it is more than what the roundings of the
   /// coordinates, and of the sum, can make.
-  void measure(const CheckedSurface& surface, const std::vector<std::size_t>& faces) {
+  void measure(const SurfaceView& surface, const std::vector<std::size_t>& faces) {
     double area = 0, volume = 0, terms = 0;
     Vector<3> first{};
     std::array<double, 6> second{};

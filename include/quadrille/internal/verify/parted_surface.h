@@ -139,13 +139,8 @@ private:
   LoadedPart load(std::size_t p) const { return LoadedPart::read(folder_, plan_, p, 0); }
 
   DistanceSurface surface_of(const LoadedPart& loaded) const {
-    DistanceSurface surface;
-    surface.vertices.reserve(loaded.positions.size());
-    for (const Vector<3>& q : loaded.positions)
-      surface.vertices.push_back(frame_.to(DistancePoint(q[0], q[1], q[2])));
-    surface.triangles.reserve(loaded.triangles.size());
-    for (const auto& [a, b, c] : loaded.triangles)
-      surface.triangles.emplace_back(surface.vertices[a], surface.vertices[b], surface.vertices[c]);
+    DistanceSurface surface = distance_surface({loaded.positions, loaded.triangles});
+    frame_.apply(surface);
     return surface;
   }
 

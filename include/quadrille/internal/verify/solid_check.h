@@ -23,7 +23,7 @@ namespace quadrille::internal {
 /// what the input is the result has to be.
 class SolidCheck {
 public:
-  SolidCheck(const CheckedSurface& input, const CheckedSurface& result, CheckProgress& progress)
+  SolidCheck(const SurfaceView& input, const SurfaceView& result, CheckProgress& progress)
       : unit_(unit_of(input, result)), input_(scaled(input)), result_(scaled(result)),
         progress_(progress) {}
 
@@ -36,7 +36,7 @@ public:
                                   "be the same solid: edges that have not as many faces on one "
                                   "side as on the other: " +
                                   std::to_string(before.open_edges()));
-    add("open edges", 0, after.open_edges(), point(result_, after.open_at()));
+    add("open edges", 0, after.open_edges(), result_.points[after.open_at()]);
     look_at_doubled_faces();
     if (after.open_edges() == 0) {
       before_ = solid_parts(input_, before, progress_);
@@ -50,21 +50,20 @@ private:
   using Place = std::optional<Vector<3>>;
 
   /// Lengths are divided by this power of two, so that no product of them over- or underflows.
-  static int unit_of(const CheckedSurface& a, const CheckedSurface& b) {
+  static int unit_of(const SurfaceView& a, const SurfaceView& b) {
     double greatest = 0;
-    for (const CheckedSurface* surface : {&a, &b})
-      for (const auto& p : surface->points)
-        greatest = (std::max)({greatest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    for (const SurfaceView* surface : {&a, &b})
+      for (const Vector<3>& p : surface->points)
+        greatest = (std::max)({greatest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
     return greatest > 0 ? std::ilogb(greatest) : 0;
   }
-  CheckedSurface scaled(CheckedSurface surface) const {
-    for (auto& p : surface.points)
-      p = {std::ldexp(p.x(), -unit_), std::ldexp(p.y(), -unit_), std::ldexp(p.z(), -unit_)};
-    return surface;
-  }
-  static Vector<3> point(const CheckedSurface& surface, std::size_t vertex) {
-    const auto& p = surface.points[vertex];
-    return {{p.x(), p.y(), p.z()}};
+  TriangleSoup<> scaled(const SurfaceView& surface) const {
+    TriangleSoup<> copy{{}, {surface.triangles.begin(), surface.triangles.end()}};
+    copy.points.reserve(surface.points.size());
+    for (const Vector<3>& p : surface.points)
+      copy.points.push_back(
+          {{std::ldexp(p[0], -unit_), std::ldexp(p[1], -unit_), std::ldexp(p[2], -unit_)}});
+    return copy;
   }
 
   void look_at_doubled_faces() {
@@ -72,7 +71,7 @@ private:
     const std::size_t before = count_doubled_faces(input_, at);
     const std::size_t after = count_doubled_faces(result_, face);
     add("faces on the vertices of another one", before, after,
-        point(result_, result_.faces[face][0]), after <= before);
+        result_.points[result_.triangles[face][0]], after <= before);
   }
 
   void compare() {
@@ -137,7 +136,7 @@ private:
   }
 
   int unit_;
-  CheckedSurface input_, result_;
+  TriangleSoup<> input_, result_;
   CheckProgress& progress_;
   std::vector<SolidPart> before_, after_;
   std::vector<Finding> findings_;

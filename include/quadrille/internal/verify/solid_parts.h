@@ -30,16 +30,16 @@ struct SolidPart {
 /// The parts of a closed surface, numbered by their first faces: how each is oriented, how many
 /// handles it has, and in which of the others it lies, by how often these wind around a point of
 /// it. Nothing here fails for a part that is flat, a line or a point.
-inline std::vector<SolidPart> solid_parts(const CheckedSurface& surface,
-                                          UmbrellasOfSolid& umbrellas, CheckProgress& progress);
+inline std::vector<SolidPart> solid_parts(const SurfaceView& surface, UmbrellasOfSolid& umbrellas,
+                                          CheckProgress& progress);
 
 /// Counts pairs of faces on the same three vertices, of which each face is in one pair at most: a
 /// sheet, or a pillow, that encloses nothing. `first` becomes the lowest number of such a face.
-inline std::size_t count_doubled_faces(const CheckedSurface& surface, std::size_t& first) {
+inline std::size_t count_doubled_faces(const SurfaceView& surface, std::size_t& first) {
   std::set<Corners> single;
   std::size_t count = 0;
-  for (std::size_t face = 0; face < surface.faces.size(); ++face) {
-    Corners key = surface.faces[face];
+  for (std::size_t face = 0; face < surface.triangles.size(); ++face) {
+    Corners key = surface.triangles[face];
     std::sort(key.begin(), key.end());
     if (single.insert(key).second)
       continue;
@@ -51,7 +51,7 @@ inline std::size_t count_doubled_faces(const CheckedSurface& surface, std::size_
 }
 
 /// How often a part winds around a point.
-inline double winding_number(const CheckedSurface& surface, const SolidPart& part,
+inline double winding_number(const SurfaceView& surface, const SolidPart& part,
                              const Vector<3>& p) {
   double sum = 0;
   for (const std::size_t face : part.faces) {
@@ -65,7 +65,7 @@ inline double winding_number(const CheckedSurface& surface, const SolidPart& par
 
 /// Does one part lie in another one? Where they touch, a point may lie on both, and the number of
 /// times that it is wound around is none: so the point counts that knows best.
-inline bool lies_in(const CheckedSurface& surface, const SolidPart& inner, const SolidPart& outer) {
+inline bool lies_in(const SurfaceView& surface, const SolidPart& inner, const SolidPart& outer) {
   constexpr std::size_t most_points = 16;
   constexpr double enough = 1e-6;
   const std::size_t step = (std::max)(std::size_t{1}, inner.faces.size() / most_points);
@@ -81,11 +81,11 @@ inline bool lies_in(const CheckedSurface& surface, const SolidPart& inner, const
   return best != 0;
 }
 
-inline std::vector<SolidPart> solid_parts(const CheckedSurface& surface,
-                                          UmbrellasOfSolid& umbrellas, CheckProgress& progress) {
+inline std::vector<SolidPart> solid_parts(const SurfaceView& surface, UmbrellasOfSolid& umbrellas,
+                                          CheckProgress& progress) {
   std::vector<SolidPart> parts;
   std::map<std::size_t, std::size_t> numbers;
-  for (std::size_t face = 0; face < surface.faces.size(); ++face) {
+  for (std::size_t face = 0; face < surface.triangles.size(); ++face) {
     const auto [at, is_new] = numbers.try_emplace(umbrellas.part_of(face), parts.size());
     if (is_new)
       parts.emplace_back();

@@ -20,12 +20,13 @@ namespace quadrille::internal {
 /// with the engine.
 class UmbrellasOfSolid {
 public:
-  explicit UmbrellasOfSolid(const CheckedSurface& surface)
-      : surface_(surface), umbrella_(3 * surface.faces.size()), part_(surface.faces.size()) {
+  explicit UmbrellasOfSolid(const SurfaceView& surface)
+      : surface_(surface), umbrella_(3 * surface.triangles.size()),
+        part_(surface.triangles.size()) {
     std::iota(umbrella_.begin(), umbrella_.end(), std::size_t{0});
     std::iota(part_.begin(), part_.end(), std::size_t{0});
     std::map<Edge, std::vector<Side>> sides_of_edge;
-    for (std::size_t face = 0; face < surface.faces.size(); ++face)
+    for (std::size_t face = 0; face < surface.triangles.size(); ++face)
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t v = vertex(face, i), w = vertex(face, i + 1);
         sides_of_edge[std::minmax(v, w)].push_back({face, i, v < w});
@@ -65,7 +66,9 @@ private:
     double angle = 0;
   };
 
-  std::size_t vertex(std::size_t face, std::size_t i) const { return surface_.faces[face][i % 3]; }
+  std::size_t vertex(std::size_t face, std::size_t i) const {
+    return surface_.triangles[face][i % 3];
+  }
 
   /// Joins the faces at an edge in pairs; false if they do not go up in pairs.
   bool join(const Edge& edge, std::vector<Side>& sides) {
@@ -94,15 +97,15 @@ private:
 
   /// Of faces on the same three vertices those that run up come first: nothing lies between them.
   void sort_around(const Edge& edge, std::vector<Side>& sides) const {
-    const auto& low = surface_.points[edge.first];
-    const auto axis = surface_.points[edge.second] - low;
+    const Vector<3>& low = surface_.points[edge.first];
+    const Vector<3> axis = surface_.points[edge.second] - low;
     const auto away = [&](const Side& side) {
-      return CGAL::cross_product(axis, surface_.points[vertex(side.face, side.corner + 2)] - low);
+      return cross(axis, surface_.points[vertex(side.face, side.corner + 2)] - low);
     };
-    const auto x = away(sides.front());
-    const auto y = CGAL::cross_product(axis, x);
+    const Vector<3> x = away(sides.front()), y = cross(axis, x);
     for (Side& side : sides)
-      side.angle = std::atan2(away(side) * y / std::sqrt(axis.squared_length()), away(side) * x);
+      side.angle =
+          std::atan2(dot(away(side), y) / std::sqrt(squared_length(axis)), dot(away(side), x));
     const auto key = [this](const Side& side) {
       return std::tuple(side.angle, vertex(side.face, side.corner + 2), !side.is_up, side.face);
     };
@@ -126,7 +129,7 @@ private:
   }
   static void unite(Roots& of, std::size_t a, std::size_t b) { of[root(of, a)] = root(of, b); }
 
-  const CheckedSurface& surface_;
+  SurfaceView surface_;
   Roots umbrella_; // of each corner, another one of it, or itself
   Roots part_;     // the same of each face
   std::size_t open_edges_ = 0, open_at_ = 0;
