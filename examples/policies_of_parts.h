@@ -7,6 +7,7 @@
 #include <quadrille/compiled.h>
 #include <quadrille/file.h>
 
+#include <optional>
 #include <string>
 
 namespace quadrille_examples {
@@ -26,45 +27,45 @@ quadrille::internal::BuiltInPlacement placement_of_parts(const quadrille::SoupOp
 }
 
 /// `tolerance` is the name of those of vertices, if they are the limit.
-inline quadrille::internal::DistanceChoice limit_of_parts(const quadrille::SoupOptions& options,
-                                                          const std::string& tolerance) {
+inline std::optional<quadrille::internal::DistanceChoice>
+limit_of_parts(const quadrille::SoupOptions& options, const std::string& tolerance) {
   using quadrille::internal::DistanceChoice;
   using Kind = DistanceChoice::Kind;
   if (!tolerance.empty())
     return DistanceChoice(Kind::tolerances);
   if (!options.error && !options.relative_error)
-    return {};
+    return std::nullopt;
   return DistanceChoice(options.both_ways ? Kind::both_ways : Kind::one_way,
                         options.error ? *options.error : *options.relative_error, !options.error);
 }
 
-/// Returns run(cost, stop) with these policies; half of the faces without a target and a limit.
+/// Returns run(cost, stop) with these policies; half of the faces without a target and a limit of
+/// distances.
 template <class Cost, class Run>
-auto with_stop_of_parts(const quadrille::SoupOptions& options,
-                        const quadrille::internal::DistanceChoice& limit, const Run& run) {
+auto with_stop_of_parts(const quadrille::SoupOptions& options, bool is_limited, const Run& run) {
   Cost cost;
   if constexpr (requires { cost.boundary_weight; })
     cost.boundary_weight = options.boundary_weight;
   if (options.faces)
     return run(cost, quadrille::FaceCount{*options.faces});
-  if (limit.needs_now().distance && !options.ratio)
+  if (is_limited && !options.ratio)
     return run(cost, quadrille::FaceCount{0});
   return run(cost, quadrille::FaceRatio{options.ratio.value_or(0.5)});
 }
 
 /// The same with the cost that is asked for: one of those of positions alone.
 template <class Run>
-auto with_policies_of_parts(const quadrille::SoupOptions& options,
-                            const quadrille::internal::DistanceChoice& limit, const Run& run) {
+auto with_policies_of_parts(const quadrille::SoupOptions& options, bool is_limited,
+                            const Run& run) {
   switch (options.cost) {
   case quadrille::SoupOptions::Cost::memoryless_quadric:
-    return with_stop_of_parts<quadrille::MemorylessQuadric>(options, limit, run);
+    return with_stop_of_parts<quadrille::MemorylessQuadric>(options, is_limited, run);
   case quadrille::SoupOptions::Cost::thin_feature_quadric:
-    return with_stop_of_parts<quadrille::ThinFeatureQuadric>(options, limit, run);
+    return with_stop_of_parts<quadrille::ThinFeatureQuadric>(options, is_limited, run);
   case quadrille::SoupOptions::Cost::edge_length:
-    return with_stop_of_parts<quadrille::EdgeLength>(options, limit, run);
+    return with_stop_of_parts<quadrille::EdgeLength>(options, is_limited, run);
   default:
-    return with_stop_of_parts<quadrille::Quadric>(options, limit, run);
+    return with_stop_of_parts<quadrille::Quadric>(options, is_limited, run);
   }
 }
 

@@ -127,22 +127,23 @@ private:
     if (options_.target.faces && options_.target.ratio)
       throw std::runtime_error("--out-of-core takes --faces or --keep, not both");
     const quadrille::SoupOptions soup = soup_options(options_);
-    const DistanceChoice limit = limit_of_parts(soup, options_.target.tolerance);
-    return with_policies_of_parts(soup, limit, [&](const auto& cost, const auto& stop) {
+    const auto limit = limit_of_parts(soup, options_.target.tolerance);
+    return with_policies_of_parts(soup, limit.has_value(), [&](const auto& cost, const auto& stop) {
       return run_with(cost, stop, placement_of_parts<std::decay_t<decltype(cost)>>(soup), limit);
     });
   }
 
   template <class Cost, class Stop>
   bool run_with(const Cost& cost, const Stop& stop, const BuiltInPlacement& placement,
-                const DistanceChoice& limit) {
+                const std::optional<DistanceChoice>& limit) {
     const quadrille::OutOfCore how = out_of_core(options_, *progress_);
     const quadrille::SurfaceFiles files = surface_files(options_);
     const quadrille::Topology kept = topology(options_);
     if (launch_)
       return tell_of(
           launch_->simplify_file(files, options_.output, stop, how, cost, placement, kept, limit));
-    quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology, DistanceChoice>
+    quadrille::PartitionedSimplifier<Cost, BuiltInPlacement, quadrille::Topology,
+                                     std::optional<DistanceChoice>>
         job(files, stop, how, cost, placement, kept, limit);
     return options_.step.empty() ? tell_of(job(options_.output)) : step(job);
   }

@@ -59,19 +59,17 @@ private:
     namespace internal = quadrille::internal;
     std::vector<CarriedAttributes<N>> carried = attributes_.carried<N>();
     image_.assign(mesh_.points.size(), quadrille::parameters::vanished);
-    const internal::SoupVisitor visitor{options_.proceed};
-    quadrille::SoupRecorder recorder = options_.recorder;
+    std::optional<quadrille::SoupRecorder> recorder = options_.recorder;
     const quadrille::Report report = quadrille::simplify(
         mesh_.points, mesh_.triangles, cost, internal::placement_of<Cost>(options_),
-        quadrille::ThresholdPairs(options_.pairs_closer_than), internal::SoupStop(options_),
-        *options_.topology, internal::normal_deviation_of(options_),
-        internal::no_self_intersection_of(options_), internal::keep_solid_of(options_),
-        quadrille::record_into(recorder),
+        internal::pairs_of(options_), internal::stop_of(options_), options_.topology,
+        internal::normal_deviation_of(options_), internal::no_self_intersection_of(options_),
+        internal::keep_solid_of(options_), internal::record_into_given(recorder),
         quadrille::parameters::vertex_image_map(internal::PointImages{&image_})
-            .vertex_tolerance_map(internal::SoupValues{&options_.tolerance})
+            .vertex_tolerance_map(internal::values_if_given(options_.tolerance))
             .vertex_attribute_map(CGAL::make_property_map(carried))
-            .vertex_is_constrained_map(internal::SoupValues{&options_.fixed})
-            .visitor(std::cref(visitor)));
+            .vertex_is_constrained_map(internal::values_if_given(options_.fixed))
+            .visitor(internal::policy_of<internal::SoupVisitor>(options_.proceed)));
     attributes_.restore(mesh_, carried);
     return report;
   }

@@ -135,7 +135,7 @@ Importance importance(const Options& options) {
 }
 
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
-                                const quadrille::SoupRecorder& recorder,
+                                const std::optional<quadrille::SoupRecorder>& recorder,
                                 std::vector<std::size_t>* image) {
   quadrille::SoupOptions soup = soup_options(options, mesh.points, mesh.triangles);
   soup.recorder = recorder;

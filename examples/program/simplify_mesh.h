@@ -24,7 +24,7 @@ namespace quadrille_examples {
 /// With all that the mesh has. `image`, if there is one, becomes a list of what became of each
 /// point: an index of the result, or parameters::vanished.
 quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
-                                const quadrille::SoupRecorder& recorder = {},
+                                const std::optional<quadrille::SoupRecorder>& recorder = {},
                                 std::vector<std::size_t>* image = nullptr);
 
 /// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order,

@@ -69,7 +69,7 @@ public:
   FileReport run(const std::filesystem::path& output) override { return job_(output); }
 
 private:
-  PartitionedSimplifier<Cost, BuiltInPlacement, Topology, DistanceChoice> job_;
+  PartitionedSimplifier<Cost, BuiltInPlacement, Topology, std::optional<DistanceChoice>> job_;
 };
 
 std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
@@ -79,7 +79,7 @@ std::unique_ptr<FileJob> job_of(const std::vector<std::filesystem::path>& paths,
   const SurfaceFiles input(paths);
   const py::gil_scoped_release unlocked;
   return with_policies_of_parts(
-      options, limit_of_parts(options, how.tolerance),
+      options, limit_of_parts(options, how.tolerance).has_value(),
       [&]<class Cost>(const Cost& cost, const auto& stop) -> std::unique_ptr<FileJob> {
         return std::make_unique<FileJobBy<Cost>>(input, stop, how, cost, options);
       });

@@ -33,15 +33,10 @@ namespace quadrille {
 /// contractions, and not of refusals.
 class SoupRecorder {
 public:
-  SoupRecorder() = default; ///< there is none
-
   /// One that is not owned.
   template <ContractionRecorder R>
   SoupRecorder(const RecordInto<R>& into) {
     R& recorder = *into.recorder;
-    if constexpr (requires { recorder.is_listening(); })
-      if (!recorder.is_listening())
-        return;
     begin_ = [&recorder](RecordedSurface&& surface) { recorder.begin(std::move(surface)); };
     record_ = [&recorder](const RecordedContraction& done) { recorder.record(done); };
     end_ = [&recorder] { recorder.end(); };
@@ -49,10 +44,9 @@ public:
       stop_ = [&recorder](StopReason reason) { recorder.stop(reason); };
   }
 
-  bool is_listening() const { return static_cast<bool>(begin_); } ///< is there one?
-  /// Tells it, as ContractionRecorder has it; there has to be one.
+  /// Tells it, as ContractionRecorder has it.
   void begin(RecordedSurface surface) const { begin_(std::move(surface)); }
-  /// Tells it of a contraction; there has to be one.
+  /// Tells it of a contraction.
   void record(const RecordedContraction& contraction) const { record_(contraction); }
   /// Tells it if it wants to know.
   void stop(StopReason reason) const {
@@ -123,7 +117,7 @@ struct SoupOptions {
   double boundary_weight = Quadric{}.boundary_weight; ///< of costs that have one; at least 0
   std::optional<Placement> placement = std::nullopt;  ///< the best that the cost has by default
   Order order = Order::greedy;                        ///< which pair is next
-  double pairs_closer_than = 0;                       ///< see ThresholdPairs; 0: edges only
+  std::optional<double> pairs_closer_than = {};       ///< see ThresholdPairs; only edges without
   std::optional<Topology> topology = std::nullopt;    ///< kept, or free with pairs by default
   double normal_flip = 90;                            ///< degrees, see NormalFlip
   std::optional<double> normal_deviation;             ///< degrees, see NormalDeviation
@@ -166,7 +160,8 @@ struct SoupOptions {
   double label_border_weight = 1;           ///< see Labels::border_weight
   /// See SplitVertices: points at exactly one place are one vertex. There is no image then.
   bool split_vertices = false;
-  SoupRecorder recorder = {}; ///< is told of all contractions, as Levels: see record_into
+  /// Is told of all contractions, as Levels: see record_into.
+  std::optional<SoupRecorder> recorder = {};
 };
 
 using SoupPoints = std::vector<std::array<double, 3>>;           ///< coordinates, finite

@@ -24,6 +24,9 @@
 /// not say it keeps the engine to the mesh's unit, in which products of lengths may under- or
 /// overflow.
 ///
+/// Whether there is a pair, stop or filter policy may be told at run time: std::optional of it is
+/// an argument of `simplify`, and where it holds nothing it is as if it had not been passed.
+///
 /// An argument of `simplify` is taken for a cost if it has a member `Memory` or `dimension`, else
 /// for what it models first of a filter, a stop, a placement and pairs.
 
@@ -278,8 +281,6 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// - `F::cause`: the Rejection that counts where it says no; Rejection::filter without it.
 /// - `filter.validate()`: throws if the policy makes no sense.
-/// - `filter.is_absent()`, for a choice at run time: true if it allows everything. It is then not
-///   asked, and costs nothing.
 /// - `F::ScaleFree`: the filter does as well in any unit of length, see concepts.h.
 ///
 /// **The least model**:

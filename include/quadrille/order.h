@@ -64,7 +64,8 @@ struct RelaxedOrder {
   }
 };
 
-/// Either, chosen at run time: one engine is compiled for both, with results to the same bits.
+/// Which of both, with its options, told at run time: one engine is compiled for both, with results
+/// to the same bits. To make passes or not, a std::optional<RelaxedOrder> is enough.
 using AnyOrder = std::variant<GreedyOrder, RelaxedOrder>;
 
 } // namespace quadrille

@@ -172,9 +172,8 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
   auto adapter = soup_adapter(points, triangles, map, NoAttributes{}, carried, workspace);
   SurfaceInput<3> input = adapter.read();
   fix_vertices(adapter, input, named);
-  if constexpr (Carried::has_labels)
-    input.labels = numbers_of_labels(
-        carried.labels.map, boost::irange(std::size_t{0}, std::ranges::size(triangles)), workspace);
+  read_labels(carried, boost::irange(std::size_t{0}, std::ranges::size(triangles)), input,
+              workspace);
   return remesh_with(adapter, std::move(input), tolerance);
 }
 
@@ -207,8 +206,7 @@ PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
     adapter.fix_edges(map, input);
     adapter.name_creases(map, input);
   });
-  if constexpr (Carried::has_labels)
-    input.labels = numbers_of_labels(carried.labels.map, faces(mesh), workspace);
+  read_labels(carried, faces(mesh), input, workspace);
   return remesh_with(adapter, std::move(input), tolerance);
 }
 

@@ -96,8 +96,6 @@ struct RecordedRefusal {
 ///
 /// - `recorder.refuse(refusal)`: each RecordedRefusal that Report counts.
 /// - `recorder.stop(reason)`: a StopReason, just before the end.
-/// - `recorder.is_listening()`, for a recorder that is chosen at run time: asked once, before all
-///   else. Where it is false nothing is told, as if there were none.
 template <class R>
 concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,
                                        const RecordedContraction& contraction) {

@@ -52,12 +52,18 @@ inline namespace QUADRILLE_THREADING {
 ///   <quadrille/self_intersection.h>: no faces come to intersect; keep_solid(), of
 ///   <quadrille/solid.h>: a closed solid stays one; NormalDeviation, of
 ///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
-///   of the user's. A std::optional of one may be absent
+///   of the user's
 /// - Labels: of faces, whose regions are kept
 /// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
 ///   soup: see channels.h
 /// - Topology: kept, free, or parts_may_vanish; kept by default, free with pairs that are not edges
 /// - record_into(recorder): contractions are told to a recorder, as to Levels
+///
+/// Each of them may be a std::optional, which tells at run time whether it is given: one that holds
+/// nothing is as if it had not been passed, so that the default holds. Costs, placements, channels
+/// and SplitVertices can't be, since they are told by their types. Of the named parameters,
+/// visitor, bounding_box and these maps may be a std::optional: of what is constrained, shared,
+/// selected, a crease or a border, of tolerances, importance and face_patch_map.
 ///
 /// Named parameters:
 ///

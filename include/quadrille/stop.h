@@ -3,6 +3,7 @@
 
 #include <quadrille/cost_limit.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/needs.h>
@@ -122,7 +123,8 @@ private:
 
 namespace internal {
 
-/// Several stop policies, which need what any of them does.
+/// Several stop policies, which need what any of them does. Those that are a std::optional which
+/// holds nothing are not there.
 template <class... Stops>
 class SeveralStops {
 public:
@@ -135,8 +137,12 @@ public:
   }
   /// The policies, in the order in which they were given.
   const std::tuple<Stops...>& stops() const { return stops_; }
-  /// Throws what the policies throw that make no sense.
+  /// Throws what the policies throw that make no sense, and std::invalid_argument if none is there.
   void validate() const {
+    if constexpr ((IsOptional<Stops> && ...))
+      if (std::apply([](const auto&... stop) { return (!stop && ...); }, stops_))
+        throw std::invalid_argument("quadrille: none of the stop policies of an AnyOf or AllOf is "
+                                    "there");
     std::apply([](const auto&... stop) { (internal::validate(stop), ...); }, stops_);
   }
 
@@ -145,21 +151,31 @@ protected:
 
   template <class Is>
   bool is_any(Is is) const {
-    return std::apply([&](const auto&... stop) -> bool { return (is(stop) || ...); }, stops_);
+    return std::apply([&](const auto&... stop) -> bool { return (holds(stop, is, false) || ...); },
+                      stops_);
   }
   template <class Are>
   bool are_all(Are are) const {
-    return std::apply([&](const auto&... stop) -> bool { return (are(stop) && ...); }, stops_);
+    return std::apply([&](const auto&... stop) -> bool { return (holds(stop, are, true) && ...); },
+                      stops_);
   }
 
 private:
+  template <class Stop, class Is>
+  static bool holds(const Stop& stop, Is is, [[maybe_unused]] bool if_absent) {
+    if constexpr (IsOptional<Stop>)
+      return stop ? is(*stop) : if_absent;
+    else
+      return is(stop);
+  }
+
   std::tuple<Stops...> stops_;
 };
 
 } // namespace internal
 
 /// Stops as soon as any of several stop policies says so: `AnyOf{FaceCount{1000},
-/// ErrorLimit{0.1}}`.
+/// ErrorLimit{0.1}}`. Each may be a std::optional, and one has to be there.
 template <class... Stops>
 class AnyOf : public internal::SeveralStops<Stops...> {
 public:
@@ -176,7 +192,8 @@ public:
   }
 };
 
-/// Stops when all of several stop policies say so.
+/// Stops when all of several stop policies say so. Each may be a std::optional, and one has to be
+/// there.
 template <class... Stops>
 class AllOf : public internal::SeveralStops<Stops...> {
 public:

@@ -21,7 +21,7 @@ namespace quadrille {
 
 /// The edges of the surface, and all pairs of vertices that are closer than a threshold t at the
 /// beginning: parts that lie close to each other join. A pair at exactly the distance t does not
-/// count, so t = 0 is the same as EdgePairs.
+/// count.
 ///
 /// Points that no face uses make no pairs. A t of less than 2^-1000 times the largest coordinate
 /// counts as that.

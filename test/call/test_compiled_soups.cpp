@@ -265,15 +265,6 @@ TEST_CASE("Of a soup without triangles nothing is left") {
   CHECK(result.image.size() == in_charts.points.size());
 }
 
-TEST_CASE("A recorder that does not listen is none") {
-  SoupRecorder none;
-  CHECK(!none.is_listening());
-  CHECK(!SoupRecorder(record_into(none)).is_listening());
-  Levels levels;
-  SoupRecorder some = record_into(levels);
-  CHECK(SoupRecorder(record_into(some)).is_listening());
-}
-
 TEST_CASE("Parts of a soup with labels may vanish in the compiled library, recorded or not") {
   SoupPoints points = in_charts.points;
   SoupTriangles triangles = in_charts.triangles;

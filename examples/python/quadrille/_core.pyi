@@ -84,7 +84,7 @@ class Options:
     share: float
     refresh: bool
     threads: int
-    pairs_closer_than: float
+    pairs_closer_than: Optional[float]
     topology: Optional[Topology]
     normal_flip: float
     normal_deviation: Optional[float]

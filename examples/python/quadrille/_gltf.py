@@ -40,7 +40,7 @@ class GltfOptions(TypedDict, total=False):
     normal_noise: float
     position_noise: float
     topology: Optional[TopologyName]
-    pairs_closer_than: float
+    pairs_closer_than: Optional[float]
     normal_flip: float
     normal_deviation: Optional[float]
     no_self_intersection: bool

@@ -46,7 +46,7 @@ def _asked(options: _core.Options, stop: Optional[Any], has_tolerance: bool) -> 
 
 def _hints(report: _core.Report, options: _core.Options, points: Optional[Array]) -> List[str]:
     hints: List[str] = []
-    is_free = options.topology == _core.Topology.free or (options.topology is None and options.pairs_closer_than > 0)
+    is_free = options.topology == _core.Topology.free or (options.topology is None and options.pairs_closer_than is not None)
     doubled = 0 if points is None or options.split_vertices else _doubled(points)
     if doubled > 0:
         hints.append(f"{doubled} points lie exactly where another one does, and faces that only meet there are not "

@@ -39,7 +39,7 @@ def make_options(
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
     topology: Optional[TopologyName] = None,
-    pairs_closer_than: float = 0.0,
+    pairs_closer_than: Optional[float] = None,
     normal_flip: float = 90.0,
     normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,
@@ -54,7 +54,7 @@ def make_options(
         if count is not None:
             setattr(options, name, read_count(name, count))
     for name, number in (("ratio", ratio), ("error", error), ("relative_error", relative_error),
-                         ("normal_deviation", normal_deviation)):
+                         ("pairs_closer_than", pairs_closer_than), ("normal_deviation", normal_deviation)):
         if number is not None:
             setattr(options, name, read_number(name, number))
     if target_reduction is not None:
@@ -71,9 +71,8 @@ def make_options(
     if topology is not None:
         options.topology = choice("topology", topology, _core.Topology.__members__)
     numbers = dict(boundary_weight=boundary_weight, crease_degrees=crease_degrees,
-                   crease_weight=crease_weight, pairs_closer_than=pairs_closer_than,
-                   line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
-                   normal_flip=normal_flip, share=share)
+                   crease_weight=crease_weight, line_weight=line_weight, normal_noise=normal_noise,
+                   position_noise=position_noise, normal_flip=normal_flip, share=share)
     for name, number in numbers.items():
         setattr(options, name, read_number(name, number))
     options.threads = read_count("threads", threads)

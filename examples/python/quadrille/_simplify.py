@@ -46,7 +46,7 @@ def simplify(
     normal_noise: float = 0.0,
     position_noise: float = 0.0,
     topology: Optional[TopologyName] = None,
-    pairs_closer_than: float = 0.0,
+    pairs_closer_than: Optional[float] = None,
     normal_flip: float = 90.0,
     normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,

@@ -33,89 +33,59 @@
 
 namespace quadrille::internal {
 
-/// The targets of the options; distances are needed only if one of them is a distance.
-class SoupStop {
-public:
-  static constexpr Needs needs = {.tolerance = true, .cost = true};
-  Needs needs_now() const {
-    return {.distance = error_ || relative_error_,
-            .distance_back = hausdorff_ || relative_hausdorff_,
-            .tolerance = tolerance_.has_value(),
-            .cost = cost_.has_value()};
-  }
+/// The limits of the options as distances and as parts of the diagonal, one of a kind.
+template <class Limit>
+std::optional<Limit> limit_of(const SoupOptions& options, bool is_asked) {
+  if (!is_asked || !options.error)
+    return std::nullopt;
+  return Limit(*options.error);
+}
+template <class Limit>
+std::optional<Limit> relative_limit_of(const SoupOptions& options, bool is_asked) {
+  if (!is_asked || !options.relative_error)
+    return std::nullopt;
+  return Limit::relative(*options.relative_error);
+}
 
-  explicit SoupStop(const SoupOptions& options) {
-    if (options.faces)
-      faces_ = FaceCount{*options.faces};
-    if (options.ratio)
-      ratio_ = FaceRatio{*options.ratio};
-    if (options.cost_limit)
-      cost_ = CostLimit(*options.cost_limit);
-    if (options.vertices)
-      vertices_ = VertexCount{*options.vertices};
-    if (!options.tolerance.empty())
-      tolerance_.emplace();
-    if (options.both_ways)
-      take_limits(options, hausdorff_, relative_hausdorff_);
-    else
-      take_limits(options, error_, relative_error_);
-    if (options.stop)
-      stop_ = {&options.stop};
-    else if (!faces_ && !ratio_ && !vertices_ && needs_now() == Needs{})
-      ratio_ = FaceRatio{};
-  }
+/// The targets of the options. What none of them needs is not measured.
+inline auto stop_of(const SoupOptions& options) {
+  std::optional<FaceCount> faces;
+  std::optional<FaceRatio> ratio;
+  std::optional<VertexCount> vertices;
+  std::optional<CostLimit> cost;
+  std::optional<ToleranceLimit> tolerance;
+  std::optional<std::reference_wrapper<const std::function<bool(const Status&)>>> own;
+  if (options.faces)
+    faces = FaceCount{*options.faces};
+  if (options.ratio)
+    ratio = FaceRatio{*options.ratio};
+  if (options.vertices)
+    vertices = VertexCount{*options.vertices};
+  if (options.cost_limit)
+    cost = CostLimit(*options.cost_limit);
+  if (!options.tolerance.empty())
+    tolerance.emplace();
+  if (options.stop)
+    own = std::cref(options.stop);
+  const bool are_limits = options.error || options.relative_error;
+  if (!faces && !ratio && !vertices && !cost && !tolerance && !own && !are_limits)
+    ratio = FaceRatio{};
+  return AnyOf{faces,
+               ratio,
+               vertices,
+               limit_of<ErrorLimit>(options, !options.both_ways),
+               relative_limit_of<ErrorLimit>(options, !options.both_ways),
+               limit_of<HausdorffLimit>(options, options.both_ways),
+               relative_limit_of<HausdorffLimit>(options, options.both_ways),
+               tolerance,
+               cost,
+               own};
+}
 
-  bool operator()(const Status& status) const {
-    return any([&](const auto& stop) { return stop(status); });
-  }
-  bool is_passed(const Status& status) const {
-    return any([&](const auto& stop) { return internal::is_passed(stop, status); });
-  }
-  void validate() const {
-    any([](const auto& stop) {
-      internal::validate(stop);
-      return false;
-    });
-  }
-
-private:
-  struct Asked {
-    const std::function<bool(const Status&)>* is_enough;
-    bool operator()(const Status& status) const { return (*is_enough)(status); }
-  };
-
-  template <class Limit>
-  static void take_limits(const SoupOptions& options, std::optional<Limit>& absolute,
-                          std::optional<Limit>& relative) {
-    if (options.error)
-      absolute = Limit(*options.error);
-    if (options.relative_error)
-      relative = Limit::relative(*options.relative_error);
-  }
-
-  template <class Is>
-  bool any(Is is) const {
-    const auto holds = [&](const auto& stop) { return stop && is(*stop); };
-    return holds(faces_) || holds(ratio_) || holds(vertices_) || holds(error_) ||
-           holds(relative_error_) || holds(hausdorff_) || holds(relative_hausdorff_) ||
-           holds(tolerance_) || holds(cost_) || holds(stop_);
-  }
-
-  std::optional<FaceCount> faces_;
-  std::optional<FaceRatio> ratio_;
-  std::optional<VertexCount> vertices_;
-  std::optional<ErrorLimit> error_, relative_error_;
-  std::optional<HausdorffLimit> hausdorff_, relative_hausdorff_;
-  std::optional<ToleranceLimit> tolerance_;
-  std::optional<CostLimit> cost_;
-  std::optional<Asked> stop_;
-};
-
-/// The filter of the options, which may have none.
+/// The filter of the options.
 struct SoupFilter {
   const std::function<bool(const SoupContraction&)>& asked;
 
-  bool is_absent() const { return !asked; }
   bool allows(const auto& contraction) const {
     SoupContraction seen{.first = contraction.first(),
                          .second = contraction.second(),
@@ -134,8 +104,21 @@ struct SoupFilter {
 
 struct SoupVisitor {
   const std::function<bool(const Status&)>& asked;
-  bool proceed(const Status& status) const { return !asked || asked(status); }
+  bool proceed(const Status& status) const { return asked(status); }
 };
+
+/// The function of the options as such a policy, if there is one.
+template <class Policy, class Function>
+std::optional<Policy> policy_of(const Function& asked) {
+  if (!asked)
+    return std::nullopt;
+  return Policy{asked};
+}
+inline std::optional<ThresholdPairs> pairs_of(const SoupOptions& options) {
+  if (!options.pairs_closer_than)
+    return std::nullopt;
+  return ThresholdPairs(*options.pairs_closer_than);
+}
 
 inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
   if (!options.bounding_box)
@@ -144,7 +127,7 @@ inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
   return CGAL::Bbox_3(low[0], low[1], low[2], high[0], high[1], high[2]);
 }
 
-/// The order of the options, so that one engine is compiled for both.
+/// The order of the options: one engine is compiled for both.
 inline AnyOrder order_of(const SoupOptions& options) {
   if (options.order == SoupOptions::Order::greedy)
     return GreedyOrder{options.eager};
@@ -168,17 +151,24 @@ inline std::optional<KeepSolid> keep_solid_of(const SoupOptions& options) {
   return KeepSolid{};
 }
 
+inline std::optional<RecordInto<SoupRecorder>>
+record_into_given(std::optional<SoupRecorder>& recorder) {
+  if (!recorder)
+    return std::nullopt;
+  return record_into(*recorder);
+}
+
 /// The named parameters that the options say.
-inline auto named_of(const SoupOptions& options, const SoupVisitor& visitor) {
+inline auto named_of(const SoupOptions& options) {
   return parameters::chain<parameters::bounding_box_t>(bounding_box_of(options))
       .coordinates_are_floats(options.coordinates_are_floats)
       .border_edges(std::span<const std::array<std::uint32_t, 2>>(options.borders))
-      .vertex_is_shared_map(SoupValues{&options.shared})
-      .vertex_importance_map(SoupValues{&options.importance})
-      .vertex_tolerance_map(SoupValues{&options.tolerance})
-      .face_is_selected_map(SoupValues{&options.selected})
-      .vertex_is_constrained_map(SoupValues{&options.fixed})
-      .visitor(std::cref(visitor));
+      .vertex_is_shared_map(values_if_given(options.shared))
+      .vertex_importance_map(values_if_given(options.importance))
+      .vertex_tolerance_map(values_if_given(options.tolerance))
+      .face_is_selected_map(values_if_given(options.selected))
+      .vertex_is_constrained_map(values_if_given(options.fixed))
+      .visitor(policy_of<SoupVisitor>(options.proceed));
 }
 
 /// By policies that the options say, in an order; `more` are labels and channels, if there are any.
@@ -186,18 +176,14 @@ template <class Cost, class Placement, class Order, class... More>
 Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, const Order& order,
                    const More&... more) {
   const SoupOptions& options = run.options;
-  const SoupVisitor visitor{options.proceed};
-  SoupRecorder recorder = options.recorder;
-  const auto named = named_of(options, visitor);
+  std::optional<SoupRecorder> recorder = options.recorder;
+  const auto named = named_of(options);
   const auto simplify_soup = [&](const auto&... rest) {
-    const auto run_with = [&](const auto&... topology) {
-      return simplify(run.points, run.triangles, cost, placement,
-                      ThresholdPairs(options.pairs_closer_than), SoupStop(options), order,
-                      NormalFlip(options.normal_flip), SoupFilter{options.allows},
-                      normal_deviation_of(options), no_self_intersection_of(options),
-                      keep_solid_of(options), record_into(recorder), more..., topology..., rest...);
-    };
-    return options.topology ? run_with(*options.topology) : run_with();
+    return simplify(run.points, run.triangles, cost, placement, pairs_of(options), stop_of(options),
+                    order, NormalFlip(options.normal_flip), policy_of<SoupFilter>(options.allows),
+                    options.topology, normal_deviation_of(options),
+                    no_self_intersection_of(options), keep_solid_of(options),
+                    record_into_given(recorder), more..., rest...);
   };
   if constexpr (sizeof...(More) > 0)
     if (options.split_vertices)
@@ -209,8 +195,10 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
 template <class Cost, class Placement, class Order>
 Report simplify_with_all(SoupRun& run, const Cost& cost, const Placement& placement,
                          const Order& order) {
-  return simplify_by(run, cost, placement, order,
-                     Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight},
+  std::optional<Labels<SoupLabelMap>> labels;
+  if (!run.soup.labels.empty())
+    labels = Labels{SoupLabelMap{run.soup.labels}, run.options.label_border_weight};
+  return simplify_by(run, cost, placement, order, labels,
                      SoupChannelList{run.soup.channels, &run.channels});
 }
 

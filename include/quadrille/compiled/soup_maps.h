@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@
 
 namespace quadrille::internal {
 
-/// A value for each point or triangle, or none at all.
+/// A value for each point or triangle.
 template <class Value>
 struct SoupValues {
   using key_type = std::size_t;
@@ -22,11 +23,16 @@ struct SoupValues {
   using category = boost::readable_property_map_tag;
   const std::vector<Value>* values;
 
-  bool is_absent() const { return values->empty(); }
   friend Value get(const SoupValues& map, std::size_t i) { return (*map.values)[i]; }
 };
+
+/// The values that there are; none if there are none at all.
 template <class Value>
-SoupValues(const std::vector<Value>*) -> SoupValues<Value>;
+std::optional<SoupValues<Value>> values_if_given(const std::vector<Value>& values) {
+  if (values.empty())
+    return std::nullopt;
+  return SoupValues<Value>{&values};
+}
 
 /// What became of each point.
 struct PointImages {
@@ -49,9 +55,7 @@ struct SoupLabelMap {
   using category = boost::read_write_property_map_tag;
   std::span<const std::uint32_t> labels;
 
-  friend std::uint32_t get(const SoupLabelMap& map, std::size_t i) {
-    return map.labels.empty() ? 0 : map.labels[i];
-  }
+  friend std::uint32_t get(const SoupLabelMap& map, std::size_t i) { return map.labels[i]; }
   friend void put(const SoupLabelMap&, std::size_t, std::uint32_t) {}
 };
 

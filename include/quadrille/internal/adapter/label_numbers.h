@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ADAPTER_LABEL_NUMBERS_H
 
 #include <quadrille/internal/base/index.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/memory/array.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -19,6 +20,16 @@ Array<Index> numbers_of_labels(Map map, const Faces& faces, Workspace& workspace
     numbers.push_back(
         number_of.try_emplace(get(map, face), static_cast<Index>(number_of.size())).first->second);
   return numbers;
+}
+
+/// Reads the labels of faces, if there are any. They are in the order of the input.
+template <class Carried, class Faces, class Input>
+void read_labels([[maybe_unused]] const Carried& carried, [[maybe_unused]] const Faces& faces,
+                 [[maybe_unused]] Input& input, [[maybe_unused]] Workspace& workspace) {
+  if constexpr (Carried::has_labels)
+    if_given(carried.labels, [&](const auto& labels) {
+      input.labels = numbers_of_labels(labels.map, faces, workspace);
+    });
 }
 
 } // namespace quadrille::internal

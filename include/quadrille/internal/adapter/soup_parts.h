@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,25 @@ public:
 private:
   Labels labels_;
   std::vector<typename boost::property_traits<decltype(Labels::map)>::value_type> overwritten_;
+};
+template <class Labels>
+class SoupLabels<std::optional<Labels>> {
+public:
+  explicit SoupLabels(const std::optional<Labels>& labels) {
+    if (labels)
+      labels_.emplace(*labels);
+  }
+  void write(const Array<Index>& faces, const Array<Index>& inputs) {
+    if (labels_)
+      labels_->write(faces, inputs);
+  }
+  void undo() {
+    if (labels_)
+      labels_->undo();
+  }
+
+private:
+  std::optional<SoupLabels<Labels>> labels_;
 };
 template <>
 class SoupLabels<NoLabels> {

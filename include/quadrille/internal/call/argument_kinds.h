@@ -3,6 +3,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/concepts.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/guard_set.h>
@@ -14,7 +15,8 @@
 #include <concepts>
 #include <type_traits>
 
-/// What an argument of `simplify` is, by the concept that it models.
+/// What an argument of `simplify` is, by the concept that it models; of a std::optional, what it
+/// holds.
 
 namespace quadrille::internal {
 
@@ -57,12 +59,29 @@ concept LooksLikePlacement = requires(const T placement,
   requires !std::is_void_v<decltype(placement(cost, pair))>;
 };
 
+/// The kind of a std::optional of an argument of that kind. What a call is compiled for is told by
+/// types, and so it is there or not.
+constexpr Kind kind_if_optional(Kind kind) {
+  switch (kind) {
+  case Kind::cost:
+  case Kind::placement:
+  case Kind::channel:
+  case Kind::split_vertices:
+  case Kind::named_parameters:
+    return Kind::unknown;
+  default:
+    return kind;
+  }
+}
+
 /// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
 /// kind before it: to ask what a call results in instantiates the body of a user's function. An
 /// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
 template <class T, class Cost>
 constexpr Kind kind_of() {
-  if constexpr (IsNamedParameters<T>::value)
+  if constexpr (IsOptional<T>)
+    return kind_if_optional(kind_of<Held<T>, Cost>());
+  else if constexpr (IsNamedParameters<T>::value)
     return Kind::named_parameters;
   else if constexpr (std::same_as<T, Topology>)
     return Kind::topology;

@@ -4,6 +4,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/base/parallel.h>
 #include <quadrille/internal/call/argument_kinds.h>
 #include <quadrille/internal/call/carried.h>
@@ -56,7 +57,7 @@ using CostOf = typename FirstCost<Cost, Arguments...>::type;
 template <Kind kind, class Cost, class... Arguments>
 inline constexpr std::size_t count_of = (std::size_t{kind_of<Arguments, Cost>() == kind} + ... + 0);
 
-/// The first argument of a kind, else the default.
+/// The first argument of a kind, else the default. It may be a std::optional.
 template <Kind kind, class Cost, class Default>
 Default pick() {
   static_assert(std::default_initializable<Default>,
@@ -91,7 +92,7 @@ auto pick_guards(const Arguments&... arguments) {
   GuardSet<Cost::dimension> guards;
   const auto add = [&]<class T>([[maybe_unused]] const T& argument) {
     if constexpr (kind_of<T, Cost>() == Kind::guard)
-      guards.add(argument);
+      if_given(argument, [&](const auto& guard) { guards.add(guard); });
   };
   (add(arguments), ...);
   return guards;
@@ -142,14 +143,14 @@ concept Fitting =
     CostPolicy<CostOf<Cost, Arguments...>> && AllAreKnown<Unknown<0, Cost, Arguments...>> &&
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
-/// The recorder of a call, as policies hold it.
+/// The recorder of a call, as policies hold it; nothing if there is none.
 template <class Cost, class... Arguments>
-RecorderHandle pick_recorder([[maybe_unused]] const Arguments&... arguments) {
+std::optional<RecorderHandle> pick_recorder([[maybe_unused]] const Arguments&... arguments) {
+  std::optional<RecorderHandle> handle;
   if constexpr (count_of < Kind::recorder, Cost, Arguments... >> 0)
-    return RecorderHandle(
-        *pick<Kind::recorder, Cost, NotGiven, Arguments...>(arguments...).recorder);
-  else
-    return {};
+    if_given(pick<Kind::recorder, Cost, NotGiven, Arguments...>(arguments...),
+             [&](const auto& into) { handle.emplace(*into.recorder); });
+  return handle;
 }
 
 /// The topology of a call, if it is among the arguments.
@@ -229,8 +230,8 @@ auto pick_policies(const Arguments&... arguments) {
   const auto cost = pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...);
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
-  const auto order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
-  check_stop<std::remove_const_t<decltype(stop)>, Cost>();
+  const auto order = given_order(pick<Kind::order, Cost, GreedyOrder>(arguments...));
+  check_stop<Held<decltype(stop)>, Cost>();
   validate_all(cost, placement, pairs, stop);
   validate(order);
   check_guards<std::remove_const_t<decltype(order)>, Arguments...>();
@@ -245,8 +246,8 @@ auto pick_policies(const Arguments&... arguments) {
       cost,
       typename Policies::Placement(placement),
       label_border_weight(carried),
-      PairSource::of(pairs),
-      StopRule::of(stop),
+      use_or_default<EdgePairs>(pairs, [](const auto& given) { return PairSource::of(given); }),
+      use_or_default<FaceRatio>(stop, [](const auto& given) { return StopRule::of(given); }),
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
       threads_here(threads_of(order)),
@@ -254,8 +255,8 @@ auto pick_policies(const Arguments&... arguments) {
       guards.topology_beside(pick_topology<Cost>(arguments...)),
       pick_filters<Cost>(arguments...),
       guards,
-      optional_parts<Policies, std::remove_const_t<decltype(stop)>,
-                     std::remove_const_t<decltype(order)>, is_recorded>()};
+      optional_parts<Policies, Held<decltype(stop)>, std::remove_const_t<decltype(order)>,
+                     is_recorded>()};
   policies.threads.validate();
   return policies;
 }

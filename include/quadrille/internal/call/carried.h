@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CALL_CARRIED_H
 
 #include <quadrille/channels.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/labels.h>
@@ -10,6 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <concepts>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 
@@ -21,6 +23,8 @@ template <class T>
 inline constexpr bool is_labels = false;
 template <class Map>
 inline constexpr bool is_labels<Labels<Map>> = true;
+template <class Map>
+inline constexpr bool is_labels<std::optional<Labels<Map>>> = true;
 
 template <class T>
 inline constexpr bool is_channel = false;
@@ -54,6 +58,8 @@ auto pick_labels(const Arguments&... arguments) {
                 "simplify takes the labels of faces once: as Labels{map} or as face_patch_map.");
   if constexpr (count > 0)
     return std::get<0>(labels);
+  else if constexpr (are_patches && IsOptional<decltype(patches)>)
+    return patches ? std::optional(Labels{*patches}) : std::nullopt;
   else if constexpr (are_patches)
     return Labels{patches};
   else
@@ -110,10 +116,10 @@ auto pick_carried(const Arguments&... arguments) {
 /// How much the borders between labels weigh.
 template <class Carried>
 double label_border_weight([[maybe_unused]] const Carried& carried) {
+  double weight = 1;
   if constexpr (Carried::has_labels)
-    return carried.labels.border_weight;
-  else
-    return 1;
+    if_given(carried.labels, [&](const auto& labels) { weight = labels.border_weight; });
+  return weight;
 }
 
 } // namespace quadrille::internal

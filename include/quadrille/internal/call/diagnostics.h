@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CALL_DIAGNOSTICS_H
 
 #include <quadrille/concepts.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/meshes.h>
 #include <quadrille/report.h>
@@ -40,18 +41,23 @@ concept StopOfCgal = requires(const Argument stop, double cost, std::size_t edge
 
 /// Is an argument of a kind but for one thing, or what goes into another one?
 template <class Argument, class Cost>
-concept NearlyKnown = std::same_as<Argument, Levels> || StopOfCgal<Argument> ||
-    FilterThatChanges<Argument, Cost> || StopThatChanges<Argument>;
+concept NearlyKnown = IsOptional<Argument> || std::same_as<Argument, Levels> ||
+    StopOfCgal<Argument> || FilterThatChanges<Argument, Cost> || StopThatChanges<Argument>;
 
 /// Does not compile, for an argument that is NearlyKnown, and says what is missing.
 template <class Argument, class Call>
 void refuse_nearly_known() {
   constexpr bool is_levels = std::same_as<Argument, Levels>;
   constexpr bool is_stop_of_cgal = StopOfCgal<Argument>;
+  constexpr bool is_optional = IsOptional<Argument>;
+  static_assert(!is_optional,
+                "A std::optional says at run time whether there is a policy. A cost, a "
+                "placement, a channel and SplitVertices are told by their types: what "
+                "this one holds is one of these, or no policy.");
   static_assert(!is_levels, "Levels are no policy: write record_into(levels).");
   static_assert(!is_stop_of_cgal, "A stop predicate of CGAL's is no stop policy here: write "
                                   "FaceCount{n}, FaceRatio{r} or VertexCount{n}.");
-  static_assert(is_levels || is_stop_of_cgal,
+  static_assert(is_optional || is_levels || is_stop_of_cgal,
                 "A filter or stop policy is asked as a constant: declare its member function "
                 "const, and leave mutable out of a lambda.");
 }

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CALL_MAP_KEYS_H
 
 #include <quadrille/internal/adapter/channel_map.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/parameters.h>
@@ -30,7 +31,7 @@ inline constexpr bool takes_key<Map, Key> = std::convertible_to<Key, typename Ma
 /// Can all maps of these names be asked for such a key, that are given?
 template <class Key, class NamedParameters, class... Tags>
 constexpr bool take_key(Names<Tags...>) {
-  return (takes_key<std::remove_cvref_t<decltype(CGAL::parameters::get_parameter(
+  return (takes_key<Held<decltype(CGAL::parameters::get_parameter(
                         std::declval<const NamedParameters&>(), Tags{}))>,
                     Key> &&
           ...);
@@ -50,7 +51,7 @@ constexpr bool check_keys() {
   constexpr bool faces_fit = take_key<Face, NamedParameters>(OfFaces());
   constexpr bool labels_fit = [] {
     if constexpr (Carried::has_labels)
-      return takes_key<decltype(Carried::Labels::map), Face>;
+      return takes_key<decltype(Held<typename Carried::Labels>::map), Face>;
     else
       return true;
   }();

@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_CALL_MAPS_OF_COPY_H
 
 #include <quadrille/channels.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/labels.h>
@@ -51,10 +52,12 @@ Map property_of_copy(Map map, const Mesh& mesh, Mesh& copy) {
   return map;
 }
 
-/// A map of the user's as one over the copy. Without state it is both.
+/// A map of the user's, if it is given, as one over the copy. Without state it is both.
 template <bool is_written, class Map, class Mesh>
 Map map_of_copy(const Map& map, [[maybe_unused]] const Mesh& mesh, [[maybe_unused]] Mesh& copy) {
-  if constexpr (PropertyOf<Map, Mesh>) {
+  if constexpr (IsOptional<Map>) {
+    return map ? Map(map_of_copy<is_written>(*map, mesh, copy)) : Map();
+  } else if constexpr (PropertyOf<Map, Mesh>) {
     return property_of_copy(map, mesh, copy);
   } else {
     static_assert(std::is_empty_v<Map> || (IndexedMesh<Mesh> && !is_written),
@@ -112,6 +115,8 @@ template <class Argument, class Mesh>
 Argument of_copy(Argument argument, const Mesh& mesh, Mesh& copy) {
   if constexpr (is_channel<Argument>)
     argument.source = map_of_copy<true>(argument.source, mesh, copy);
+  else if constexpr (is_labels<Argument> && IsOptional<Argument>)
+    return argument ? Argument(of_copy(*argument, mesh, copy)) : Argument();
   else if constexpr (is_labels<Argument>)
     argument.map = map_of_copy<false>(argument.map, mesh, copy);
   return argument;

@@ -118,17 +118,14 @@ void select_faces(const Faces& faces, Input& input, const NamedParameters& named
 /// Fixes the edges that are constrained, and makes creases of those that are named so.
 template <class Cost, class Reader, class Input, class NamedParameters>
 void name_edges(Reader& reader, Input& input, const NamedParameters& named) {
-  using CGAL::parameters::get_parameter;
-  const auto fixed = get_parameter(named, CGAL::internal_np::edge_is_constrained);
-  const auto creases = get_parameter(named, parameters::edge_is_crease);
-  if constexpr (is_given<decltype(fixed)>)
-    reader.fix_edges(fixed, input);
-  if constexpr (is_given<decltype(creases)>) {
-    static_assert(
-        requires(const Cost cost) { cost.crease_degrees; },
-        "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
-    reader.name_creases(creases, input);
-  }
+  using Creases = decltype(CGAL::parameters::get_parameter(named, parameters::edge_is_crease));
+  static_assert(
+      !is_given<Creases> || requires(const Cost cost) { cost.crease_degrees; },
+      "quadrille::simplify: edge_is_crease_map needs a cost that knows creases: use Quadric");
+  with_map<CGAL::internal_np::edge_is_constrained_t>(
+      named, [&](const auto& map) { reader.fix_edges(map, input); });
+  with_map<parameters::edge_is_crease_t>(named,
+                                         [&](const auto& map) { reader.name_creases(map, input); });
 }
 
 /// Is what a map of points takes as doubles kept as floats? CGAL's map rounds to floats whatever it
@@ -186,8 +183,7 @@ Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carri
     share_vertices(reader, input, named);
     name_borders(reader, input, named);
     give_named_box(input, named);
-    if constexpr (Carried::has_labels)
-      input.labels = numbers_of_labels(carried.labels.map, faces(mesh), workspace);
+    read_labels(carried, faces(mesh), input, workspace);
     reader.release();
     return input;
   };
@@ -252,8 +248,7 @@ Report simplify_soup_with_maps(Points& points, Triangles& triangles, const Polic
     share_vertices(reader, input, named);
     list_borders(reader, std::ranges::size(points), input, named);
     give_named_box(input, named);
-    if constexpr (Carried::has_labels)
-      input.labels = numbers_of_labels(carried.labels.map, indices, workspace);
+    read_labels(carried, indices, input, workspace);
     return input;
   };
   return run(adapter, policies, read, teller(named));

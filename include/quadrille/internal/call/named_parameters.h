@@ -3,6 +3,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/internal/adapter/attributes.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/parameters.h>
 
@@ -48,17 +49,12 @@ template <class Parameter>
 inline constexpr bool is_given =
     !std::same_as<std::remove_cvref_t<Parameter>, CGAL::internal_np::Param_not_found>;
 
-/// Calls use(map) with the property map of that name, if it is given. One that is chosen at run
-/// time may say that it is not.
+/// Calls use(map) with the property map of that name, if it is given. It may be a std::optional.
 template <class Tag, class NamedParameters, class Use>
 void with_map(const NamedParameters& named, Use use) {
   const auto map = CGAL::parameters::get_parameter(named, Tag{});
-  if constexpr (is_given<decltype(map)>) {
-    if constexpr (requires { map.is_absent(); })
-      if (map.is_absent())
-        return;
-    use(map);
-  }
+  if constexpr (is_given<decltype(map)>)
+    if_given(map, use);
 }
 
 /// Names of parameters: their tags.

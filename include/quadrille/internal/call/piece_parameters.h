@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_PIECE_PARAMETERS_H
 #define QUADRILLE_INTERNAL_CALL_PIECE_PARAMETERS_H
 
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/surface/box.h>
@@ -35,12 +36,11 @@ void share_vertices(Reader& reader, Input& input, const NamedParameters& named) 
 /// Names the borders of a mesh between vertices that are shared.
 template <class Reader, class Input, class NamedParameters>
 void name_borders(Reader& reader, Input& input, const NamedParameters& named) {
-  const auto borders = CGAL::parameters::get_parameter(named, parameters::edge_is_border);
-  if constexpr (is_given<decltype(borders)>) {
+  with_map<parameters::edge_is_border_t>(named, [&](const auto& map) {
     auto creases = std::exchange(input.creases, {});
-    reader.name_creases(borders, input);
+    reader.name_creases(map, input);
     input.borders = std::exchange(input.creases, std::move(creases));
-  }
+  });
 }
 
 /// The same of a soup of that many points. Throws std::invalid_argument for an edge of a point that
@@ -72,18 +72,13 @@ void give_box(const CGAL::Bbox_3& box, Input& input) {
     input.given_box->high[static_cast<std::size_t>(i)] = (box.max)(i);
   }
 }
-template <class Input>
-void give_box(const std::optional<CGAL::Bbox_3>& box, Input& input) {
-  if (box)
-    give_box(*box, input);
-}
 
 /// The box of the units, if one is given.
 template <class Input, class NamedParameters>
 void give_named_box(Input& input, const NamedParameters& named) {
   const auto box = CGAL::parameters::get_parameter(named, parameters::bounding_box_tag);
   if constexpr (is_given<decltype(box)>)
-    give_box(box, input);
+    if_given(box, [&](const auto& given) { give_box(given, input); });
 }
 
 } // namespace quadrille::internal

@@ -71,7 +71,7 @@ public:
     for (const ToldChannel& told : told_)
       if (!told.is_of_backs)
         surface.channels.push_back(read(told));
-    policies_.recorder.begin(std::move(surface));
+    policies_.recorder->begin(std::move(surface));
     for (Scratch& scratch : scratches_)
       scratch.record.contractions.list = empty_list();
   }
@@ -120,7 +120,7 @@ public:
     if (is_in_pass)
       buffer.add(recorded, contraction.cost());
     else
-      policies_.recorder.record(recorded);
+      policies_.recorder->record(recorded);
   }
 
   void vanished(const PartEvent& event) override {
@@ -132,16 +132,16 @@ public:
     if (policies_.stop.needs().distance_back) // its points have no place left
       removal.distance_bound = std::numeric_limits<double>::infinity();
     removal.removed_faces = faces;
-    policies_.recorder.record(removal);
+    policies_.recorder->record(removal);
   }
 
   void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) override {
-    if (policies_.recorder.hears_refusals())
-      policies_.recorder.refuse(refusal(ends, cause, error));
+    if (policies_.recorder->hears_refusals())
+      policies_.recorder->refuse(refusal(ends, cause, error));
   }
   void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) override {
-    if (policies_.recorder.hears_refusals())
+    if (policies_.recorder->hears_refusals())
       scratch.record.refusals.add(refusal(ends, cause, error));
   }
 
@@ -152,9 +152,9 @@ public:
   void end_stage() override {
     std::vector<RecordedWedge> wedges;
     for (const RecordPlace& place : places_in_order_of_cost(scratches_))
-      policies_.recorder.record(
+      policies_.recorder->record(
           scratches_[place.thread].record.contractions.list.contraction(place.number, wedges));
-    tell_refusals(policies_.recorder, scratches_);
+    tell_refusals(*policies_.recorder, scratches_);
     for (Scratch& scratch : scratches_) {
       scratch.record.contractions.list = empty_list();
       scratch.record.contractions.costs.clear();
@@ -162,7 +162,7 @@ public:
     }
   }
 
-  void end(StopReason reason) override { policies_.recorder.end(reason); }
+  void end(StopReason reason) override { policies_.recorder->end(reason); }
 
 private:
   // By input indices.

@@ -67,7 +67,7 @@ template <class Policies>
 class OptionalRecording {
 public:
   explicit OptionalRecording(const RecordingNeeds<Policies>& needs) {
-    if (needs.policies.recorder.is_listening())
+    if (needs.policies.recorder)
       recording_ = needs.policies.optional.make_recording(needs);
   }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <typeinfo>
@@ -39,6 +40,12 @@ public:
 
   /// A policy by its type, the members of those in the library by which costs differ, and whatever
   /// it is if it has no members that are rounded.
+  template <class Policy>
+  void add_policy(const std::optional<Policy>& policy) {
+    add_number(std::uint64_t{policy.has_value()});
+    if (policy)
+      add_policy(*policy);
+  }
   template <class Policy>
   void add_policy(const Policy& policy) {
     add_text(typeid(Policy).name());

@@ -2,11 +2,13 @@
 #define QUADRILLE_INTERNAL_FILE_PART_LIMIT_H
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/needs.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
 
+#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -17,19 +19,18 @@
 
 namespace quadrille::internal {
 
-/// ErrorLimit, HausdorffLimit, ToleranceLimit, or no limit, as is told at run time.
+/// ErrorLimit, HausdorffLimit or ToleranceLimit, as is told at run time.
 class DistanceChoice {
 public:
-  enum class Kind { unlimited, one_way, both_ways, tolerances };
+  enum class Kind { one_way, both_ways, tolerances };
 
-  DistanceChoice() = default; ///< no limit
   /// Tolerances have no number.
   explicit DistanceChoice(Kind kind, double number = 0, bool is_relative = false)
       : kind_(kind), number_(number), is_relative_(is_relative) {}
 
   static constexpr Needs needs = {.tolerance = true};
   Needs needs_now() const {
-    return {.distance = kind_ != Kind::unlimited,
+    return {.distance = true,
             .distance_back = kind_ == Kind::both_ways,
             .tolerance = kind_ == Kind::tolerances};
   }
@@ -40,17 +41,18 @@ public:
     if (kind_ == Kind::tolerances)
       return ToleranceLimit{}(status);
     const double limit = distance(status.diagonal);
-    return (kind_ != Kind::unlimited && status.next_distance > limit) ||
+    return status.next_distance > limit ||
            (kind_ == Kind::both_ways && status.next_distance_back > limit);
   }
 
 private:
-  Kind kind_ = Kind::unlimited;
-  double number_ = 0;
-  bool is_relative_ = false;
+  Kind kind_;
+  double number_;
+  bool is_relative_;
 };
 
-/// Among policies there may be one limit; each of them as a tuple of what it is, or of nothing.
+/// Among policies there may be one limit, or a std::optional of one; each of them as a tuple of
+/// what it is, or of nothing.
 template <class Policy>
 auto limit_as_tuple(const Policy& policy) {
   if constexpr (needs_of<Policy>().distance)
@@ -81,10 +83,22 @@ struct LimitInPart {
   }
 };
 
+/// A limit, if it is given, in a part of a surface of that diagonal.
+template <class Limit>
+auto limit_in_part(const Limit& limit, double diagonal) {
+  if constexpr (IsOptional<Limit>)
+    return limit ? std::optional(limit_in_part(*limit, diagonal)) : std::nullopt;
+  else
+    return LimitInPart<Limit>{limit, diagonal};
+}
+
 /// What a target says of faces, and what of distances: the one is a FaceCount or a FaceRatio, of
 /// no faces if nothing is said of them; the other a tuple of a limit, or of nothing.
 template <class Stop>
 auto faces_and_limit(const Stop& stop) {
+  static_assert(!IsOptional<Stop>, "quadrille::simplify_file: a std::optional alone is no target: "
+                                   "pass a limit that may be given beside a count, as AnyOf{"
+                                   "FaceRatio{0.5}, limit}.");
   if constexpr (needs_of<Stop>().distance)
     return std::pair(FaceCount{0}, std::tuple<Stop>(stop));
   else

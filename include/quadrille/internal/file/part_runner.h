@@ -36,7 +36,7 @@ public:
                 "quadrille: each part of a file is simplified without the others, in phases that "
                 "begin anew, so that guards are for surfaces in memory: NoSelfIntersection, "
                 "keep_solid(), NormalDeviation, or one without works_in_parts");
-  static_assert(!(is_recorder<Policies> || ...),
+  static_assert(!(is_recorder<Held<Policies>> || ...),
                 "quadrille: parts of a file are simplified several at a time and number vertices "
                 "anew: a recorder is for surfaces in memory");
   static_assert(!needs_closed_surface<Placement>,
@@ -159,8 +159,7 @@ private:
   template <class Stop>
   auto limited(const Stop& stop, const PartedJob& job) const {
     if constexpr (has_limit)
-      return AnyOf{
-          stop, LimitInPart<std::tuple_element_t<0, Limits>>{std::get<0>(limits_), job.diagonal()}};
+      return AnyOf{stop, limit_in_part(std::get<0>(limits_), job.diagonal())};
     else
       return stop;
   }

@@ -69,7 +69,7 @@ struct Policies {
   AnyOrder order;
   std::function<bool(const Status&)> visitor; // of no target where there is none
   Threads threads;                            // as many as the order asks for
-  RecorderHandle recorder;
+  std::optional<RecorderHandle> recorder;     // who is told of contractions
   std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
   FilterList<Cost::dimension> filters;
   GuardSet<Cost::dimension> guards;

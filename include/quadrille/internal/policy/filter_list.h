@@ -3,6 +3,7 @@
 
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/indexed_contraction.h>
 #include <quadrille/internal/policy/mesh_units.h>
@@ -25,11 +26,12 @@ namespace quadrille::internal {
 template <std::size_t N>
 class FilterList {
 public:
-  /// The default of a call: NormalFlip, unless one is among the filters.
+  /// The default of a call: NormalFlip, unless one is among the filters. Each may be a
+  /// std::optional.
   template <class... Filters>
   static FilterList of(const Filters&... filters) {
     FilterList list;
-    (list.add(filters), ...);
+    (if_given(filters, [&](const auto& filter) { list.add(filter); }), ...);
     return list;
   }
 
@@ -66,9 +68,6 @@ private:
   template <class Filter>
   void add(const Filter& filter) {
     validate(filter);
-    if constexpr (requires { filter.is_absent(); })
-      if (filter.is_absent())
-        return;
     if constexpr (std::same_as<Filter, NormalFlip>)
       if (!std::exchange(is_normal_flip_given_, true)) {
         normal_flip_ = filter;

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_POLICY_GUARD_SET_H
 #define QUADRILLE_INTERNAL_POLICY_GUARD_SET_H
 
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
@@ -41,30 +42,18 @@ concept IsGuard = IsOwnGuard<T> || requires(const T guard, const GuardedSurface&
 };
 
 template <class T>
-inline constexpr bool is_guard = IsGuard<T>;
-template <class T>
-inline constexpr bool is_guard<std::optional<T>> = IsGuard<T>;
-
-/// The type of a guard that may be absent.
-template <class T>
-struct PresentGuard {
-  using type = T;
-};
-template <class T>
-struct PresentGuard<std::optional<T>> {
-  using type = T;
-};
+inline constexpr bool is_guard = IsGuard<Held<T>>;
 
 /// May several threads ask it, and tell it of contractions? Else it needs GreedyOrder.
 template <class Guard>
 inline constexpr bool works_in_passes = requires {
-  requires PresentGuard<Guard>::type::works_in_passes;
+  requires Held<Guard>::works_in_passes;
 };
 
 /// Does it keep over a whole file what it keeps in each of its parts, in phases that begin anew?
 template <class Guard>
 inline constexpr bool works_in_parts = requires {
-  requires PresentGuard<Guard>::type::works_in_parts;
+  requires Held<Guard>::works_in_parts;
 };
 
 /// Makes what guards a surface, of a guard of any type.
@@ -100,12 +89,6 @@ public:
     Rejection cause;
   };
 
-  /// Adds a guard, unless it is absent.
-  template <class Guard>
-  void add(const std::optional<Guard>& guard) {
-    if (guard)
-      add(*guard);
-  }
   template <class Guard>
   void add(const Guard& guard) {
     validate(guard);

@@ -4,6 +4,7 @@
 #include <quadrille/order.h>
 
 #include <concepts>
+#include <optional>
 #include <variant>
 
 namespace quadrille::internal {
@@ -11,6 +12,16 @@ namespace quadrille::internal {
 template <class T>
 inline constexpr bool is_order =
     std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder> || std::same_as<T, AnyOrder>;
+
+/// An order that may be given; greedy order where none is.
+template <class Order>
+Order given_order(const Order& order) {
+  return order;
+}
+template <class Order>
+AnyOrder given_order(const std::optional<Order>& order) {
+  return order ? AnyOrder(*order) : AnyOrder(GreedyOrder{});
+}
 
 /// Does it go in passes? They merge nothing before few faces are left.
 inline bool has_passes(const AnyOrder& order) {

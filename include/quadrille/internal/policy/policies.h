@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_POLICY_POLICIES_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/policy/pair_indices.h>
 #include <quadrille/internal/policy/tie_break.h>
 #include <quadrille/needs.h>
@@ -118,8 +119,8 @@ struct PairOf : IndicesFor<Cost> {
 /// Where faces have no labels that are to be kept.
 struct NoLabels {};
 
-/// What a call carries beside the shape, as the user has it: labels of faces, or NoLabels; a tuple
-/// of Texture, Normals, …; is there a SplitVertices?
+/// What a call carries beside the shape, as the user has it: labels of faces, an optional of such,
+/// or NoLabels; a tuple of Texture, Normals, …; is there a SplitVertices?
 template <class Labels_, class Channels_, bool splits>
 struct Carried {
   using Labels = Labels_;
@@ -191,7 +192,9 @@ constexpr Needs with_implied(Needs needs) {
 /// What stop policies of a type may need.
 template <class Stop>
 constexpr Needs needs_of() {
-  if constexpr (requires { Stop::needs; })
+  if constexpr (IsOptional<Stop>)
+    return needs_of<Held<Stop>>();
+  else if constexpr (requires { Stop::needs; })
     return with_implied(Stop::needs);
   else
     return {};
@@ -200,7 +203,9 @@ constexpr Needs needs_of() {
 /// And what this one needs.
 template <class Stop>
 Needs needs_now(const Stop& stop) {
-  if constexpr (requires { stop.needs_now(); }) {
+  if constexpr (IsOptional<Stop>) {
+    return stop ? needs_now(*stop) : Needs{};
+  } else if constexpr (requires { stop.needs_now(); }) {
     static_assert(
         requires { Stop::needs; },
         "A stop policy with needs_now() has to say `static constexpr Needs needs` as well: "
@@ -233,9 +238,12 @@ inline constexpr bool ignores_indices = requires {
   requires Pairs::ignores_indices;
 };
 
+/// Throws what a policy throws that makes no sense.
 template <class Policy>
 void validate(const Policy& policy) {
-  if constexpr (requires { policy.validate(); })
+  if constexpr (IsOptional<Policy>)
+    if_given(policy, [](const auto& given) { validate(given); });
+  else if constexpr (requires { policy.validate(); })
     policy.validate();
 }
 

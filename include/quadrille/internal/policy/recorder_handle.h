@@ -8,18 +8,11 @@
 
 namespace quadrille::internal {
 
-/// A recorder of any type that the user keeps, told at run time; or none.
+/// A recorder of any type that the user keeps, told at run time.
 class RecorderHandle {
 public:
-  RecorderHandle() = default; ///< there is none
-
   template <class R>
   explicit RecorderHandle(R& recorder) : recorder_(&recorder) {
-    if constexpr (requires { recorder.is_listening(); }) // one that is chosen at run time
-      if (!recorder.is_listening()) {
-        recorder_ = nullptr;
-        return;
-      }
     begin_ = [](void* r, RecordedSurface&& surface) {
       static_cast<R*>(r)->begin(std::move(surface));
     };
@@ -37,8 +30,6 @@ public:
     };
   }
 
-  /// Is there anything to be told?
-  bool is_listening() const { return recorder_ != nullptr; }
   bool hears_refusals() const { return refuse_ != nullptr; }
 
   void begin(RecordedSurface surface) const { begin_(recorder_, std::move(surface)); }
@@ -47,7 +38,7 @@ public:
   void end(StopReason reason) const { end_(recorder_, reason); }
 
 private:
-  void* recorder_ = nullptr;
+  void* recorder_;
   void (*begin_)(void*, RecordedSurface&&) = nullptr;
   void (*record_)(void*, const RecordedContraction&) = nullptr;
   void (*refuse_)(void*, const RecordedRefusal&) = nullptr;

@@ -7,6 +7,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
+#include <optional>
 
 /// The visitor of a call, as policies hold it: a function of no target where there is none.
 
@@ -33,6 +34,12 @@ HeldVisitor hold_visitor(const std::reference_wrapper<V>& visitor) {
                 "const if the visitor is: derive it from quadrille::Visitor, and pass std::ref of "
                 "one that changes.");
   return [visitor](const Status& status) -> bool { return visitor.get().proceed(status); };
+}
+
+/// One that may be given.
+template <class V>
+HeldVisitor hold_visitor(const std::optional<V>& visitor) {
+  return visitor ? hold_visitor(*visitor) : HeldVisitor();
 }
 
 } // namespace quadrille::internal
