@@ -48,14 +48,17 @@ public:
                        (edges + edges_each - 1) / edges_each});
   }
 
-  /// The most that the faces and vertices may count that contracting the star takes.
+  /// May contracting the star take faces and vertices that count more than that?
+  bool may_take_more(const PairStar& star, std::size_t quota) const {
+    return !(is_topology_kept_ && star.shared.size() < quota) && most_used(star) > quota;
+  }
+
+private:
   std::size_t most_used(const PairStar& star) const {
     const auto [faces, vertices] =
         is_topology_kept_ ? Loss{backs_.count_all(star.shared), 1} : most_loss(star, backs_);
     return used(faces, vertices, 0);
   }
-
-private:
   std::size_t faces_each() const {
     return (is_topology_kept_ ? 2 : 4) * (backs_.is_empty() ? std::size_t{1} : 2);
   }

@@ -2,10 +2,9 @@
 #define QUADRILLE_INTERNAL_ORDER_HOLD_H
 
 #include <quadrille/internal/complex/edge_sides.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/evaluation/candidate.h>
+#include <quadrille/internal/order/attempt.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
@@ -60,6 +59,14 @@ public:
 private:
   static constexpr std::size_t least_part = 8; // of the pairs wait
 
+  // Contracts nothing.
+  struct OnlyAsks : Judge<Policies> {
+    using Judge<Policies>::Judge;
+    Attempt verdict(typename Judge<Policies>::Contraction& contraction) {
+      return Attempt::deferred(contraction.key());
+    }
+  };
+
   bool counts_most() {
     if (!scratch_)
       scratch_.emplace(surface_.complex().vertex_capacity());
@@ -76,14 +83,10 @@ private:
   }
 
   bool is_held(Index v, Index w) {
-    Candidate<typename Policies::Cost> candidate = surface_.evaluator().evaluate(v, w);
-    const GatheredStar star(surface_.complex(), v, w, *scratch_);
-    if constexpr (looks_at_star<typename Policies::Placement>)
-      if (!surface_.evaluator().settle(candidate, *star))
-        return false;
-    Contraction<typename Policies::Cost> contraction(candidate, star);
-    const auto cause = surface_.checks().rejection(contraction);
-    return cause && is_by(*cause) && (*cause != Rejection::topology || stays(v));
+    OnlyAsks judge(surface_);
+    const Attempt attempt = internal::attempt(surface_, v, w, *scratch_, judge, [](const auto&) {});
+    return attempt.outcome == Outcome::rejected && is_by(attempt.cause) &&
+           (attempt.cause != Rejection::topology || stays(v));
   }
 
   // The topology of what may vanish is no reason to.

@@ -1,12 +1,14 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_RELAXED_PASSES_H
 #define QUADRILLE_INTERNAL_ORDER_RELAXED_PASSES_H
 
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
 #include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
+#include <quadrille/internal/order/attempt.h>
 #include <quadrille/internal/order/block_stars.h>
 #include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/pass_plan.h>
@@ -61,7 +63,6 @@ public:
 
 private:
   using Cost = typename Policies::Cost;
-  using Candidate = internal::Candidate<Cost>;
   using Contraction = internal::Contraction<Cost>;
 
   struct Block {
@@ -80,6 +81,7 @@ private:
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
   static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
+  static constexpr std::size_t no_quota = ~std::size_t{0}; // of contractions
 
   // What a block needs is loaded once: it is contracted right after its costs are known.
   std::size_t pass(std::size_t quota) {
@@ -188,12 +190,10 @@ private:
   bool contract_within(std::size_t& quota, const Proposal& proposal, Worker& worker) {
     if (quota == 0)
       return false;
-    const GatheredStar star = gather(proposal, worker);
-    if (count_.most_used(*star) > quota)
-      return false;
     const Tally& tally = worker.scratch.tally;
     const std::size_t faces = tally.faces, vertices = tally.vertices, edges = tally.edges;
-    contract(proposal, star);
+    if (!contract(proposal, quota, worker.scratch))
+      return false;
     const std::size_t used =
         count_.used(tally.faces - faces, tally.vertices - vertices, tally.edges - edges);
     quota -= (std::min)(quota, used); // edges of no face that goes may be more
@@ -228,7 +228,7 @@ private:
     for (std::size_t i = 0; i < proposals.size() && !surface_.progress().is_enough(); ++i) {
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
-      contract(proposals[i], gather(proposals[i], worker));
+      contract(proposals[i], no_quota, worker.scratch);
       surface_.progress().count(worker.scratch.tally);
     }
     end_stage(surface_);
@@ -240,33 +240,45 @@ private:
            (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
   }
 
-  GatheredStar gather(const Proposal& proposal, Worker& worker) {
-    return {surface_.complex(), proposal.first, proposal.second, worker.scratch};
-  }
+  // What passes say of an attempt: what the greedy order has to look at is left to it.
+  class PassJudge : public Judge<Policies> {
+  public:
+    using typename Judge<Policies>::Contraction;
 
-  // Contracts a pair unless it is refused.
-  void contract(const Proposal& proposal, const GatheredStar& star) {
+    PassJudge(RelaxedPasses& passes, std::size_t quota)
+        : Judge<Policies>(passes.surface_), passes_(passes), quota_(quota) {}
+
+    QUADRILLE_ALWAYS_INLINE bool is_too_large(const PairStar& star) {
+      return quota_ < no_quota && passes_.count_.may_take_more(star, quota_);
+    }
+    QUADRILLE_ALWAYS_INLINE Attempt verdict(Contraction& contraction) {
+      return passes_.is_left_to_greedy_order(contraction) ? Attempt::deferred(contraction.key())
+                                                          : Attempt();
+    }
+
+  private:
+    RelaxedPasses& passes_;
+    std::size_t quota_;
+  };
+
+  // Contracts a pair unless something speaks against it. False if the quota is too small for it.
+  bool contract(const Proposal& proposal, std::size_t quota, Scratch& scratch) {
     const std::array ends{proposal.first, proposal.second};
-    Candidate candidate = surface_.evaluator().evaluate(ends[0], ends[1]);
-    if constexpr (looks_at_star<typename Policies::Placement>)
-      if (!surface_.evaluator().settle(candidate, *star)) {
-        refuse_in_pass(surface_, ends, Policies::Placement::cause, candidate.error, star.scratch());
-        return;
-      }
-    Contraction contraction(candidate, star);
-    if (const auto cause = surface_.checks().rejection(contraction)) {
-      refuse_in_pass(surface_, ends, *cause, candidate.error, star.scratch());
-      return;
-    }
-    if (is_left_to_greedy_order(contraction)) {
-      ++star.scratch().tally.left;
-      return;
-    }
-    // Other blocks look at the vertices whose stars reach into them.
-    const auto is_inside = [this](Index v) { return stars_.is_inside(v); };
-    surface_.apply(contraction, InPass{is_inside});
-    stars_.touch(contraction.first());
-    stars_.touch(contraction.second());
+    PassJudge judge(*this, quota);
+    const Attempt attempt =
+        internal::attempt(surface_, ends[0], ends[1], scratch, judge,
+                          [&](const Contraction& c) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+                            // Other blocks look at the vertices whose stars reach into them.
+                            const auto is_inside = [this](Index v) { return stars_.is_inside(v); };
+                            surface_.apply(c, InPass{is_inside});
+                            stars_.touch(ends[0]);
+                            stars_.touch(ends[1]);
+                          });
+    if (attempt.outcome == Outcome::rejected)
+      refuse_in_pass(surface_, ends, attempt.cause, attempt.error, scratch);
+    else if (attempt.outcome == Outcome::deferred)
+      ++scratch.tally.left;
+    return attempt.outcome != Outcome::put_back;
   }
 
   bool is_left_to_greedy_order(Contraction& contraction) {
