@@ -1,6 +1,7 @@
 // Time against size at hubs, vertices of very many faces, as a table for hubs.gp:
 //   quadrille_hub_benchmark LARGEST > hubs.csv
 // Sizes are LARGEST faces and its halves; each time is the least of three.
+#include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 

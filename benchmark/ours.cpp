@@ -5,6 +5,7 @@
 #include "contender.h"
 
 #include <quadrille/cluster.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>

@@ -2,6 +2,7 @@
 #include "calibration.h"
 
 #include <quadrille/calibrated.h>
+#include <quadrille/distance_limits.h>
 
 #include <optional>
 

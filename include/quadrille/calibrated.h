@@ -9,6 +9,7 @@
 #define QUADRILLE_CALIBRATED_H
 
 #include <quadrille/distance.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_distance.h>
 #include <quadrille/internal/verify/checked_surface.h>

@@ -2,6 +2,7 @@
 #define QUADRILLE_DISTANCE_LIMITS_H
 
 #include <quadrille/internal/base/text.h>
+#include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/needs.h>
 #include <quadrille/report.h>
 

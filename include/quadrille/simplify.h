@@ -45,7 +45,8 @@ inline namespace QUADRILLE_THREADING {
 /// - a PlacementPolicy: where the vertex goes; or as the template argument Placement;
 ///   OptimalPlacement by default
 /// - a PairPolicy: which pairs there are; EdgePairs{} by default
-/// - a StopPolicy: when to stop; FaceRatio{0.5} by default
+/// - a StopPolicy: when to stop; FaceRatio{0.5} by default. Those that bound distances are in
+///   <quadrille/distance_limits.h>
 /// - GreedyOrder or RelaxedOrder, or AnyOrder: in which order; GreedyOrder{} by default
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - guards, any number, each with a header of its own: NoSelfIntersection, of

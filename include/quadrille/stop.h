@@ -2,7 +2,6 @@
 #define QUADRILLE_STOP_H
 
 #include <quadrille/cost_limit.h>
-#include <quadrille/distance_limits.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/policy/policies.h>

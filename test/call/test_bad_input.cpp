@@ -7,6 +7,7 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polyhedron_3.h>
 #include <boost/property_map/property_map.hpp>
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

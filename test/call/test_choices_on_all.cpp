@@ -1,6 +1,7 @@
 // Constraints, stops and filters, on every kind of mesh and on soups.
 #include "on_all.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

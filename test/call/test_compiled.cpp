@@ -2,6 +2,7 @@
 #include "soups.h"
 
 #include <quadrille/compiled.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>

@@ -4,6 +4,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 #include <quadrille/compiled.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/level.h>
 #include <quadrille/levels.h>
 #include <quadrille/parameters.h>

@@ -3,6 +3,7 @@
 #include "pieces.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
 #include <quadrille/simplify.h>

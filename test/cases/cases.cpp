@@ -1,6 +1,7 @@
 #include "cases.h"
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/thin_feature_quadric.h>

@@ -4,6 +4,7 @@
 #include "../support/meshes.h"
 #include "../support/soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/order.h>
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>

@@ -1,6 +1,8 @@
 // Two stop policies.
 #include "surfaces.h"
 
+#include <quadrille/distance_limits.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

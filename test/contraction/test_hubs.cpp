@@ -3,6 +3,7 @@
 #include "arrays.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>

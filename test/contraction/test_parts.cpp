@@ -5,6 +5,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/levels.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

@@ -5,6 +5,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/distance.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/labels.h>
 #include <quadrille/simplify.h>
 

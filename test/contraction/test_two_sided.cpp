@@ -3,6 +3,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/labels.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>

@@ -4,6 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/calibrated.h>
+#include <quadrille/distance_limits.h>
 
 #include <catch2/catch.hpp>
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <quadrille/distance.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

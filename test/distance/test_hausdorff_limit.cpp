@@ -6,6 +6,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/distance.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/labels.h>
 #include <quadrille/simplify.h>
 
@@ -36,13 +37,13 @@ double farthest(const test::Soup& from, const test::Soup& to) {
   return test::farthest(from, to, from.triangles.size() > 500 ? 3 : 6);
 }
 
-struct Outcome {
+struct Within {
   Report report;
   test::Soup result;
 };
 
 template <class... Arguments>
-Outcome simplified(const test::Soup& input, const Arguments&... arguments) {
+Within simplified(const test::Soup& input, const Arguments&... arguments) {
   test::PointSoup soup(input);
   const Report report =
       simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles, arguments...);
@@ -50,7 +51,7 @@ Outcome simplified(const test::Soup& input, const Arguments&... arguments) {
 }
 
 // Holds that the report says no less than is measured, either way.
-void check_bounds(const test::Soup& input, const Outcome& outcome) {
+void check_bounds(const test::Soup& input, const Within& outcome) {
   INFO(outcome.report);
   const double own = 0x1p-50 * test::greatest_coordinate(input); // roundings of what is measured
   CHECK(outcome.report.hausdorff_bound >= outcome.report.distance_bound);
@@ -60,8 +61,8 @@ void check_bounds(const test::Soup& input, const Outcome& outcome) {
 
 // Simplifies a soup within a limit, and holds that it is.
 template <class... Arguments>
-Outcome simplify_within(double limit, const test::Soup& input, const Arguments&... arguments) {
-  const Outcome outcome = simplified(input, HausdorffLimit{limit}, arguments...);
+Within simplify_within(double limit, const test::Soup& input, const Arguments&... arguments) {
+  const Within outcome = simplified(input, HausdorffLimit{limit}, arguments...);
   INFO("limit " << limit);
   CHECK(outcome.report.hausdorff_bound <=
         std::max(limit, 0x1p-40 * test::greatest_coordinate(input)));
@@ -137,7 +138,7 @@ TEST_CASE("Each contraction is within what it adds") {
     for (const test::Soup& input : small_surfaces(seed))
       for (std::size_t faces = input.triangles.size(); faces-- > 2;) {
         INFO("seed " << seed << ", " << input.triangles.size() << " to " << faces << " faces");
-        const Outcome outcome =
+        const Within outcome =
             simplified(input, AnyOf{HausdorffLimit{10}, FaceCount{faces}}, Topology::kept);
         check_bounds(input, outcome);
         if (outcome.result.triangles.size() > faces)
@@ -287,11 +288,11 @@ TEST_CASE("Of each old face, input points are as far as they were, and as they g
 
 TEST_CASE("A needle stays that an error limit takes away") {
   const test::Soup input = sheet_with_needle(0.01, 1);
-  const Outcome one_way = simplified(input, ErrorLimit{0.05});
+  const Within one_way = simplified(input, ErrorLimit{0.05});
   INFO(one_way.report);
   CHECK(one_way.report.hausdorff_bound == infinity);
   CHECK(farthest(input, one_way.result) > 0.9);
-  const Outcome both_ways = simplify_within(0.05, input);
+  const Within both_ways = simplify_within(0.05, input);
   CHECK(both_ways.report.faces_after < input.triangles.size() / 4);
   CHECK(both_ways.report.rejected(Rejection::distance) > 0);
 }
@@ -301,10 +302,10 @@ TEST_CASE("A part that may vanish stays within a limit both ways, else the bound
       test::joined(test::sphere(3), test::mapped(test::sphere(1), [](const test::Position& p) {
                      return 0.001 * p + test::Position{{3, 0, 0}};
                    }));
-  const Outcome stays = simplified(input, HausdorffLimit{0.1}, Topology::parts_may_vanish);
+  const Within stays = simplified(input, HausdorffLimit{0.1}, Topology::parts_may_vanish);
   CHECK(stays.report.vanished_parts == 0);
   CHECK(stays.report.hausdorff_bound <= 0.1);
-  const Outcome goes =
+  const Within goes =
       simplified(input, AllOf{HausdorffLimit{0.1}, FaceCount{200}}, Topology::parts_may_vanish);
   INFO(goes.report);
   CHECK(goes.report.vanished_parts == 1);
@@ -316,9 +317,9 @@ TEST_CASE("Faces that vanish with all their points are refused, or known to have
   test::Soup pieces = test::grid(4, 4);
   for (std::uint32_t i = 0; i < 20; ++i) // triangles that hang on nothing
     pieces = test::joined(pieces, test::triangle(), {{2.0 + 2 * i, 0, 0}});
-  const Outcome within = simplify_within(0.8, pieces, Topology::free);
+  const Within within = simplify_within(0.8, pieces, Topology::free);
   CHECK(within.report.faces_after >= 20);
-  const Outcome beyond =
+  const Within beyond =
       simplified(pieces, AllOf{HausdorffLimit{0.8}, FaceCount{4}}, Topology::free);
   INFO(beyond.report);
   CHECK(beyond.report.faces_after < 20);
@@ -397,7 +398,7 @@ TEST_CASE("A Hausdorff limit holds of floats as they are written, far from the o
     std::vector<std::array<float, 3>> points;
     for (const test::Position& p : input.points)
       points.push_back({float(p[0]), float(p[1]), float(p[2])});
-    Outcome outcome{{}, {{}, input.triangles}};
+    Within outcome{{}, {{}, input.triangles}};
     outcome.report = simplify(points, outcome.result.triangles, HausdorffLimit{limit});
     for (const auto& p : points)
       outcome.result.points.push_back({{double{p[0]}, double{p[1]}, double{p[2]}}});
@@ -411,8 +412,8 @@ TEST_CASE("A Hausdorff limit does not depend on the unit") {
   const auto scaled = [&](double unit) {
     return test::mapped(input, [&](const test::Position& p) { return unit * p; });
   };
-  const Outcome plain = simplified(input, HausdorffLimit{0.05});
-  const Outcome small = simplified(scaled(0x1p-30), HausdorffLimit{0.05 * 0x1p-30});
+  const Within plain = simplified(input, HausdorffLimit{0.05});
+  const Within small = simplified(scaled(0x1p-30), HausdorffLimit{0.05 * 0x1p-30});
   CHECK(plain.report.faces_after == small.report.faces_after);
   CHECK(plain.report.hausdorff_bound == 0x1p30 * small.report.hausdorff_bound);
 }

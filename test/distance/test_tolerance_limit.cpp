@@ -5,6 +5,7 @@
 #include "point_replay.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

@@ -6,6 +6,7 @@
 #include "soups.h"
 #include "surface_files.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/file.h>
 
 #include <catch2/catch.hpp>

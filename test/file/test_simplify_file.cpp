@@ -7,6 +7,7 @@
 #include "folder.h"
 
 #include <quadrille/distance.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/file.h>
 
 #include <catch2/catch.hpp>

@@ -4,6 +4,7 @@
 #include "replay.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>

@@ -4,6 +4,7 @@
 #include "textured.h"
 
 #include <quadrille/channels.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 #include <quadrille/simplify.h>

@@ -1,6 +1,7 @@
 // CostLimit: greedy order ends where the next pair costs more; passes leave out what does.
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>

@@ -3,6 +3,7 @@
 #include "soups.h"
 
 #include <quadrille/distance.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

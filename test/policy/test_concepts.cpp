@@ -1,6 +1,7 @@
 #include "archetypes.h"
 #include "meshes.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

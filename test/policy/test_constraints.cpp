@@ -3,6 +3,7 @@
 #include "soups.h"
 
 #include <boost/property_map/function_property_map.hpp>
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

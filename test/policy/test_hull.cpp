@@ -6,6 +6,7 @@
 #include "soups.h"
 #include "winding_number.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/hull.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

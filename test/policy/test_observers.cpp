@@ -3,6 +3,7 @@
 #include "replay.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/hull.h>
 #include <quadrille/simplify.h>
 

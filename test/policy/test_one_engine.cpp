@@ -1,6 +1,7 @@
 // All that is told at run time makes no engine of its own, and is told as its type says.
 #include "meshes.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

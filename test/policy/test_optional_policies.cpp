@@ -1,6 +1,7 @@
 // A std::optional of a policy is the policy that it holds; one that holds nothing is not there.
 #include "meshes.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/file.h>
 #include <quadrille/levels.h>
 #include <quadrille/simplified.h>

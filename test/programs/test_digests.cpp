@@ -4,6 +4,7 @@
 // elementary functions are part of what it fixes.
 #include "on_all.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -8,6 +8,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <boost/property_map/property_map.hpp>
 #include <quadrille/cluster.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/levels.h>
 #include <quadrille/simplify.h>
 

@@ -7,6 +7,7 @@
 #include "models.h"
 #include "soups.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>

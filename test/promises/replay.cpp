@@ -7,6 +7,7 @@
 #include "models.h"
 #include "point_replay.h"
 
+#include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/simplify.h>

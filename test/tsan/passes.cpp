@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/subdivision_method_3.h>
+#include <quadrille/distance_limits.h>
 #include <quadrille/simplify.h>
 
 #include <iostream>

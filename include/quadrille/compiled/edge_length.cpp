@@ -1,4 +1,5 @@
 #include <quadrille/compiled/engines.h>
+#include <quadrille/distance_limits.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINES(template, EdgeLength);

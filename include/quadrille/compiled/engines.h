@@ -4,7 +4,6 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/internal/call/engine.h>
-#include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/recorder_teller.h>
 #include <quadrille/internal/order/relaxed_passes.h>
 #include <quadrille/internal/policy/built_in_placement.h>
@@ -35,10 +34,12 @@ using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
   KEYWORDS std::unique_ptr<Recording<UsualPolicies<COST, HAS_CHANNELS>>>                           \
   make_recording<UsualPolicies<COST, HAS_CHANNELS>>(                                               \
       const RecordingNeeds<UsualPolicies<COST, HAS_CHANNELS>>&);                                   \
-  KEYWORDS const DistanceCalls<UsualPolicies<COST, HAS_CHANNELS>>*                                 \
-  distance_calls<UsualPolicies<COST, HAS_CHANNELS>, false>();                                      \
-  KEYWORDS const DistanceCalls<UsualPolicies<COST, HAS_CHANNELS>>*                                 \
-  distance_calls<UsualPolicies<COST, HAS_CHANNELS>, true>()
+  KEYWORDS std::unique_ptr<MeasuredDistances<UsualPolicies<COST, HAS_CHANNELS>>>                   \
+  make_distances<UsualPolicies<COST, HAS_CHANNELS>, false>(                                        \
+      const DistanceNeeds<UsualPolicies<COST, HAS_CHANNELS>>&);                                    \
+  KEYWORDS std::unique_ptr<MeasuredDistances<UsualPolicies<COST, HAS_CHANNELS>>>                   \
+  make_distances<UsualPolicies<COST, HAS_CHANNELS>, true>(                                         \
+      const DistanceNeeds<UsualPolicies<COST, HAS_CHANNELS>>&)
 
 #define QUADRILLE_ENGINES(KEYWORDS, COST)                                                          \
   QUADRILLE_ENGINE(KEYWORDS, COST, false);                                                         \

@@ -13,7 +13,6 @@
 
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace quadrille::internal {
 
@@ -54,9 +53,6 @@ public:
   double key() const { return candidate_.key; }
   double error() const { return candidate_.error; }
   const PairStar& star() const { return scratch_.star; }
-  /// Of the faces that change, in the order of the star: how far they will be from the input at
-  /// most, once that has been measured.
-  std::vector<float>& bounds() const { return scratch_.distance.bounds; }
 
   const Candidate& candidate() const { return candidate_; }
   /// To a place that costs the same.

@@ -5,49 +5,103 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/distance_scratch.h>
+#include <quadrille/internal/contraction/measured_distances.h>
+#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/distance/distance_bounds.h>
+#include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/distance/tolerances.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
+#include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace quadrille::internal {
 
-template <class Policies>
-struct DistanceCalls;
-
-/// Would a contraction take the surface so far from the input that the stop policy stops? At a
-/// distance of 0 it does not.
-template <class Policies>
-class DistanceCheck {
+/// Measures each contraction before it is done, and keeps what is known of each face. At a distance
+/// of 0 the stop policy does not stop. `both_ways`: may the type of the stop policy need that?
+template <class Policies, bool both_ways>
+class DistanceCheck final : public MeasuredDistances<Policies> {
 public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
   using Candidate = internal::Candidate<Cost>;
   using Contraction = internal::Contraction<Cost>;
 
-  DistanceCheck(const Policies& policies, const Scale<dimension>& scale,
-                const TriangleComplex& complex, const Geometry<dimension>& geometry,
-                const LinkCondition& link_condition, const DistanceBounds& bounds,
-                const PairEvaluator<Policies>& evaluator, const Checks<Policies>& checks)
-      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        link_condition_(link_condition), bounds_(bounds), evaluator_(evaluator), checks_(checks) {}
-
-  /// If not, the status tells how far, and the bounds of the contraction are those of the faces
-  /// that it changes.
-  ///
-  /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
-  /// at all: else such distances add up along straight creases and at corners.
-  bool is_too_far(Contraction& contraction, Status& status) const {
-    return policies_.optional.distances->is_too_far(*this, contraction, status);
+  explicit DistanceCheck(const DistanceNeeds<Policies>& needs)
+      : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
+        numbering_(needs.numbering), geometry_(needs.geometry),
+        link_condition_(needs.link_condition), evaluator_(needs.evaluator), checks_(needs.checks),
+        bounds_(complex_.face_capacity(), greatest_coordinate(needs.box),
+                policies_.stop.needs().distance_back, tolerances_of(needs.tolerances)),
+        scratches_(policies_.threads) {
+    if (policies_.optional.bounds)
+      bounds_.take_given(*policies_.optional.bounds, given_tolerance(), complex_, numbering_.faces);
   }
 
-  /// What is known of the surface as it is. Does each point of the input have a place on it?
-  void tell(Report& report, bool has_all_points) const {
+  /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
+  /// at all: else such distances add up along straight creases and at corners.
+  bool is_too_far(Contraction& contraction, Status& status) override {
+    if constexpr (both_ways)
+      return measure_too_far_both_ways(contraction, status);
+    else
+      return measure_too_far(contraction, status);
+  }
+
+  bool is_beyond_hub(const Candidate& candidate, const Scratch& scratch,
+                     const Status& status) override {
+    return bounds_.is_beyond_hub(
+        complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
+        scratches_[scratch.number].faces_too_far,
+        [this](Index v) { return link_condition_.may_be_junction(v); },
+        [this, after = status](double distance, const StarTolerance& tolerance) mutable {
+          tell_distance(after, distance, tolerance);
+          return policies_.stop(after);
+        });
+  }
+
+  double bound_of(const Contraction& contraction) const override {
+    const auto greatest = [](const std::vector<float>& values) {
+      float result = 0;
+      for (float value : values)
+        result = (std::max)(result, value);
+      return static_cast<double>(result);
+    };
+    const DistanceScratch& scratch = scratches_[contraction.scratch().number];
+    double bound = greatest(scratch.bounds);
+    if (policies_.stop.needs().distance_back)
+      bound = scratch.back.is_any_lost()
+                  ? std::numeric_limits<double>::infinity()
+                  : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.back.bounds())));
+    return scale_.length_of_mesh(scratch.tolerance.distance_of(bound));
+  }
+
+  void follow(const Contraction& contraction) override {
+    const DistanceScratch& scratch = scratch_of(contraction);
+    bounds_.set(contraction.star(), scratch.bounds);
+    if (policies_.stop.needs().distance_back) {
+      bounds_.set_back(contraction.star(), scratch.back.bounds(), scratch.tolerance);
+      contraction.scratch().tally.loses_points |= scratch.back.is_any_lost();
+    }
+  }
+  void pack() override {
+    bounds_.pack_if([this](Index face) { return !complex_.is_removed(face); });
+  }
+
+  void tell(Report& report, bool has_all_points) const override {
     const double unit = bounds_.greatest_tolerance();
     report.distance_bound = scale_.length_of_mesh(unit * bounds_.greatest(complex_));
     if (policies_.stop.needs().distance_back && has_all_points)
@@ -56,18 +110,39 @@ public:
     if (bounds_.has_tolerances() && has_all_points)
       tell_tolerance(report);
   }
-
-  /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
-  bool is_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
-    return policies_.optional.distances->is_beyond_hub(*this, candidate, scratch, status);
+  void tell_bounds(std::vector<FaceBound>& bounds) const override {
+    bounds_.tell(bounds, complex_, numbering_.faces);
   }
 
 private:
-  template <class P, bool may_ask_both_ways>
-  friend const DistanceCalls<P>* distance_calls();
+  // The greatest coordinate of a surface in a box, in the engine's unit.
+  double greatest_coordinate(const Box<dimension>& box) const {
+    double greatest = 0;
+    for (const Vector<dimension>& p : scale_.scaled(std::array{box.low, box.high}))
+      for (std::size_t i = 0; i < 3; ++i)
+        greatest = (std::max)(greatest, std::abs(p[i]));
+    return greatest;
+  }
+  // Of faces, in the engine's unit; none of none.
+  Tolerances tolerances_of(std::vector<double> of_vertex) const {
+    if (of_vertex.empty())
+      return {};
+    for (double& tolerance : of_vertex)
+      tolerance = scale_.length_from_mesh(tolerance);
+    return {complex_, of_vertex, 2 * scale_.length_from_mesh(scale_.diagonal())};
+  }
+  // In the engine's unit, if bounds have tolerances.
+  std::optional<double> given_tolerance() const {
+    const std::optional<double>& greatest = policies_.optional.greatest_tolerance;
+    return greatest ? std::optional(scale_.length_from_mesh(*greatest)) : std::nullopt;
+  }
 
-  bool measure_too_far(Contraction& contraction, Status& status) const {
-    StarTolerance& tolerance = contraction.scratch().distance.tolerance;
+  DistanceScratch& scratch_of(const Contraction& contraction) {
+    return scratches_[contraction.scratch().number];
+  }
+
+  bool measure_too_far(Contraction& contraction, Status& status) {
+    StarTolerance& tolerance = scratch_of(contraction).tolerance;
     tolerance = bounds_.tolerance_of(contraction.star());
     const auto stops = [&](const FaceDeviation& deviation) {
       tell_distance(status, deviation.from_input, tolerance);
@@ -91,12 +166,12 @@ private:
   }
 
   // The same, and behind it, if both count, of the distance from the input to the surface.
-  bool measure_too_far_both_ways(Contraction& contraction, Status& status) const {
+  bool measure_too_far_both_ways(Contraction& contraction, Status& status) {
     if (measure_too_far(contraction, status))
       return true;
     if (!policies_.stop.needs().distance_back)
       return false;
-    auto& scratch = contraction.scratch().distance;
+    DistanceScratch& scratch = scratch_of(contraction);
     const double used = status.next_tolerance;
     const auto stops = [&](double distance) {
       status.next_distance_back = told(distance, scratch.tolerance);
@@ -120,28 +195,17 @@ private:
     report.used_tolerance = Report::UsedTolerance{bounds_.used(face), middle.coordinates};
   }
 
-  bool look_beyond_hub(const Candidate& candidate, Scratch& scratch, const Status& status) const {
-    return bounds_.is_beyond_hub(
-        complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
-        scratch.distance.faces_too_far,
-        [this](Index v) { return link_condition_.may_be_junction(v); },
-        [this, after = status](double distance, const StarTolerance& tolerance) mutable {
-          tell_distance(after, distance, tolerance);
-          return policies_.stop(after);
-        });
-  }
-
   // In the engine's unit.
-  FaceDeviation measure(const Contraction& contraction, const Status& status) const {
+  FaceDeviation measure(const Contraction& contraction, const Status& status) {
     const Index a = contraction.first(), b = contraction.second();
-    auto& scratch = contraction.scratch().distance;
+    DistanceScratch& scratch = scratch_of(contraction);
     const auto stops_beyond = [&, after = status](double distance) mutable {
       tell_distance(after, distance, scratch.tolerance);
       return policies_.stop(after);
     };
     return bounds_.measure(contraction.star(), a, b, geometry_.positions(),
                            space(contraction.target()), kind_of_star(a, b), scratch.tolerance,
-                           scratch.deviation, contraction.bounds(), stops_beyond);
+                           scratch.deviation, scratch.bounds, stops_beyond);
   }
 
   StarKind kind_of_star(Index a, Index b) const {
@@ -169,50 +233,31 @@ private:
   bool is_nothing(const FaceDeviation& deviation) const {
     return deviation.from_star <= bounds_.rounding() / 64;
   }
-  bool is_next_to_nothing(const FaceDeviation& deviation, const Contraction& contraction) const {
+  bool is_next_to_nothing(const FaceDeviation& deviation, const Contraction& contraction) {
     return !is_nothing(deviation) &&
-           deviation.from_star <=
-               next_to_nothing * contraction.scratch().distance.deviation.extent();
+           deviation.from_star <= next_to_nothing * scratch_of(contraction).deviation.extent();
   }
   static constexpr double next_to_nothing = 0x1p-20;
 
   const Policies& policies_;
   const Scale<dimension>& scale_;
   const TriangleComplex& complex_;
+  const Numbering& numbering_;
   const Geometry<dimension>& geometry_;
   const LinkCondition& link_condition_;
-  const DistanceBounds& bounds_;
   const PairEvaluator<Policies>& evaluator_;
   const Checks<Policies>& checks_;
+  DistanceBounds bounds_;
+  std::vector<DistanceScratch> scratches_; // one for each thread
 };
 
-/// What a DistanceCheck does is compiled where the type of a stop policy may ask for it.
-template <class Policies>
-struct DistanceCalls {
-  using Check = DistanceCheck<Policies>;
-  using Contraction = typename Check::Contraction;
-  using Candidate = typename Check::Candidate;
-
-  bool (*is_too_far)(const Check&, Contraction&, Status&);
-  bool (*is_beyond_hub)(const Check&, const Candidate&, Scratch&, const Status&);
-};
-
-template <class Policies, bool may_ask_both_ways>
-const DistanceCalls<Policies>* distance_calls() {
-  using Calls = DistanceCalls<Policies>;
-  static constexpr Calls calls{
-      [](const typename Calls::Check& check, typename Calls::Contraction& contraction,
-         Status& status) {
-        if constexpr (may_ask_both_ways)
-          return check.measure_too_far_both_ways(contraction, status);
-        else
-          return check.measure_too_far(contraction, status);
-      },
-      [](const typename Calls::Check& check, const typename Calls::Candidate& candidate,
-         Scratch& scratch,
-         const Status& status) { return check.look_beyond_hub(candidate, scratch, status); }};
-  return &calls;
+/// For OptionalParts.
+template <class Policies, bool both_ways>
+std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs) {
+  return std::make_unique<DistanceCheck<Policies, both_ways>>(needs);
 }
+
+struct DistanceHeader {}; // it has been included
 
 } // namespace quadrille::internal
 

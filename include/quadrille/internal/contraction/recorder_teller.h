@@ -42,7 +42,7 @@ public:
   explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
       : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
         numbering_(needs.numbering), geometry_(needs.geometry), channels_(needs.channels),
-        scratches_(needs.scratches) {}
+        distances_(needs.distances), scratches_(needs.scratches) {}
 
   void begin(const std::vector<std::size_t>& back_channels) override {
     const std::size_t vertices = numbering_.vertices.input_count();
@@ -225,19 +225,7 @@ private:
   double distance_bound(const Contraction& contraction) const {
     if (!policies_.stop.needs().distance)
       return 0;
-    const auto greatest = [](const std::vector<float>& values) {
-      float result = 0;
-      for (float value : values)
-        result = (std::max)(result, value);
-      return static_cast<double>(result);
-    };
-    const auto& scratch = contraction.scratch().distance;
-    double bound = greatest(contraction.bounds());
-    if (policies_.stop.needs().distance_back)
-      bound = scratch.back.is_any_lost()
-                  ? std::numeric_limits<double>::infinity()
-                  : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.back.bounds())));
-    return scale_.length_of_mesh(scratch.tolerance.distance_of(bound));
+    return distances_->bound_of(contraction);
   }
 
   // Of the wedges that met, those of one wedge now: the lowest identity is left.
@@ -279,6 +267,7 @@ private:
   const Numbering& numbering_;
   const Geometry<dimension>& geometry_;
   ChannelsOf<Policies>& channels_;
+  const OptionalDistances<Policies>& distances_;
   std::vector<Scratch>& scratches_;
   std::vector<ToldChannel> told_; // of each channel
   std::size_t width_ = dimension; // how many numbers a vertex has

@@ -6,6 +6,7 @@
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/measured_distances.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -59,6 +60,7 @@ struct RecordingNeeds {
   const Numbering& numbering;
   const Geometry<dimension>& geometry;
   ChannelsOf<Policies>& channels;
+  const OptionalDistances<Policies>& distances;
   std::vector<Scratch>& scratches;
 };
 

@@ -3,11 +3,11 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/distance_scratch.h>
 #include <quadrille/internal/contraction/record_scratch.h>
 #include <quadrille/internal/contraction/tally.h>
 #include <quadrille/internal/pairs/pair_tools.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace quadrille::internal {
@@ -17,11 +17,11 @@ namespace quadrille::internal {
 struct Scratch : PairTools {
   using PairTools::PairTools;
 
-  PairStar star; // of the contraction at hand
+  std::size_t number = 0; // of the thread
+  PairStar star;          // of the contraction at hand
   Tally tally;
   std::vector<StarFace> faces;   // that the contraction at hand changes, see Cleanup
   std::vector<Index> duplicates; // faces that the contraction at hand has removed as such
-  DistanceScratch distance;      // of DistanceCheck
   RecordScratch record;          // of RecorderTeller
 };
 

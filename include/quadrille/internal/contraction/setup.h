@@ -4,7 +4,6 @@
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/distance/tolerances.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/pair_source.h>
@@ -15,9 +14,6 @@
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -47,27 +43,6 @@ Scale<N> scale_of(const SurfaceInput<N>& input, const Box<N>& box, const Policie
   return scale;
 }
 
-/// The greatest coordinate of a surface in a box, in the engine's unit.
-template <std::size_t N>
-double greatest_coordinate(const Scale<N>& scale, const Box<N>& box) {
-  double greatest = 0;
-  for (const Vector<N>& p : scale.scaled(std::array{box.low, box.high}))
-    for (std::size_t i = 0; i < 3; ++i)
-      greatest = (std::max)(greatest, std::abs(p[i]));
-  return greatest;
-}
-
-/// The tolerances of faces, in the engine's unit, of those of vertices; none of none.
-template <std::size_t N>
-Tolerances tolerances_of(const TriangleComplex& complex, std::vector<double> of_vertex,
-                         const Scale<N>& scale) {
-  if (of_vertex.empty())
-    return {};
-  for (double& tolerance : of_vertex)
-    tolerance = scale.length_from_mesh(tolerance);
-  return {complex, of_vertex, 2 * scale.length_from_mesh(scale.diagonal())};
-}
-
 /// The triangles of an input. A pair policy of the user's wants to see them once more.
 template <std::size_t N>
 Array<TriangleComplex::Triangle> take_triangles(const PairSource& pairs, SurfaceInput<N>& input) {
@@ -86,7 +61,7 @@ inline std::vector<Scratch> scratches_for(unsigned threads, const TriangleComple
   std::vector<Scratch> scratches;
   scratches.reserve(threads);
   for (unsigned i = 0; i < threads; ++i)
-    scratches.emplace_back(complex.vertex_capacity(), complex.workspace());
+    scratches.emplace_back(complex.vertex_capacity(), complex.workspace()).number = i;
   return scratches;
 }
 

@@ -14,11 +14,11 @@
 #include <quadrille/internal/contraction/counted_costs.h>
 #include <quadrille/internal/contraction/counted_edges.h>
 #include <quadrille/internal/contraction/displacement.h>
-#include <quadrille/internal/contraction/distance_check.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/guard_list.h>
 #include <quadrille/internal/contraction/input_parts.h>
+#include <quadrille/internal/contraction/measured_distances.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
 #include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/part_event.h>
@@ -33,7 +33,6 @@
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>
-#include <quadrille/internal/distance/distance_bounds.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/pairs/pair_finder.h>
@@ -84,14 +83,12 @@ public:
         importance_(relative_importances(input.importances)),
         appearance_(policies, complex_, geometry_, memories_),
         recording_({policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
-                    scratches_}),
+                    distances_, scratches_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, appearance_.channels(),
                    importance_, numbering_),
         guards_(policies.guards, {complex_, geometry_, numbering_, scale_, is_topology_kept_}),
         checks_(policies, scale_, complex_, numbering_, geometry_, shared_, link_condition_,
                 appearance_.seams(), appearance_.channels(), guards_, is_topology_kept_),
-        distance_check_(policies, scale_, complex_, geometry_, link_condition_, bounds_, evaluator_,
-                        checks_),
         displacement_(scale_.diagonal(), scale_.length_from_mesh(scale_.diagonal())),
         target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
                       is_topology_kept_),
@@ -131,7 +128,7 @@ public:
   /// has it follows that it is told, packed, prefetched, and given memory: see ContractionEvent,
   /// tell_vanished() and columns.h.
   static auto followers(auto& self) {
-    return std::tie(self.recording_, self.costs_, self.edges_, self.bounds_,
+    return std::tie(self.recording_, self.costs_, self.edges_, self.distances_,
                     self.appearance_.channels(), self.appearance_.seams(), self.pairs_,
                     self.numbering_, self.moved_, self.memories_, self.geometry_, self.shared_,
                     self.link_condition_, self.terms_, self.importance_, self.parts_, self.guards_);
@@ -158,7 +155,7 @@ public:
   const PairEvaluator<Policies>& evaluator() const { return evaluator_; }
   GuardList<dimension>& guards() { return guards_; }
   const Checks<Policies>& checks() const { return checks_; }
-  const DistanceCheck<Policies>& distance_check() const { return distance_check_; }
+  const OptionalDistances<Policies>& distances() const { return distances_; }
   TargetRules<Policies>& target_rules() { return target_rules_; }
   ShapeCheck<Cost>& shape_check() { return shape_check_; }
   Progress<Policies>& progress() { return progress_; }
@@ -233,9 +230,9 @@ public:
   FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
     if (policies_.stop.needs().distance)
-      distance_check_.tell(report, progress_.has_all_points());
+      distances_->tell(report, progress_.has_all_points());
     if (policies_.optional.bounds)
-      bounds_.tell(*policies_.optional.bounds, complex_, numbering_.faces);
+      distances_->tell_bounds(*policies_.optional.bounds);
     count_topology(complex_, scratch().labels).tell(report);
     report.components_before =
         is_topology_kept_ ? report.components_after + report.vanished_parts : input_parts_.size();
@@ -268,24 +265,14 @@ private:
     else
       input_parts_ = InputParts(complex_, geometry_, scale_, numbering_.vertices);
     if (policies_.stop.needs().distance) {
-      const bool both_ways = policies_.stop.needs().distance_back;
-      bounds_ = DistanceBounds(complex_.face_capacity(), greatest_coordinate(scale_, box),
-                               both_ways, tolerances_of(complex_, tolerances, scale_));
-      if (policies_.optional.bounds)
-        bounds_.take_given(*policies_.optional.bounds,
-                           given_tolerance(policies_.optional.greatest_tolerance), complex_,
-                           numbering_.faces);
+      distances_.measure({policies_, scale_, complex_, numbering_, geometry_, link_condition_,
+                          evaluator_, checks_, box, tolerances});
       progress_.announce_distance(0);
-      if (both_ways)
+      if (policies_.stop.needs().distance_back)
         progress_.announce_distance_back(0);
       if (policies_.stop.needs().tolerance)
         progress_.announce_tolerance(0);
     }
-  }
-
-  // In the engine's unit, if bounds have tolerances.
-  std::optional<double> given_tolerance(const std::optional<double>& greatest) const {
-    return greatest ? std::optional(scale_.length_from_mesh(*greatest)) : std::nullopt;
   }
 
   void remember() {
@@ -339,7 +326,6 @@ private:
   PairFinder<Policies> pairs_;
   bool is_topology_kept_;
   LinkCondition link_condition_;
-  DistanceBounds bounds_{0}; // of no face where nobody asks
   NamedCreases creases_;
   Numbering numbering_;
   Geometry<dimension> geometry_;
@@ -354,7 +340,7 @@ private:
   PairEvaluator<Policies> evaluator_;
   GuardList<dimension> guards_;
   Checks<Policies> checks_;
-  DistanceCheck<Policies> distance_check_;
+  OptionalDistances<Policies> distances_;
   Displacement displacement_;
   TargetRules<Policies> target_rules_;
   ShapeCheck<Cost> shape_check_;

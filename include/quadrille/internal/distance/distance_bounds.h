@@ -143,16 +143,17 @@ public:
   void set(const PairStar& star, const std::vector<float>& bounds) {
     set(of_face_, star, bounds, [](float bound) { return bound; });
   }
-  template <class Event>
-  void after(const Event& event) {
-    const PairStar& star = event.contraction.star();
-    if (of_face_.size() > 0) // else nobody asks
-      set(star, event.contraction.bounds());
-    if (back_of_face_.size() > 0) {
-      auto& scratch = event.contraction.scratch();
-      set_back(star, scratch.distance.back.bounds(), scratch.distance.tolerance);
-      scratch.tally.loses_points |= scratch.distance.back.is_any_lost();
+  /// The same of their input points, where distances count both ways.
+  void set_back(const PairStar& star, const std::vector<float>& lengths,
+                const StarTolerance& tolerance) {
+    if (!tolerance.is_given) {
+      set(back_of_face_, star, lengths, [](float length) { return length; });
+      return;
     }
+    set(back_of_face_, star, lengths, [&](float length) {
+      return static_cast<float>(tolerance.bound_of(static_cast<double>(length)));
+    });
+    tolerances_.set(star, tolerance.least);
   }
 
   /// The faces begin with what is known of them, by the numbers that they and their backs have in
@@ -226,18 +227,6 @@ private:
     auto bound = bounds.begin();
     star.for_each_changed([&](const StarFace& f) { of_face[f.face] = stored(*bound++); });
   }
-  void set_back(const PairStar& star, const std::vector<float>& lengths,
-                const StarTolerance& tolerance) {
-    if (!tolerance.is_given) {
-      set(back_of_face_, star, lengths, [](float length) { return length; });
-      return;
-    }
-    set(back_of_face_, star, lengths, [&](float length) {
-      return static_cast<float>(tolerance.bound_of(static_cast<double>(length)));
-    });
-    tolerances_.set(star, tolerance.least);
-  }
-
   static double greatest(const Array<float>& of_face, const TriangleComplex& complex) {
     float greatest = 0;
     for (Index face = 0; face < complex.face_capacity(); ++face)

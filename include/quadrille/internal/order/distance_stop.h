@@ -29,7 +29,7 @@ public:
     if (!is_asking_ || is_enough_without())
       return false;
     Status status = surface_.status();
-    const bool result = surface_.distance_check().is_too_far(contraction, status);
+    const bool result = surface_.distances()->is_too_far(contraction, status);
     announce(status.next_distance, status.next_distance_back, status.next_tolerance);
     surface_.progress().announce(contraction.error());
     return result;
@@ -38,8 +38,7 @@ public:
   bool is_beyond_hub(const Candidate<Cost>& candidate) {
     if constexpr (!looks_at_star<typename Policies::Placement>)
       return is_asking_ && !is_enough_without() &&
-             surface_.distance_check().is_beyond_hub(candidate, surface_.scratch(),
-                                                     surface_.status());
+             surface_.distances()->is_beyond_hub(candidate, surface_.scratch(), surface_.status());
     else
       return false;
   }

@@ -22,7 +22,7 @@ bool is_stop_in_pass(const WorkingSurface<Policies>& surface,
     status.next_distance_back = 0;
   if (stop.needs().tolerance)
     status.next_tolerance = 0;
-  return stop(status) || surface.distance_check().is_too_far(contraction, status);
+  return stop(status) || surface.distances()->is_too_far(contraction, status);
 }
 
 } // namespace quadrille::internal

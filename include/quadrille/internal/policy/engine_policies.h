@@ -25,7 +25,11 @@ class Recording;
 template <class Policies>
 struct RecordingNeeds;
 template <class Policies>
-struct DistanceCalls;
+class MeasuredDistances;
+template <class Policies>
+struct DistanceNeeds;
+template <class Policies, bool both_ways>
+std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs);
 template <class Memory>
 struct GivenMemories;
 struct FaceBound;
@@ -39,7 +43,8 @@ struct OptionalParts {
   /// What tells the recorder.
   std::unique_ptr<Recording<Policies>> (*make_recording)(const RecordingNeeds<Policies>&) = nullptr;
   /// What measures distances for a stop policy that asks for them.
-  const DistanceCalls<Policies>* distances = nullptr;
+  std::unique_ptr<MeasuredDistances<Policies>> (*make_distances)(const DistanceNeeds<Policies>&) =
+      nullptr;
   /// What vertices remember at the beginning instead of what their faces leave, if that is given.
   const GivenMemories<typename Policies::Cost::Memory>* memories = nullptr;
   /// How far each input face is from the input of all pieces, at the beginning and then at the end;
@@ -70,7 +75,7 @@ struct Policies {
   std::function<bool(const Status&)> visitor; // of no target where there is none
   Threads threads;                            // as many as the order asks for
   std::optional<RecorderHandle> recorder;     // who is told of contractions
-  std::optional<Topology> topology; // nothing: as the mesh and the pairs suggest
+  std::optional<Topology> topology;           // nothing: as the mesh and the pairs suggest
   FilterList<Cost::dimension> filters;
   GuardSet<Cost::dimension> guards;
   OptionalParts<Policies> optional;
