@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 
 #include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/memory/workspace.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <quadrille/internal/adapter/split_points.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/read_indices.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 

@@ -4,7 +4,6 @@
 #include <quadrille/internal/contraction/enclosed_volume.h>
 #include <quadrille/internal/contraction/result.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/input/given_box.h>
 #include <quadrille/internal/input/spatial_order.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/order/greedy_loop.h>

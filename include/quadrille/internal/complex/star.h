@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_COMPLEX_STAR_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star_face.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/append_buffer.h>
@@ -95,8 +96,111 @@ private:
   std::vector<Index> link_; // of the end that is no hub
 };
 
-} // namespace quadrille::internal
+/// The faces of a hub beside another vertex, found from the neighbours of that. Of further hubs
+/// among these only what has to be known is looked for.
+class FacesBesideHub {
+public:
+  /// `link`: the neighbours of the vertex `other` but the hub, in order. What is found goes to
+  /// `faces`.
+  FacesBesideHub(TriangleComplex& complex, Index hub, Index other, const std::vector<Index>& link,
+                 AppendBuffer<StarFace>& faces)
+      : complex_(complex), hub_(hub), other_(other), link_(link), faces_(faces) {}
 
-#include <quadrille/internal/complex/faces_beside_hub.h>
+  /// All that have a vertex of the link which is no hub.
+  void add_at_link() {
+    for (Index v : link_)
+      if (!complex_.hubs().has(v))
+        complex_.for_each_corner(v, [&](Index face, Index i) {
+          const StarFace f = star_face_at(complex_, face, i);
+          if (f.has(hub_) && !f.has(other_) && !is_met_before(f.other_than(hub_), v))
+            add(face);
+        });
+  }
+  bool has_any_at(Index v) const {
+    return std::any_of(faces_.begin(), faces_.end(), [v](const StarFace& f) { return f.has(v); });
+  }
+  /// One that has a further hub.
+  void add_one_at(Index v) {
+    add_first(v, [&](const StarFace& f) { return f.has(v); });
+  }
+  /// That of two further hubs.
+  void add_between(Index v, Index w) {
+    add_first(fewer(v, w), [&](const StarFace& f) { return f.has(v) && f.has(w); });
+  }
+
+private:
+  // Was the face of these two vertices met at v before w had its turn?
+  bool is_met_before(Index v, Index w) const {
+    return v < w && !complex_.hubs().has(v) && std::binary_search(link_.begin(), link_.end(), v);
+  }
+
+  void add(Index face) { faces_.add_if(true, star_face_from(complex_, face, hub_)); }
+
+  // The first at both v and the hub for which is(f) holds, if there is any.
+  template <class Is>
+  void add_first(Index v, Is is) {
+    const Index few = fewer(v, hub_);
+    complex_.prune_first_corners(few);
+    complex_.any_corner(few, [&](Index face, Index) {
+      const auto& corners = complex_.vertices(face);
+      if (std::find(corners.begin(), corners.end(), hub_) == corners.end())
+        return false;
+      const StarFace f = star_face_from(complex_, face, hub_);
+      const bool result = is(f) && !f.has(other_);
+      if (result)
+        add(face);
+      return result;
+    });
+  }
+
+  Index fewer(Index v, Index w) const {
+    return complex_.degree_bound(v) < complex_.degree_bound(w) ? v : w;
+  }
+
+  TriangleComplex& complex_;
+  Index hub_, other_;
+  const std::vector<Index>& link_;
+  AppendBuffer<StarFace>& faces_;
+};
+
+QUADRILLE_NOINLINE inline void PairStar::gather_beside_hub(TriangleComplex& complex, Index a,
+                                                           Index b, Index its_hub) {
+  clear();
+  hub = its_hub;
+  const Index other = hub == a ? b : a;
+  AppendBuffer<StarFace>& of_other = hub == a ? second : first;
+  link_.clear();
+  complex.prune_corners(other, [&](Index face, Index i) {
+    const StarFace f = star_face_at(complex, face, i);
+    if (f.has(hub))
+      shared.add_if(true, star_face_from(complex, face, a));
+    else
+      of_other.add_if(true, f);
+    for (Index v : {f.second, f.third})
+      if (v != hub)
+        link_.push_back(v);
+  });
+  std::sort(link_.begin(), link_.end());
+  link_.erase(std::unique(link_.begin(), link_.end()), link_.end());
+
+  FacesBesideHub beside(complex, hub, other, link_, hub == a ? first : second);
+  beside.add_at_link();
+  const auto is_opposite = [&](Index v) {
+    return std::any_of(shared.begin(), shared.end(),
+                       [&](const StarFace& f) { return f.other_than(b) == v; });
+  };
+  for (Index v : link_)
+    if (complex.hubs().has(v) && !beside.has_any_at(v)) {
+      if (is_opposite(v))
+        beside.add_one_at(v);
+      else
+        may_meet_hub = true;
+    }
+  for (const StarFace& f : of_other)
+    if (complex.hubs().has(f.second) && complex.hubs().has(f.third))
+      beside.add_between(f.second, f.third);
+}
+
+} // namespace quadrille::internal
 
 #endif // QUADRILLE_INTERNAL_COMPLEX_STAR_H

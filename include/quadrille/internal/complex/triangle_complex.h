@@ -6,16 +6,26 @@
 #include <quadrille/internal/base/ranges.h>
 #include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/hubs.h>
-#include <quadrille/internal/complex/too_large.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace quadrille::internal {
+
+/// Refuses a surface that has more vertices or faces than there may be.
+[[noreturn]] inline void throw_too_large(std::size_t vertices, std::size_t faces,
+                                         std::size_t most_vertices, std::size_t most_faces) {
+  throw std::length_error(
+      "quadrille::simplify: " + std::to_string(vertices) + " vertices and " +
+      std::to_string(faces) + " faces do not fit into 32-bit indices (at most " +
+      std::to_string(most_vertices) + " and " + std::to_string(most_faces) + ")");
+}
 
 /// Any set of triangles over any set of vertices, in flat arrays with 32-bit indices: incidence,
 /// and nothing of positions or costs.

@@ -2,9 +2,9 @@
 #define QUADRILLE_INTERNAL_LEVELS_LEVEL_BUILDER_H
 
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/merges.h>
 #include <quadrille/internal/contraction/record_list.h>
 #include <quadrille/internal/levels/level_track.h>
+#include <quadrille/internal/surface/numbering.h>
 
 #include <algorithm>
 #include <array>
