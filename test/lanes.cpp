@@ -63,7 +63,7 @@ void compute_at_random() {
     const auto [values, positions] = internal::minima(
         ends[0], {&ends[1], &ends[2]}, {shared, shared}, ways, reach, internal::NothingAdded{});
     print(values);
-    print(positions.x);
+    print(positions[0]);
     print(internal::growth(forms[0], {&forms[1], &forms[2]}, ways, positions));
   }
 }

@@ -17,24 +17,25 @@ namespace quadrille {
 /// every term is of the size of the local error, and Q keeps its relative precision at any distance
 /// from zero; about zero its noise floor would be √ε·|x|.
 /// Storage is (N+1)(N+2)/2 doubles: 10 in space, 28 with colour.
-/// Source: Garland and Heckbert 1997, section 5; 1998, section 3 for N > 3.
-template <std::size_t N>
+/// Source: Garland and Heckbert 1997, section 5; 1998, section 3 for N > 3. See Vector for scalars.
+template <std::size_t N, class Scalar = double>
 class QuadricForm {
 public:
-  using Position = Vector<N>; ///< a displacement from the origin
+  using Position = Vector<N, Scalar>; ///< a displacement from the origin
 
   constexpr QuadricForm() = default;
   /// xᵀAx + 2gᵀx + c.
-  explicit constexpr QuadricForm(const SymmetricMatrix<N>& a, const Position& g = {}, double c = 0)
+  explicit constexpr QuadricForm(const SymmetricMatrix<N, Scalar>& a, const Position& g = {},
+                                 Scalar c = {})
       : a_(a), g_(g), c_(c) {}
 
   /// weight · (normal · x)²: the squared distance to a plane through the origin, for a unit normal.
-  static constexpr QuadricForm plane(const Position& normal, double weight) {
-    return QuadricForm(SymmetricMatrix<N>::outer_product(normal, weight));
+  static constexpr QuadricForm plane(const Position& normal, Scalar weight) {
+    return QuadricForm(SymmetricMatrix<N, Scalar>::outer_product(normal, weight));
   }
 
   /// weight · |x|²: the squared distance to the origin.
-  static constexpr QuadricForm point(double weight) {
+  static constexpr QuadricForm point(Scalar weight) {
     QuadricForm form;
     form.a_.add_to_diagonal(weight);
     return form;
@@ -55,7 +56,7 @@ public:
     return *this;
   }
   /// Multiplies all values.
-  constexpr QuadricForm& operator*=(double factor) {
+  constexpr QuadricForm& operator*=(Scalar factor) {
     a_ *= factor;
     g_ *= factor;
     c_ *= factor;
@@ -67,7 +68,7 @@ public:
   /// Expresses the same function about the point `d`, given relative to the old origin.
   constexpr void move_origin(const Position& d) {
     const Position ad = a_ * d;
-    c_ += dot(d, ad) + 2 * dot(g_, d);
+    c_ += dot(d, ad) + 2.0 * dot(g_, d);
     g_ += ad;
   }
 
@@ -76,15 +77,16 @@ public:
                                                const Position& d) {
     const Position ad = second.a_ * d;
     QuadricForm sum(first.a_ + second.a_);
-    for (std::size_t i = 0; i < N; ++i)
+    internal::unrolled<N>([&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA {
       sum.g_[i] = first.g_[i] + second.g_[i] - ad[i];
-    sum.c_ = first.c_ + second.c_ + dot(d, ad) - 2 * dot(second.g_, d);
+    });
+    sum.c_ = first.c_ + second.c_ + dot(d, ad) - 2.0 * dot(second.g_, d);
     return sum;
   }
 
   /// Q(x).
-  constexpr double operator()(const Position& x) const {
-    return dot(x, a_ * x) + 2 * dot(g_, x) + c_;
+  constexpr Scalar operator()(const Position& x) const {
+    return dot(x, a_ * x) + 2.0 * dot(g_, x) + c_;
   }
 
   /// The displacement of least value, −A⁻¹g, or nothing where A is singular: see
@@ -131,23 +133,23 @@ public:
     return x;
   }
 
-  constexpr const SymmetricMatrix<N>& matrix() const { return a_; } ///< A
-  constexpr SymmetricMatrix<N>& matrix() { return a_; }             ///< A, to be changed
+  constexpr const SymmetricMatrix<N, Scalar>& matrix() const { return a_; } ///< A
+  constexpr SymmetricMatrix<N, Scalar>& matrix() { return a_; }             ///< A, to be changed
   constexpr const Position& gradient() const { return g_; } ///< g, half of the gradient at 0
-  constexpr double constant() const { return c_; }          ///< c, the value at 0
-  constexpr double trace() const { return a_.trace(); }     ///< of A: the sum of the weights
+  constexpr Scalar constant() const { return c_; }          ///< c, the value at 0
+  constexpr Scalar trace() const { return a_.trace(); }     ///< of A: the sum of the weights
 
 private:
-  constexpr SymmetricMatrix<N> regular_matrix(double weight) const {
-    SymmetricMatrix<N> regular = a_;
+  constexpr SymmetricMatrix<N, Scalar> regular_matrix(double weight) const {
+    SymmetricMatrix<N, Scalar> regular = a_;
     regular.add_to_diagonal(weight);
     return regular;
   }
   constexpr Position half_gradient(const Position& x) const { return a_ * x + g_; }
 
-  SymmetricMatrix<N> a_;
+  SymmetricMatrix<N, Scalar> a_;
   Position g_;
-  double c_ = 0;
+  Scalar c_{};
 };
 
 } // namespace quadrille

@@ -2,6 +2,7 @@
 #define QUADRILLE_VECTOR_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/unrolled.h>
 
 #include <array>
 #include <cmath>
@@ -10,49 +11,63 @@
 namespace quadrille {
 
 /// A point or displacement of N real coordinates: three of space, then N − 3 attributes.
-/// An aggregate of doubles; components are read and written with `v[i]`.
-template <std::size_t N>
+/// An aggregate of doubles; components are read and written with `v[i]`. Inside of the library a
+/// scalar may stand for two numbers that are computed with at once.
+template <std::size_t N, class Scalar = double>
 struct Vector {
-  std::array<double, N> coordinates{}; ///< x, y, z; then attributes
+  std::array<Scalar, N> coordinates{}; ///< x, y, z; then attributes
 
-  constexpr double& operator[](std::size_t i) { return coordinates[i]; } ///< coordinate i, from 0
+  constexpr Scalar& operator[](std::size_t i) { return coordinates[i]; } ///< coordinate i, from 0
   /// Coordinate i, from 0.
-  constexpr double operator[](std::size_t i) const { return coordinates[i]; }
+  constexpr Scalar operator[](std::size_t i) const { return coordinates[i]; }
 
   /// The sum, coordinate by coordinate.
-  constexpr Vector& operator+=(const Vector& other) {
-    for (std::size_t i = 0; i < N; ++i)
-      coordinates[i] += other[i];
+  QUADRILLE_ALWAYS_INLINE constexpr Vector& operator+=(const Vector& other) {
+    internal::unrolled<N>([&](std::size_t i)
+                              QUADRILLE_ALWAYS_INLINE_LAMBDA { coordinates[i] += other[i]; });
     return *this;
   }
   /// The difference, coordinate by coordinate.
-  constexpr Vector& operator-=(const Vector& other) {
-    for (std::size_t i = 0; i < N; ++i)
-      coordinates[i] -= other[i];
+  QUADRILLE_ALWAYS_INLINE constexpr Vector& operator-=(const Vector& other) {
+    internal::unrolled<N>([&](std::size_t i)
+                              QUADRILLE_ALWAYS_INLINE_LAMBDA { coordinates[i] -= other[i]; });
     return *this;
   }
   /// Multiplies each coordinate.
-  constexpr Vector& operator*=(double factor) {
-    for (std::size_t i = 0; i < N; ++i)
-      coordinates[i] *= factor;
+  QUADRILLE_ALWAYS_INLINE constexpr Vector& operator*=(Scalar factor) {
+    internal::unrolled<N>([&](std::size_t i)
+                              QUADRILLE_ALWAYS_INLINE_LAMBDA { coordinates[i] *= factor; });
     return *this;
   }
-  friend constexpr Vector operator+(Vector a, const Vector& b) { return a += b; } ///< the sum
+  /// The sum.
+  QUADRILLE_ALWAYS_INLINE friend constexpr Vector operator+(Vector a, const Vector& b) {
+    return a += b;
+  }
   /// The difference.
-  friend constexpr Vector operator-(Vector a, const Vector& b) { return a -= b; }
+  QUADRILLE_ALWAYS_INLINE friend constexpr Vector operator-(Vector a, const Vector& b) {
+    return a -= b;
+  }
+  /// The opposite.
+  QUADRILLE_ALWAYS_INLINE friend constexpr Vector operator-(Vector a) {
+    internal::unrolled<N>([&](std::size_t i) QUADRILLE_ALWAYS_INLINE_LAMBDA { a[i] = -a[i]; });
+    return a;
+  }
   /// The multiple.
-  friend constexpr Vector operator*(double factor, Vector a) { return a *= factor; }
+  QUADRILLE_ALWAYS_INLINE friend constexpr Vector operator*(Scalar factor, Vector a) {
+    return a *= factor;
+  }
   /// To the last bit, but that 0 is −0.
   friend constexpr bool operator==(const Vector&, const Vector&) = default;
 };
 
 /// The scalar product.
-template <std::size_t N>
-QUADRILLE_ALWAYS_INLINE constexpr double dot(const Vector<N>& a, const Vector<N>& b) {
+template <std::size_t N, class Scalar>
+QUADRILLE_ALWAYS_INLINE constexpr Scalar dot(const Vector<N, Scalar>& a,
+                                             const Vector<N, Scalar>& b) {
   static_assert(N > 0);
-  double sum = a[0] * b[0]; // not from 0: x + 0 is an addition that no compiler may leave out
-  for (std::size_t i = 1; i < N; ++i)
-    sum += a[i] * b[i];
+  Scalar sum = a[0] * b[0]; // not from 0: x + 0 is an addition that no compiler may leave out
+  internal::unrolled<N - 1>([&](std::size_t i)
+                                QUADRILLE_ALWAYS_INLINE_LAMBDA { sum += a[i + 1] * b[i + 1]; });
   return sum;
 }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,11 +60,13 @@ struct WedgeMap {
 };
 
 /// weight · (normal · x + offset)².
-QUADRILLE_ALWAYS_INLINE inline QuadricForm<3> squared_plane(const Vector<3>& normal, double offset,
-                                                            double weight) {
-  const Vector<3> weighted = weight * normal;
-  return QuadricForm<3>(SymmetricMatrix<3>::outer_product(normal, weight), offset * weighted,
-                        weight * offset * offset);
+template <class Scalar>
+QUADRILLE_ALWAYS_INLINE inline QuadricForm<3, Scalar>
+squared_plane(const Vector<3, Scalar>& normal, std::type_identity_t<Scalar> offset,
+              std::type_identity_t<Scalar> weight) {
+  const Vector<3, Scalar> weighted = weight * normal;
+  return QuadricForm<3, Scalar>(SymmetricMatrix<3, Scalar>::outer_product(normal, weight),
+                                offset * weighted, weight * offset * offset);
 }
 
 /// Joins the maps of wedges, in weights of a channel.

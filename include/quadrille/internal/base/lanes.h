@@ -67,6 +67,15 @@ inline double select(bool condition, double a, double b) {
   return condition ? a : b;
 }
 
+/// Does a condition hold for no number, so that there is nothing to go on with? Of lanes that is
+/// not asked: going on costs less.
+constexpr bool is_nowhere(bool condition) {
+  return !condition;
+}
+constexpr bool is_nowhere(const LaneMask&) {
+  return false;
+}
+
 } // namespace quadrille::internal
 
 #endif // QUADRILLE_INTERNAL_BASE_LANES_H

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_EVALUATION_TWO_CHANNEL_FORMS_H
 #define QUADRILLE_INTERNAL_EVALUATION_TWO_CHANNEL_FORMS_H
 
+#include <quadrille/internal/appearance/affine_maps.h>
 #include <quadrille/internal/appearance/channel.h>
 #include <quadrille/internal/appearance/channel_contraction.h>
 #include <quadrille/internal/appearance/channels.h>
@@ -36,11 +37,11 @@ QUADRILLE_ALWAYS_INLINE inline void add_differences(const Channel& channel, cons
   const AffineMap *const c = records.maps(p.second), *const d = records.maps(q.second);
   const std::vector<double>& squared_weights = channel.joiner().squared_weights();
   for (std::size_t i = 0; i < squared_weights.size(); ++i) {
-    const LaneVector gradient = LaneVector::of(c[i].gradient, d[i].gradient);
+    const LaneVector gradient = both(c[i].gradient, d[i].gradient);
     const Lanes off =
         Lanes{c[i].value, d[i].value} - dot(gradient, to_seconds) - Lanes{a[i].value, b[i].value};
-    form.add_squared_plane(gradient - LaneVector::of(a[i].gradient, b[i].gradient), off,
-                           squared_weights[i] * weight);
+    form += squared_plane(gradient - both(a[i].gradient, b[i].gradient), off,
+                          squared_weights[i] * weight);
   }
 }
 
@@ -49,9 +50,9 @@ QUADRILLE_ALWAYS_INLINE inline void add_differences(const Channel& channel, cons
 template <class Channels>
 LaneForm two_joins(const Channels& channels, const TwoPairs& two,
                    const std::array<Vector<3>, 2>& to_seconds) {
-  LaneForm form{};
+  LaneForm form;
   const auto& [p, q] = two;
-  const LaneVector ways = LaneVector::of(to_seconds[0], to_seconds[1]);
+  const LaneVector ways = both(to_seconds[0], to_seconds[1]);
   for (const Channel& channel : channels.all()) {
     if (channel.joins_two(p.first, p.second) && channel.joins_two(q.first, q.second)) [[likely]] {
       add_differences(channel, two, ways, form);
@@ -59,7 +60,7 @@ LaneForm two_joins(const Channels& channels, const TwoPairs& two,
       std::array<QuadricForm<3>, 2> forms;
       for (std::size_t k = 0; k < 2; ++k)
         channels.add_joins(channel, {two[k].first, two[k].second, to_seconds[k]}, forms[k]);
-      form += LaneForm::of(forms[0], forms[1]);
+      form += both(forms[0], forms[1]);
     }
   }
   return form;
@@ -74,10 +75,9 @@ auto two_channel_forms(const Channels& channels, const TwoPairs& two,
     return two_joins(channels, two, to_seconds);
   } else if constexpr (sees_forms<Cost>) {
     const auto& [p, q] = two;
-    LaneForm form =
-        LaneForm::sum_about_first(LaneForm::of(channels.form(p.first), channels.form(q.first)),
-                                  LaneForm::of(channels.form(p.second), channels.form(q.second)),
-                                  LaneVector::of(to_seconds[0], to_seconds[1]));
+    LaneForm form = LaneForm::sum_about_first(
+        both(channels.form(p.first), channels.form(q.first)),
+        both(channels.form(p.second), channels.form(q.second)), both(to_seconds[0], to_seconds[1]));
     form += two_joins(channels, two, to_seconds);
     return form;
   } else {
