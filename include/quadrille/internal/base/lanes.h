@@ -49,6 +49,8 @@ struct Lanes {
   friend Lanes operator*(double a, Lanes b) { return Lanes{a, a} * b; }
   friend Lanes operator/(double a, Lanes b) { return Lanes{a, a} / b; }
   friend Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
+  friend Lanes& operator-=(Lanes& a, Lanes b) { return a = a - b; }
+  friend Lanes& operator*=(Lanes& a, Lanes b) { return a = a * b; }
 
   friend LaneMask operator>(Lanes a, Lanes b) { return {a.first > b.first, a.second > b.second}; }
   friend LaneMask operator<=(Lanes a, Lanes b) {
