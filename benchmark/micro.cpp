@@ -5,6 +5,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/levels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/simplify.h>

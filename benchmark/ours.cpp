@@ -6,9 +6,11 @@
 
 #include <quadrille/cluster.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 
 namespace bench {
 namespace {

@@ -5,6 +5,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <iostream>
 #include <quadrille/hull.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <string>

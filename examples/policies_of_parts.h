@@ -5,7 +5,10 @@
 /// The policies of a run by parts (quadrille/file.h) that the options of compiled soups name.
 
 #include <quadrille/compiled.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/file.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <optional>
 #include <string>

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iostream>
+#include <quadrille/channels.h>
 #include <quadrille/simplify.h>
 #include <stdexcept>
 #include <string>

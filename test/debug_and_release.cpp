@@ -5,6 +5,7 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
+#include <quadrille/channels.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -8,17 +8,22 @@
 #include <cstdint>
 #include <functional>
 #include <iostream>
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/borders.h>
 #include <quadrille/calibrated.h>
+#include <quadrille/channels.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/file.h>
 #include <quadrille/file_distance.h>
+#include <quadrille/height_field.h>
 #include <quadrille/hull.h>
 #include <quadrille/importance.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/pictures.h>
 #include <quadrille/planar_patches.h>
@@ -26,8 +31,11 @@
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
 #include <quadrille/solid.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>
+#include <quadrille/volume_keeping.h>
+#include <quadrille/weighted.h>
 #include <span>
 #include <vector>
 

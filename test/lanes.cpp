@@ -3,6 +3,7 @@
 #include "support/soups.h"
 
 #include <quadrille/internal/evaluation/two_quadrics.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <array>

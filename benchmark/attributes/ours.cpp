@@ -6,7 +6,9 @@
 #include "contender.h"
 #include "model.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

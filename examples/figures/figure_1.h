@@ -5,6 +5,7 @@
 #include "surfaces.h"
 
 #include <quadrille/distance.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/simplify.h>
 
 #include <cstddef>

@@ -5,6 +5,8 @@
 #include "measures.h"
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/channels.h>
 #include <quadrille/distance.h>
 #include <quadrille/simplify.h>
 

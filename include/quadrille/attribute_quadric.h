@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_ATTRIBUTE_QUADRIC_H
 #define QUADRILLE_ATTRIBUTE_QUADRIC_H
 
+#include <quadrille/attribute.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
@@ -14,14 +15,6 @@
 #include <string>
 
 namespace quadrille {
-
-/// Which property of the vertices the attributes are, and so which named parameter they come from.
-enum class Attribute {
-  any,     ///< quadrille::parameters::vertex_attribute_map
-  color,   ///< vertex_color_map; clamped to the range of colours
-  texture, ///< vertex_texture_map
-  normal   ///< vertex_normal_map; made unit vectors again
-};
 
 /// The quadric of Garland and Heckbert in 3 + N dimensions: position and N attributes of a vertex
 /// are one point, a face is a triangle of such points, and a vertex remembers the squared distances
@@ -165,5 +158,14 @@ using TextureQuadric = AttributeQuadric<2, Attribute::texture>;
 using NormalQuadric = AttributeQuadric<3, Attribute::normal>;
 
 } // namespace quadrille
+
+#ifdef QUADRILLE_WITH_COMPILED
+#include <quadrille/compiled/engines.h>
+
+namespace quadrille::internal {
+QUADRILLE_ENGINE(extern template, ColorQuadric, false);
+QUADRILLE_ENGINE(extern template, TextureQuadric, false);
+} // namespace quadrille::internal
+#endif
 
 #endif // QUADRILLE_ATTRIBUTE_QUADRIC_H

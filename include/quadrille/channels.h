@@ -1,15 +1,26 @@
 #ifndef QUADRILLE_CHANNELS_H
 #define QUADRILLE_CHANNELS_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
+#include <quadrille/internal/adapter/channel_map.h>
+#include <quadrille/internal/adapter/face_graph_channels.h>
+#include <quadrille/internal/adapter/soup_channels.h>
+#include <quadrille/internal/adapter/split_soup_adapter.h>
+#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/base/attribute_values.h>
+#include <quadrille/internal/call/carried.h>
+#include <quadrille/internal/contraction/channel_teller.h>
+#include <quadrille/internal/evaluation/two_channel_forms.h>
+#include <quadrille/internal/input/input_with_channels.h>
+#include <quadrille/parameters.h>
 
-#include <cmath>
+#include <CGAL/Named_function_parameters.h>
+
 #include <concepts>
-#include <optional>
-#include <stdexcept>
-#include <string>
+#include <cstddef>
+#include <tuple>
 #include <utility>
-#include <vector>
 
 /// \file
 /// Attributes of a surface as *channels*, which any cost in space takes along and counts, any
@@ -31,75 +42,6 @@
 /// quadric of a wedge with its attributes eliminated, which leaves sums of squares in space.
 
 namespace quadrille {
-
-/// What a simplification does with the edges at which a channel is discontinuous.
-enum class Seams {
-  kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or turned over
-  held,   ///< they may vanish, at the price of what that shows: the disagreement of the values, and
-          ///< the area over which faces show what lies beside their chart of a texture. No face is
-          ///< turned over in a texture. Of other channels the same as priced
-  priced, ///< they may vanish; what that costs is in the error. Wedges stay apart until then
-  free    ///< the values around a vertex are one from the beginning: their mean, or the first if
-          ///< only existing values may be
-};
-
-/// What the corners have whose values a simplification changes.
-enum class NewValues {
-  optimal,   ///< the values of least cost, between those that there were
-  weights,   ///< the same, at least 0 and with the sum 1: weights of a skin
-  existing,  ///< of the values that have become one, the closest to the optimal ones: for indices,
-             ///< classes and whatever has nothing in between. Not for a Texture
-  recomputed ///< of Normals: sums over the faces of the result around the corner, weighted by their
-             ///< angles. Corners that a simplification does not touch get them too
-};
-
-/// How a channel counts.
-struct ChannelOptions {
-  /// By how much more than by default it counts; above 0.
-  double importance = 1;
-  /// Lengths in the mesh's unit that a step of 1 in each component counts as, times importance. By
-  /// default, for texture coordinates, √(area of the surface / area of the texture), of each label
-  /// by itself, so that a texture that slides counts as it slides; for Attributes 0.02 · (diagonal
-  /// of the bounding box) / (largest range of the components). For Colors and Normals that times a
-  /// factor of 0.05 to 1, or of 0.1 to 2, by which they come to be half as hard to tell from what
-  /// is beside as the shape is, and as hard: what is noise counts little, what is smooth much.
-  std::vector<double> weights = {};
-  /// By default held for texture coordinates, priced for others.
-  std::optional<Seams> seams = {};
-  /// How firmly charts of a texture whose seams are kept or held hold their borders in the texture,
-  /// for each square of an edge's length; at least 0. The same along an edge as off it is 1. Where
-  /// seams are held, also how firmly borders hold their place in the surface, by lines as open
-  /// borders do, which count 100: 0 is priced, and the higher the more is given up of the shape. By
-  /// default 10 where seams are kept. Where they are held it is 0.0036 / p² for the part p of all
-  /// edges that they are, but at most 1, as up to 6 %, and at least 0.1, as from 19 % on.
-  std::optional<double> border_weight = {};
-  NewValues new_values = NewValues::optimal; ///< what corners have whose values change
-  /// Of Colors in sRGB, numbers in [0, 1] or in the whole range of an integral type: they are
-  /// averaged as light is, and so are their default weights. Alpha is linear already.
-  bool linear_light = false;
-
-  /// Throws std::invalid_argument for an importance or a weight that makes no sense.
-  void validate() const {
-    const auto require_positive = [](const char* name, double x) {
-      if (!(x > 0) || !std::isfinite(x))
-        throw std::invalid_argument(std::string("quadrille::ChannelOptions: ") + name + " " +
-                                    internal::text_of(x) + " is not above 0 and finite");
-    };
-    require_positive("importance", importance);
-    for (double weight : weights)
-      require_positive("a weight", weight);
-    if (border_weight && (!(*border_weight >= 0) || !std::isfinite(*border_weight)))
-      throw std::invalid_argument("quadrille::ChannelOptions: border_weight " +
-                                  internal::text_of(*border_weight) + " is not a weight");
-  }
-};
-
-/// Values of a channel of a soup with an index triple for each triangle, as in an OBJ file.
-template <class Values, class Triples>
-struct IndexedValues {
-  Values* values;   ///< any container of them, rewritten with the soup
-  Triples* triples; ///< three indices of values for each triangle
-};
 
 namespace internal {
 
@@ -184,6 +126,66 @@ Attributes(Values&, Triples&, ChannelOptions = {}) -> Attributes<IndexedValues<V
 /// Points that are left keep their order; there may be as many at a place as there are combinations
 /// of wedges.
 struct SplitVertices {};
+
+namespace internal {
+
+template <class Source>
+inline constexpr bool is_channel<Texture<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Normals<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Colors<Source>> = true;
+template <class Source>
+inline constexpr bool is_channel<Attributes<Source>> = true;
+
+template <class Source>
+struct ChannelKind<Texture<Source>> {
+  static constexpr Attribute attribute = Attribute::texture;
+  template <class Value>
+  static constexpr std::size_t components = 2;
+};
+template <class Source>
+struct ChannelKind<Normals<Source>> {
+  static constexpr Attribute attribute = Attribute::normal;
+  template <class Value>
+  static constexpr std::size_t components = 3;
+};
+template <class Source>
+struct ChannelKind<Colors<Source>> {
+  static constexpr Attribute attribute = Attribute::color;
+  template <class Value>
+  static constexpr std::size_t components = component_count<Value>() == 4 ? 4 : 3;
+};
+template <class Source>
+struct ChannelKind<Attributes<Source>> {
+  static constexpr Attribute attribute = Attribute::any;
+  template <class Value>
+  static constexpr std::size_t components = component_count<Value>();
+};
+
+/// The channel of a named parameter as a tuple, if it is given.
+template <template <class> class Channel, class Named, class Tag>
+auto channel_of(const Named& named, Tag tag) {
+  const auto map = CGAL::parameters::get_parameter(named, tag);
+  if constexpr (is_given<decltype(map)>)
+    return std::tuple(Channel<std::remove_const_t<decltype(map)>>(map));
+  else
+    return std::tuple();
+}
+
+/// Attributes that are named parameters as channels with defaults.
+template <class Named>
+struct NamedChannels {
+  static auto of(const Named& named) {
+    namespace np = CGAL::internal_np;
+    return std::tuple_cat(channel_of<Colors>(named, np::vertex_color_map),
+                          channel_of<Texture>(named, np::vertex_texture_map),
+                          channel_of<Normals>(named, np::vertex_normal_map),
+                          channel_of<Attributes>(named, parameters::vertex_attribute));
+  }
+};
+
+} // namespace internal
 
 } // namespace quadrille
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_COMPILED_H
 #define QUADRILLE_COMPILED_H
 
-#include <quadrille/channels.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/quadric.h>
 #include <quadrille/record.h>
 #include <quadrille/report.h>

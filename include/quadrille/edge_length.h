@@ -60,4 +60,12 @@ struct ShortestEdge {
 
 } // namespace quadrille
 
+#ifdef QUADRILLE_WITH_COMPILED
+#include <quadrille/compiled/engines.h>
+
+namespace quadrille::internal {
+QUADRILLE_ENGINES(extern template, EdgeLength);
+} // namespace quadrille::internal
+#endif
+
 #endif // QUADRILLE_EDGE_LENGTH_H

@@ -167,4 +167,12 @@ private:
 
 } // namespace quadrille
 
+#ifdef QUADRILLE_WITH_COMPILED
+#include <quadrille/compiled/engines.h>
+
+namespace quadrille::internal {
+QUADRILLE_ENGINES(extern template, MemorylessQuadric);
+} // namespace quadrille::internal
+#endif
+
 #endif // QUADRILLE_MEMORYLESS_QUADRIC_H

@@ -134,7 +134,7 @@ constexpr void check_planar_names() {
 /// From an adapter, which has been read, to what it has become. A surface may move by as much as
 /// two vertices may be apart that are on two sides of a plane, and as far beside a border.
 template <class Adapter>
-PlanarReport remesh_with(Adapter& adapter, SurfaceInput<3> input,
+PlanarReport remesh_with(Adapter& adapter, InputWithChannels input,
                          const PlanarTolerance& tolerance) {
   PlanarReport report;
   report.faces_before = input.triangles.size();
@@ -170,7 +170,7 @@ PlanarReport remesh_soup(Points& points, Triangles& triangles, const Arguments&.
   check_points<typename boost::property_traits<decltype(map)>::value_type, NamedParameters>();
   Workspace workspace({0, 0});
   auto adapter = soup_adapter(points, triangles, map, NoAttributes{}, carried, workspace);
-  SurfaceInput<3> input = adapter.read();
+  InputWithChannels input(adapter.read());
   fix_vertices(adapter, input, named);
   read_labels(carried, boost::irange(std::size_t{0}, std::ranges::size(triangles)), input,
               workspace);
@@ -200,7 +200,7 @@ PlanarReport remesh_mesh(Mesh& mesh, const Arguments&... arguments) {
   auto channels = channel_maps(carried.channels);
   FaceGraphAdapter<Mesh, decltype(points), decltype(indices), NoAttributes, decltype(channels)>
       adapter(mesh, points, indices, {}, workspace, std::move(channels));
-  SurfaceInput<3> input = adapter.read();
+  InputWithChannels input(adapter.read());
   fix_vertices(adapter, input, named);
   with_map<np::edge_is_constrained_t>(named, [&](const auto& map) {
     adapter.fix_edges(map, input);

@@ -3,19 +3,15 @@
 
 #include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
 
-#include <quadrille/attribute_quadric.h>
 #include <quadrille/buffers.h>
 #include <quadrille/compiled/engines.h>
 #include <quadrille/concepts.h>
-#include <quadrille/edge_length.h>
 #include <quadrille/filters.h>
-#include <quadrille/height_field.h>
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/diagnostics.h>
 #include <quadrille/internal/call/meshes.h>
 #include <quadrille/labels.h>
-#include <quadrille/memoryless_quadric.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
@@ -24,12 +20,15 @@
 #include <quadrille/record.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/topology.h>
 #include <quadrille/version.h>
 #include <quadrille/visitor.h>
-#include <quadrille/volume_keeping.h>
-#include <quadrille/weighted.h>
+
+#ifdef QUADRILLE_WITH_COMPILED
+namespace quadrille::internal {
+QUADRILLE_ENGINES(extern template, Quadric);
+} // namespace quadrille::internal
+#endif
 
 namespace quadrille {
 
@@ -55,8 +54,8 @@ inline namespace QUADRILLE_THREADING {
 ///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
 ///   of the user's
 /// - Labels: of faces, whose regions are kept
-/// - Texture, Normals, Colors, Attributes, any number: channels of attributes; SplitVertices, for a
-///   soup: see channels.h
+/// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
+///   attributes; SplitVertices, for a soup
 /// - Topology: kept, free, or parts_may_vanish; kept by default, free with pairs that are not edges
 /// - record_into(recorder): contractions are told to a recorder, as to Levels
 ///
@@ -82,7 +81,8 @@ inline namespace QUADRILLE_THREADING {
 /// - edge_is_crease_map: creases, see Quadric
 /// - face_patch_map: the same as Labels
 /// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: the same as
-///   Colors, Texture, Normals and Attributes, or what the cost reads: see AttributeQuadric
+///   Colors, Texture, Normals and Attributes of <quadrille/channels.h>, or what the cost reads: see
+///   AttributeQuadric
 /// - vertex_quadric_map: written, the quadrics of the vertices that are left
 /// - vertex_image_map: written, what became of each vertex
 /// - duplicate_output_iterator: gets the vertices that a non-manifold result is written with

@@ -102,4 +102,12 @@ struct ThinFeatureQuadric : MemorylessQuadric {
 
 } // namespace quadrille
 
+#ifdef QUADRILLE_WITH_COMPILED
+#include <quadrille/compiled/engines.h>
+
+namespace quadrille::internal {
+QUADRILLE_ENGINES(extern template, ThinFeatureQuadric);
+} // namespace quadrille::internal
+#endif
+
 #endif // QUADRILLE_THIN_FEATURE_QUADRIC_H

@@ -2,6 +2,7 @@
 // those of std::array, and an exception that leaves all as it was.
 #include "soups.h"
 
+#include <quadrille/channels.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -3,6 +3,7 @@
 #include "snapshot.h"
 #include "soups.h"
 
+#include <quadrille/edge_length.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -2,6 +2,7 @@
 #include "soups.h"
 
 #include <Eigen/Core>
+#include <quadrille/channels.h>
 #include <quadrille/simplified.h>
 
 #include <catch2/catch.hpp>

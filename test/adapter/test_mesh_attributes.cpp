@@ -6,7 +6,11 @@
 #include "../examples/mesh_attributes.h"
 #include "../examples/mesh_channels.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <CGAL/property_map.h>
 

@@ -3,6 +3,7 @@
 #include "soups.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -2,6 +2,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -9,8 +9,10 @@
 #include "textured_meshes.h"
 
 #include <quadrille/channels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/texture_deviation.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,7 @@
 // The measure of texture deviation, on surfaces whose deviation is known.
 #include "soups.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/texture_deviation.h>
 

@@ -7,8 +7,12 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polyhedron_3.h>
 #include <boost/property_map/property_map.hpp>
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/height_field.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>

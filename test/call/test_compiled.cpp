@@ -3,11 +3,14 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/solid.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>

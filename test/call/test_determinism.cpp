@@ -1,7 +1,10 @@
 // The same call on the same input gives the same bytes each time, whatever the heap holds.
 #include "on_all.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>

@@ -2,8 +2,11 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,7 @@
 // What a call tells by named parameters, and the attribute maps that it refuses.
 #include "meshes.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -4,6 +4,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 #include <quadrille/channels.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/labels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>

@@ -5,6 +5,9 @@
 #include "snapshot.h"
 #include "soups.h"
 
+#include <quadrille/channels.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplified.h>
 
 #include <catch2/catch.hpp>

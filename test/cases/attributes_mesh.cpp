@@ -1,3 +1,4 @@
 #include "engine.h"
+#include <quadrille/attribute_quadric.h>
 
 template void test::simplify_mesh(const Case&, Outcome&, const quadrille::TextureQuadric&);

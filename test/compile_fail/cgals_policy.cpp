@@ -1,6 +1,8 @@
 // A policy of CGAL's.
 #include "surfaces.h"
 
+#include <quadrille/edge_length.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,8 @@
 // Colours of faces as a channel.
 #include "surfaces.h"
 
+#include <quadrille/channels.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,8 @@
 // Colours of corners for a cost that reads those of vertices.
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,8 @@
 // A ColorQuadric without colours.
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,8 @@
 // Colours of a soup in a vector that is no property map.
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+
 int main() {
   using namespace quadrille;
   std::vector<CGAL::IO::Color> colors;

@@ -3,6 +3,7 @@
 
 #include <boost/property_map/property_map.hpp>
 #include <map>
+#include <quadrille/channels.h>
 #include <quadrille/simplified.h>
 
 int main() {

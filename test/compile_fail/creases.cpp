@@ -1,6 +1,7 @@
 // Creases for a cost that knows none.
 #include "surfaces.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <boost/property_map/property_map.hpp>
 
 template <class Key>

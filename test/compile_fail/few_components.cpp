@@ -1,6 +1,8 @@
 // Attributes of two components for a cost that reads three.
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,8 @@
 // Attributes that are strings.
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,7 @@
 // A cost that is given or not at run time.
 #include "surfaces.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <optional>
 
 int main() {

@@ -1,6 +1,8 @@
 // The quadrics of vertices, of a cost that remembers none.
 #include "surfaces.h"
 
+#include <quadrille/memoryless_quadric.h>
+
 int main() {
   using namespace quadrille;
   const auto quadrics = mesh.add_property_map<CGAL::SM_Vertex_index, QuadricForm<3>>("q").first;

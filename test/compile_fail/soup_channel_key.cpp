@@ -1,6 +1,8 @@
 // A channel of a soup over a mesh's vertices.
 #include "surfaces.h"
 
+#include <quadrille/channels.h>
+
 int main() {
   using namespace quadrille;
   std::vector<std::array<float, 3>> values;

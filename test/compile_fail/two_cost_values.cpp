@@ -1,6 +1,8 @@
 // Two costs.
 #include "surfaces.h"
 
+#include <quadrille/memoryless_quadric.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

@@ -1,6 +1,8 @@
 // A cost as a template argument and as a value.
 #include "surfaces.h"
 
+#include <quadrille/memoryless_quadric.h>
+
 int main() {
   using namespace quadrille;
 #ifdef REMEDY

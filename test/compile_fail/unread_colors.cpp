@@ -1,6 +1,8 @@
 // Texture coordinates that no policy reads.
 #include "surfaces.h"
 
+#include <quadrille/attribute_quadric.h>
+
 int main() {
   using namespace quadrille;
   const auto colors =

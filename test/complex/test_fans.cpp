@@ -4,6 +4,8 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <boost/property_map/function_property_map.hpp>

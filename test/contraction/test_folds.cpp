@@ -3,6 +3,7 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/boost/graph/iterator.h>

@@ -5,9 +5,13 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/levels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>

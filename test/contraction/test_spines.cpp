@@ -4,7 +4,9 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <catch2/catch.hpp>
 

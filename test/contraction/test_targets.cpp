@@ -7,6 +7,7 @@
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/labels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

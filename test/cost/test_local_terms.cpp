@@ -2,7 +2,9 @@
 #include "contractions.h"
 #include "soups.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,6 +2,9 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 

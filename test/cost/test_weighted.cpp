@@ -1,7 +1,12 @@
 // Costs made of others: those that are derived, and Weighted.
 #include "meshes.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
+#include <quadrille/weighted.h>
 
 #include <catch2/catch.hpp>
 

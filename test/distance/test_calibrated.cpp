@@ -5,6 +5,7 @@
 
 #include <quadrille/calibrated.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/memoryless_quadric.h>
 
 #include <catch2/catch.hpp>
 

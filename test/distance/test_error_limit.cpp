@@ -6,6 +6,8 @@
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

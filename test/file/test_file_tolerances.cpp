@@ -8,6 +8,7 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/file.h>
+#include <quadrille/memoryless_quadric.h>
 
 #include <catch2/catch.hpp>
 

@@ -9,6 +9,7 @@
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/file.h>
+#include <quadrille/memoryless_quadric.h>
 
 #include <catch2/catch.hpp>
 

@@ -5,6 +5,7 @@
 #include "../../examples/mesh_io.h"
 #include "../../examples/mesh_io/split_seams.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

@@ -9,6 +9,7 @@
 #include <quadrille/internal/intersection/triangle_pair.h>
 #include <quadrille/internal/verify/checked_surface.h>
 #include <quadrille/internal/verify/intersecting_pairs.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>

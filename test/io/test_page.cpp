@@ -8,6 +8,7 @@
 #include "replay.h"
 #include "soups.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -3,6 +3,7 @@
 #include "soups.h"
 #include "textured.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
 #include <quadrille/levels.h>
 #include <quadrille/simplify.h>

@@ -5,9 +5,11 @@
 #include "soups.h"
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/level_mesh.h>
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

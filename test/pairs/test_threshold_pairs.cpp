@@ -1,6 +1,7 @@
 // Pairs closer than a threshold: which they are, and what becomes of them.
 #include "on_all.h"
 
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

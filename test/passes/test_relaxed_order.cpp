@@ -4,6 +4,8 @@
 
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/property_map.h>
+#include <quadrille/channels.h>
 #include <quadrille/planar_patches.h>
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,13 @@
 #include "archetypes.h"
 #include "meshes.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/height_field.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>

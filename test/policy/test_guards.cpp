@@ -3,6 +3,7 @@
 #include "meshes.h"
 
 #include <quadrille/guard.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

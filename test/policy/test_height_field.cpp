@@ -1,6 +1,8 @@
 // A height field stays one with the filter HeightField, as told by areas on the map.
 #include "meshes.h"
 
+#include <quadrille/height_field.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -2,6 +2,7 @@
 #include "hard_surfaces.h"
 #include "meshes.h"
 
+#include <quadrille/edge_length.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

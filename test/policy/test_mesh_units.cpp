@@ -1,6 +1,7 @@
 // Policies of a user's speak the units of the mesh and of its attributes.
 #include "meshes.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -5,6 +5,7 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/hull.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

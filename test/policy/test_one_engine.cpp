@@ -1,7 +1,9 @@
 // All that is told at run time makes no engine of its own, and is told as its type says.
 #include "meshes.h"
 
+#include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -4,6 +4,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/file.h>
 #include <quadrille/levels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

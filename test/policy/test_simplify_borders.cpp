@@ -2,6 +2,7 @@
 #include "meshes.h"
 
 #include <quadrille/borders.h>
+#include <quadrille/height_field.h>
 
 #include <CGAL/property_map.h>
 

@@ -1,9 +1,13 @@
 // VolumeKeeping keeps the volume beside any cost and placement, to the rounding of coordinates.
 #include "soups.h"
 
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
+#include <quadrille/volume_keeping.h>
 
 #include <catch2/catch.hpp>
 

@@ -4,8 +4,12 @@
 // elementary functions are part of what it fixes.
 #include "on_all.h"
 
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
+#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>

@@ -7,9 +7,11 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polyhedron_3.h>
 #include <boost/property_map/property_map.hpp>
+#include <quadrille/attribute_quadric.h>
 #include <quadrille/cluster.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/levels.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

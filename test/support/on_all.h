@@ -4,6 +4,7 @@
 #include "mesh_types.h"
 #include "soups.h"
 
+#include <quadrille/channels.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

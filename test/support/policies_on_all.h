@@ -4,6 +4,7 @@
 
 #include "on_all.h"
 
+#include <quadrille/edge_length.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

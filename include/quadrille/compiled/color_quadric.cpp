@@ -1,5 +1,5 @@
-#include <quadrille/compiled/engines.h>
-#include <quadrille/distance_limits.h>
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/compiled/engine_definitions.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINE(template, ColorQuadric, false);

@@ -1,34 +1,35 @@
 #ifndef QUADRILLE_COMPILED_ENGINES_H
 #define QUADRILLE_COMPILED_ENGINES_H
 
-#include <quadrille/attribute_quadric.h>
-#include <quadrille/edge_length.h>
 #include <quadrille/internal/call/engine.h>
-#include <quadrille/internal/contraction/recorder_teller.h>
-#include <quadrille/internal/order/relaxed_passes.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/engine_policies.h>
-#include <quadrille/memoryless_quadric.h>
-#include <quadrille/quadric.h>
-#include <quadrille/thin_feature_quadric.h>
 
 /// \file
 /// The engines that quadrille::compiled has: of each cost in space with a placement that is built
 /// in, bare and with channels, and of colours and texture coordinates, bare. A program that links
 /// it compiles adapters only, and gets the same results to the last bit; calls with other costs and
-/// placements compile engines of their own.
+/// placements compile engines of their own. The header of each cost declares its engines.
 
 namespace quadrille::internal {
 
 template <class Cost, bool has_channels>
 using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
 
+template <class Policies>
+bool run_passes(WorkingSurface<Policies>& surface, const RelaxedOrder& order);
+template <class Policies>
+std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs);
+template <class Policies, bool both_ways>
+std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs);
+
 /// Declares or defines the instantiations of an engine: KEYWORDS is `extern template`, or
 /// `template` in the one source that defines them.
 #define QUADRILLE_ENGINE(KEYWORDS, COST, HAS_CHANNELS)                                             \
-  KEYWORDS std::optional<Result<COST>> simplify_input<UsualPolicies<COST, HAS_CHANNELS>>(          \
-      SurfaceInput<COST::dimension>, const UsualPolicies<COST, HAS_CHANNELS>&, bool, Report&,      \
-      StopWatch&);                                                                                 \
+  KEYWORDS std::optional<ResultOf<UsualPolicies<COST, HAS_CHANNELS>>>                              \
+  simplify_input<UsualPolicies<COST, HAS_CHANNELS>>(InputOf<COST::dimension, HAS_CHANNELS>,        \
+                                                    const UsualPolicies<COST, HAS_CHANNELS>&,      \
+                                                    bool, Report&, StopWatch&);                    \
   KEYWORDS bool run_passes<UsualPolicies<COST, HAS_CHANNELS>>(                                     \
       WorkingSurface<UsualPolicies<COST, HAS_CHANNELS>>&, const RelaxedOrder&);                    \
   KEYWORDS std::unique_ptr<Recording<UsualPolicies<COST, HAS_CHANNELS>>>                           \
@@ -44,15 +45,6 @@ using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
 #define QUADRILLE_ENGINES(KEYWORDS, COST)                                                          \
   QUADRILLE_ENGINE(KEYWORDS, COST, false);                                                         \
   QUADRILLE_ENGINE(KEYWORDS, COST, true)
-
-#ifdef QUADRILLE_WITH_COMPILED
-QUADRILLE_ENGINES(extern template, Quadric);
-QUADRILLE_ENGINES(extern template, MemorylessQuadric);
-QUADRILLE_ENGINES(extern template, ThinFeatureQuadric);
-QUADRILLE_ENGINES(extern template, EdgeLength);
-QUADRILLE_ENGINE(extern template, ColorQuadric, false);
-QUADRILLE_ENGINE(extern template, TextureQuadric, false);
-#endif
 
 } // namespace quadrille::internal
 

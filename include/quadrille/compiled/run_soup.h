@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_COMPILED_RUN_SOUP_H
 #define QUADRILLE_COMPILED_RUN_SOUP_H
 
+#include <quadrille/channels.h>
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/soup_channel_list.h>
 #include <quadrille/compiled/soup_maps.h>

@@ -5,6 +5,9 @@
 #include <quadrille/compiled/run_soup.h>
 #include <quadrille/compiled/soup_channel_map.h>
 #include <quadrille/compiled/soup_run.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
+#include <quadrille/thin_feature_quadric.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <quadrille/internal/adapter/split_points.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/call/carried.h>
-#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/memory/array.h>
 
 #include <cstddef>
@@ -55,7 +55,7 @@ public:
       : maps_(std::move(maps.maps)), results_(maps.results) {}
 
   void read(std::size_t /*points*/, const Array<TriangleComplex::Triangle>& of_points,
-            Workspace& workspace, SurfaceInput<3>& surface) {
+            Workspace& workspace, InputWithChannels& surface) {
     for (SoupChannelMap& map : maps_) {
       ChannelInput input = map.input(workspace);
       if (map.is_indexed())

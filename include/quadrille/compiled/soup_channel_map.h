@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_COMPILED_SOUP_CHANNEL_MAP_H
 #define QUADRILLE_COMPILED_SOUP_CHANNEL_MAP_H
 
-#include <quadrille/channels.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/compiled.h>
 #include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/index.h>

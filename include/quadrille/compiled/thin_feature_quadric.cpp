@@ -1,5 +1,5 @@
-#include <quadrille/compiled/engines.h>
-#include <quadrille/distance_limits.h>
+#include <quadrille/compiled/engine_definitions.h>
+#include <quadrille/thin_feature_quadric.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINES(template, ThinFeatureQuadric);

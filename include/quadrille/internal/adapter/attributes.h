@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ADAPTER_ATTRIBUTES_H
 #define QUADRILLE_INTERNAL_ADAPTER_ATTRIBUTES_H
 
-#include <quadrille/attribute_quadric.h>
+#include <quadrille/attribute.h>
 #include <quadrille/internal/base/attribute_values.h>
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/base/points.h>

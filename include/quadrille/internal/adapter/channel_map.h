@@ -1,10 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_ADAPTER_CHANNEL_MAP_H
 #define QUADRILLE_INTERNAL_ADAPTER_CHANNEL_MAP_H
 
-#include <quadrille/attribute_quadric.h>
-#include <quadrille/channels.h>
+#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/adapter/attributes.h>
 #include <quadrille/internal/adapter/linear_light.h>
+#include <quadrille/internal/adapter/no_channel_maps.h>
 #include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/attribute_values.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -61,33 +62,10 @@ struct MapOfSource<IndexedValues<Values, Triples>> {
   static type of(const IndexedValues<Values, Triples>& source) { return {source.values}; }
 };
 
-/// Which attributes a channel holds, and how many components.
+/// Which attributes a kind of channel holds, and how many components, as <quadrille/channels.h>
+/// says of those that it has.
 template <class Channel>
 struct ChannelKind;
-template <class Source>
-struct ChannelKind<Texture<Source>> {
-  static constexpr Attribute attribute = Attribute::texture;
-  template <class Value>
-  static constexpr std::size_t components = 2;
-};
-template <class Source>
-struct ChannelKind<Normals<Source>> {
-  static constexpr Attribute attribute = Attribute::normal;
-  template <class Value>
-  static constexpr std::size_t components = 3;
-};
-template <class Source>
-struct ChannelKind<Colors<Source>> {
-  static constexpr Attribute attribute = Attribute::color;
-  template <class Value>
-  static constexpr std::size_t components = component_count<Value>() == 4 ? 4 : 3;
-};
-template <class Source>
-struct ChannelKind<Attributes<Source>> {
-  static constexpr Attribute attribute = Attribute::any;
-  template <class Value>
-  static constexpr std::size_t components = component_count<Value>();
-};
 
 /// The values of a channel of the user's, read and written by key.
 template <class Channel>
@@ -241,13 +219,6 @@ private:
   Values values_;
   std::vector<std::pair<Key, Value>> overwritten_;
 };
-
-/// Channels of the user's as a tuple of their maps.
-template <class... Channel>
-auto channel_maps(const std::tuple<Channel...>& channels) {
-  return std::apply([](const auto&... channel) { return std::tuple(ChannelMap(channel)...); },
-                    channels);
-}
 
 /// Calls visit(map, c) for each of a tuple.
 template <class Maps, class Visit>

@@ -2,9 +2,9 @@
 #define QUADRILLE_INTERNAL_ADAPTER_FACE_GRAPH_ADAPTER_H
 
 #include <quadrille/internal/adapter/attributes.h>
-#include <quadrille/internal/adapter/face_graph_channels.h>
 #include <quadrille/internal/adapter/face_graph_writer.h>
 #include <quadrille/internal/adapter/named_edges.h>
+#include <quadrille/internal/adapter/no_channel_maps.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/base/read_surface.h>
@@ -87,6 +87,7 @@ template <class Mesh, class PointMap, class VertexIndexMap, class Attributes = N
 class FaceGraphAdapter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
+  using Input = InputOf<dimension, has_channels_in<Maps>>;
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Traits::vertex_descriptor;
   using Edge = typename Traits::edge_descriptor;
@@ -99,15 +100,15 @@ public:
 
   /// Throws std::invalid_argument for a face that is not a triangle and a vertex that is not
   /// finite.
-  SurfaceInput<dimension> read() {
-    SurfaceInput<dimension> surface(workspace_);
+  Input read() {
+    Input surface(workspace_);
     vertices_.read(mesh_);
     surface.reserve(vertices_.size(), num_faces(mesh_));
     read_vertices(surface);
     read_faces(surface);
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
-    if constexpr (dimension == 3)
+    if constexpr (has_channels_in<Maps>)
       channels_.read(mesh_, vertices_, *workspace_, surface);
     return surface;
   }

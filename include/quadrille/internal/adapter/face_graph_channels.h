@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/adapter/channel_map.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/memory/array.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -31,7 +31,7 @@ public:
   /// `vertices` are those of the mesh, in the order in which they were read.
   template <class Vertices>
   void read(const Mesh& mesh, const Vertices& vertices, Workspace& workspace,
-            SurfaceInput<3>& surface) {
+            InputWithChannels& surface) {
     for_each_channel(maps_, [&](auto& map, std::size_t) {
       using Key = typename std::remove_cvref_t<decltype(map)>::Key;
       ChannelInput input = map.input(workspace);

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
 #define QUADRILLE_INTERNAL_ADAPTER_PIECE_ADAPTER_H
 
-#include <quadrille/channels.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/adapter/label_numbers.h>
 #include <quadrille/internal/adapter/soup_parts.h>
 #include <quadrille/internal/appearance/channel_input.h>
@@ -9,6 +9,7 @@
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
@@ -101,13 +102,14 @@ struct PieceResult {
 };
 
 /// Reads a piece, and writes its result, in linear time.
-template <class Cost>
+template <class Cost, bool has_channels>
 class PieceAdapter {
 public:
   static constexpr std::size_t dimension = Cost::dimension;
+  using Input = InputOf<dimension, has_channels>;
   using Memory = typename Cost::Memory;
 
-  /// `given` are the memories of the piece, `channels` are null or what it carries.
+  /// `given` are the memories of the piece, `channels` are what it carries; null if it has none.
   PieceAdapter(Piece<Cost>& piece, const GivenMemories<Memory>& given,
                const PieceChannels* channels, PieceResult<Cost>& result, Workspace& workspace)
       : workspace_(&workspace), piece_(piece), given_(given), channels_(channels), result_(result) {
@@ -115,10 +117,10 @@ public:
 
   /// Throws std::invalid_argument as a soup does, and for lists of the wrong length. Most of it is
   /// no longer in the piece then.
-  SurfaceInput<dimension> read() {
+  Input read() {
     TriangleComplex::check_size(piece_.positions.size(), piece_.triangles.size());
     require_lengths();
-    SurfaceInput<dimension> input(workspace_);
+    Input input(workspace_);
     input.has_duplicate_faces = input.may_have_backs = true;
     input.reserve(piece_.positions.size(), piece_.triangles.size());
     const std::size_t count = piece_.positions.size();
@@ -144,7 +146,7 @@ public:
     piece_.tolerances = {};
     if (!piece_.labels.empty())
       number_labels(input);
-    if (channels_)
+    if constexpr (has_channels)
       read_channels(count, input);
     return input;
   }
@@ -160,7 +162,8 @@ public:
       if constexpr (Tell::asks_for_memories)
         result_.memories.push_back(gained(result.memory(v), inputs[v]));
     }
-    write_channels(result, vertices);
+    if constexpr (has_channels)
+      write_channels(result, vertices);
     const Array<Index> input_faces = result.input_faces();
     for (Index face : in_order(input_faces, result.input_face_count())) {
       const auto [p, q, r] = result.corners(face);
@@ -208,7 +211,7 @@ private:
     });
   }
 
-  void read_channels(std::size_t points, SurfaceInput<dimension>& input) {
+  void read_channels(std::size_t points, Input& input) {
     for (const PieceChannel& channel : channels_->channels) {
       if (channel.components == 0 || channel.values.size() != points * channel.components)
         throw std::invalid_argument("quadrille: a channel of a piece has " +
@@ -226,7 +229,7 @@ private:
   // A value that no contraction has changed is that of a vertex of the input.
   template <class Result>
   void write_channels(const Result& result, const Array<Index>& vertices) {
-    for (std::size_t c = 0; channels_ && c < channels_->channels.size(); ++c) {
+    for (std::size_t c = 0; c < channels_->channels.size(); ++c) {
       const PieceChannel& channel = channels_->channels[c];
       std::vector<double>& values = result_.channels.emplace_back();
       for (Index v : vertices) {

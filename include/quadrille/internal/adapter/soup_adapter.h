@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_ADAPTER_SOUP_ADAPTER_H
 
 #include <quadrille/internal/adapter/attributes.h>
-#include <quadrille/internal/adapter/soup_channels.h>
+#include <quadrille/internal/adapter/no_channel_maps.h>
 #include <quadrille/internal/adapter/soup_parts.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/containers.h>
@@ -33,6 +33,7 @@ template <class Points, class Triangles, class PointMap, class Attributes, class
 class SoupAdapter {
 public:
   static constexpr std::size_t dimension = 3 + Attributes::size;
+  using Input = InputOf<dimension, has_channels_in<Maps>>;
   using Point = typename boost::property_traits<PointMap>::value_type;
 
   SoupAdapter(Points& points, Triangles& triangles, PointMap map, Attributes attributes,
@@ -42,9 +43,9 @@ public:
 
   /// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
   /// there, and for a point that is not finite.
-  SurfaceInput<dimension> read() {
+  Input read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
-    SurfaceInput<dimension> surface(workspace_);
+    Input surface(workspace_);
     surface.has_duplicate_faces = surface.may_have_backs = true;
     surface.reserve(std::ranges::size(points_), std::ranges::size(triangles_));
     for (std::size_t v = 0; v < std::ranges::size(points_); ++v) {
@@ -56,7 +57,7 @@ public:
           read_triangle("quadrille::simplify", triangles_[face], face, surface.positions.size()));
     if constexpr (Attributes::size > 0)
       attributes_.limit(surface);
-    if constexpr (dimension == 3)
+    if constexpr (has_channels_in<Maps>)
       channels_.read(std::ranges::size(points_), surface.triangles, *workspace_, surface);
     return surface;
   }

@@ -7,7 +7,7 @@
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/read_surface.h>
-#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/memory/array.h>
 
 #include <algorithm>
@@ -121,7 +121,7 @@ public:
   /// `of_points`: the points of each triangle. Throws std::invalid_argument for index triples that
   /// are not one for each triangle, or name a value that is not there.
   void read(std::size_t points, const Array<TriangleComplex::Triangle>& of_points,
-            Workspace& workspace, SurfaceInput<3>& surface) {
+            Workspace& workspace, InputWithChannels& surface) {
     const std::size_t triangles = of_points.size();
     for_each_channel(maps_, [&](auto& map, std::size_t c) {
       numbers_[c] = surface.channels.size();

@@ -21,7 +21,7 @@ public:
   /// triangles that they were. Of each channel in `channels` values are told apart.
   template <class Result, class Triangles>
   SplitPoints(const Result& result, const Array<Index>& faces, const Array<Index>& inputs,
-              const Triangles& triangles, const std::vector<std::size_t>& channels)
+              const Triangles& triangles, [[maybe_unused]] const std::vector<std::size_t>& channels)
       : number_(3 * faces.size()) {
     std::vector<Corner> corners;
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -32,9 +32,10 @@ public:
                       faces[f],
                       i,
                       3 * f + i};
-        for (std::size_t c : channels)
-          for (std::size_t k = 0; k < result.components(c); ++k)
-            corner.values.push_back(result.value(c, result.wedge(c, faces[f], i), k));
+        if constexpr (requires { result.components(std::size_t{}); })
+          for (std::size_t c : channels)
+            for (std::size_t k = 0; k < result.components(c); ++k)
+              corner.values.push_back(result.value(c, result.wedge(c, faces[f], i), k));
         corners.push_back(std::move(corner));
       }
     std::sort(corners.begin(), corners.end());

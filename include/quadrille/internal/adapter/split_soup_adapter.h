@@ -33,6 +33,7 @@ template <class Points, class Triangles, class PointMap, class Labels, class Map
 class SplitSoupAdapter {
 public:
   using Point = typename boost::property_traits<PointMap>::value_type;
+  using Input = InputOf<3, has_channels_in<Maps>>;
 
   SplitSoupAdapter(Points& points, Triangles& triangles, PointMap map, Labels labels, Maps channels,
                    Workspace& workspace)
@@ -40,9 +41,9 @@ public:
         channels_(std::move(channels)), vertex_of_(&workspace) {}
 
   /// Throws as SoupAdapter::read does.
-  SurfaceInput<3> read() {
+  Input read() {
     TriangleComplex::check_size(std::ranges::size(points_), std::ranges::size(triangles_));
-    SurfaceInput<3> surface(workspace_);
+    Input surface(workspace_);
     surface.has_duplicate_faces = surface.may_have_backs = true;
     weld(surface);
     Array<TriangleComplex::Triangle> corners(workspace_);
@@ -52,10 +53,12 @@ public:
       const auto [a, b, c] = corners.back();
       surface.triangles.push_back({vertex_of_[a], vertex_of_[b], vertex_of_[c]});
     }
-    channels_.read(vertex_of_.size(), corners, *workspace_, surface);
-    for (ChannelInput& channel : surface.channels)
-      if (channel.corners.empty())
-        channel.corners = corners;
+    if constexpr (has_channels_in<Maps>) {
+      channels_.read(vertex_of_.size(), corners, *workspace_, surface);
+      for (ChannelInput& channel : surface.channels)
+        if (channel.corners.empty())
+          channel.corners = corners;
+    }
     return surface;
   }
 

@@ -1,10 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_APPEARANCE_APPEARANCE_H
 #define QUADRILLE_INTERNAL_APPEARANCE_APPEARANCE_H
 
-#include <quadrille/internal/appearance/channel_input.h>
-#include <quadrille/internal/appearance/channel_weights.h>
-#include <quadrille/internal/appearance/channels.h>
 #include <quadrille/internal/appearance/labels_by_face.h>
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -28,6 +26,7 @@ class Appearance {
 public:
   using Cost = typename Policies::Cost;
   using Channels = ChannelsOf<Policies>;
+  using Seams = SeamGraph<typename Channels::Seams>;
 
   Appearance(const Policies& policies, TriangleComplex& complex,
              Geometry<Cost::dimension>& geometry, VertexMemories<Cost>& memories)
@@ -36,27 +35,23 @@ public:
 
   const Channels& channels() const { return channels_; }
   Channels& channels() { return channels_; }
-  const SeamGraph& seams() const { return seams_; }
-  SeamGraph& seams() { return seams_; }
+  const Seams& seams() const { return seams_; }
+  Seams& seams() { return seams_; }
 
-  /// `input_labels`: of each input face; or empty. Vertices at corners of the graph stay where they
+  /// Labels are those of each input face, or none. Vertices at corners of the graph stay where they
   /// are from then on.
-  void read(const Array<Index>& input_labels,
-            [[maybe_unused]] const std::vector<ChannelInput>& channels, const Numbering& numbering,
+  template <class Input>
+  void read(Input& input, const Numbering& numbering,
             [[maybe_unused]] const Scale<Cost::dimension>& scale,
             [[maybe_unused]] bool are_pairs_edges) {
-    Array<Index> labels = labels_by_face(input_labels, numbering.faces, complex_);
+    Array<Index> labels = labels_by_face(input.labels, numbering.faces, complex_);
     if constexpr (has_channels)
-      for (const ChannelInput& channel : channels)
-        channels_.add(Channel(
-            channel, numbering, complex_,
-            channel_weights(channel, numbering, complex_, geometry_.positions(), labels, scale),
-            are_pairs_edges));
-    seams_ = SeamGraph(complex_, std::move(labels), channels_.all());
+      channels_.read(std::move(input.channels), numbering, labels, scale, are_pairs_edges);
+    seams_ = Seams(complex_, std::move(labels), channels_.seams());
     for (Index v = 0; v < complex_.vertex_capacity() && !seams_.is_empty(); ++v)
       if (seams_.is_corner(v))
         geometry_.fix(v);
-    if (has_seams())
+    if (channels_.have_seams() || !seams_.is_empty())
       complex_.forget_hubs(); // whose corners would all have to be looked at
   }
 
@@ -75,26 +70,17 @@ public:
                                complex_, edges);
   }
 
-  std::vector<Channel> take_channels() { return channels_.take(); }
+  auto take_channels() { return channels_.take(); }
 
 private:
   static constexpr bool has_channels = Policies::has_channels;
-
-  // Of faces or of the values at their corners.
-  bool has_seams() const {
-    if constexpr (has_channels)
-      for (const Channel& channel : channels_.all())
-        if (channel.has_seams())
-          return true;
-    return !seams_.is_empty();
-  }
 
   const Policies& policies_;
   TriangleComplex& complex_;
   Geometry<Cost::dimension>& geometry_;
   VertexMemories<Cost>& memories_;
   QUADRILLE_NO_UNIQUE_ADDRESS Channels channels_;
-  SeamGraph seams_;
+  Seams seams_;
 };
 
 } // namespace quadrille::internal

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H
 #define QUADRILLE_INTERNAL_APPEARANCE_CHANNEL_INPUT_H
 
-#include <quadrille/attribute_quadric.h>
-#include <quadrille/channels.h>
+#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/memory/array.h>
 

@@ -1,9 +1,15 @@
 #ifndef QUADRILLE_INTERNAL_APPEARANCE_CHANNELS_H
 #define QUADRILLE_INTERNAL_APPEARANCE_CHANNELS_H
 
+#include <quadrille/internal/appearance/back_channels.h>
 #include <quadrille/internal/appearance/channel.h>
 #include <quadrille/internal/appearance/channel_contraction.h>
+#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/appearance/channel_seams.h>
+#include <quadrille/internal/appearance/channel_weights.h>
+#include <quadrille/internal/appearance/channels_left.h>
 #include <quadrille/internal/appearance/chart_end.h>
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/complex/edge_sides.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/cost/vertex_memories.h>
@@ -11,16 +17,18 @@
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
+#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/surface/scale.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <span>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,19 +51,40 @@ class Channels {
 public:
   using Geometry = internal::Geometry<Cost::dimension>;
   using Position = Vector<3>;
+  using Left = ChannelsLeft;
+  using Seams = ChannelSeams;
 
   Channels(const TriangleComplex& complex, const Geometry& geometry, VertexMemories<Cost>& memories)
       : complex_(complex), geometry_(geometry), memories_(memories), forms_(complex.workspace()),
         traces_(complex.workspace()) {}
 
-  void add(Channel channel) { channels_.push_back(std::move(channel)); }
+  /// Reads what an adapter has read; where backs have values of their own, these are channels
+  /// behind the others. `labels`: of each face; or empty.
+  void read(std::vector<ChannelInput> inputs, const Numbering& numbering,
+            const Array<Index>& labels, const Scale<Cost::dimension>& scale, bool are_pairs_edges) {
+    if (!complex_.backs().is_empty())
+      back_channels_ = BackChannels(complex_, numbering.faces, inputs).add();
+    for (const ChannelInput& input : inputs)
+      channels_.push_back(
+          Channel(input, numbering, complex_,
+                  channel_weights(input, numbering, complex_, geometry_.positions(), labels, scale),
+                  are_pairs_edges));
+  }
   std::span<const Channel> all() const { return channels_; }
   std::span<Channel> all() { return channels_; }
+  /// See BackChannels; empty if there are no backs.
+  const std::vector<std::size_t>& back_channels() const { return back_channels_; }
+  bool have_seams() const {
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [](const Channel& channel) { return channel.has_seams(); });
+  }
+  /// Of the channels as they are by now.
+  ChannelSeams seams() const { return {complex_, channels_}; }
   /// With the values of the result.
-  std::vector<Channel> take() {
+  ChannelsLeft take() {
     for (Channel& channel : channels_)
       channel.settle(geometry_.positions(), complex_);
-    return std::move(channels_);
+    return {std::move(channels_), std::move(back_channels_)};
   }
 
   /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
@@ -262,22 +291,10 @@ private:
   const Geometry& geometry_;
   VertexMemories<Cost>& memories_;
   std::vector<Channel> channels_;
+  std::vector<std::size_t> back_channels_;
   Array<QuadricForm<3>> forms_; // of each vertex, where its memory does not hold them
   Array<double> traces_;        // of what channels have left at each vertex
 };
-
-/// Of a surface that has none.
-struct NoChannels {
-  template <class Geometry, class Memories>
-  NoChannels(const TriangleComplex&, const Geometry&, Memories&) {}
-  std::span<const Channel> all() const { return {}; }
-  std::vector<Channel> take() { return {}; }
-  static auto vertex_columns(auto&) { return std::tuple<>(); }
-};
-
-template <class Policies>
-using ChannelsOf =
-    std::conditional_t<Policies::has_channels, Channels<typename Policies::Cost>, NoChannels>;
 
 } // namespace quadrille::internal
 

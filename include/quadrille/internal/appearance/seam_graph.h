@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_APPEARANCE_SEAM_GRAPH_H
 #define QUADRILLE_INTERNAL_APPEARANCE_SEAM_GRAPH_H
 
-#include <quadrille/internal/appearance/channel.h>
-#include <quadrille/internal/appearance/channel_contraction.h>
+#include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/edge_sides.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -32,12 +32,16 @@ enum class SeamKind : std::uint8_t { free, line, corner };
 /// vertices is one of its own, no two corners become one, and no third vertex is joined to both
 /// ends by seams. Source: Vivodtzev, Bonneau and Le Texier, Topology preserving simplification of
 /// 2D non-manifold meshes with embedded structures, 2005.
+///
+/// What it asks of channels, `ChannelSeams` tells, or `NoChannelSeams` of a surface without.
+template <class OfChannels>
 class SeamGraph {
 public:
   SeamGraph() = default;
-  /// `labels`: of each face, or empty. `channels` stay where they are.
-  SeamGraph(const TriangleComplex& complex, Array<Index> labels, std::span<const Channel> channels)
-      : complex_(&complex), channels_(channels), label_(std::move(labels)),
+  /// `labels`: of each face, or empty. `of_channels`: the seams of channels, which stay where they
+  /// are.
+  SeamGraph(const TriangleComplex& complex, Array<Index> labels, OfChannels of_channels)
+      : complex_(&complex), of_channels_(of_channels), label_(std::move(labels)),
         kind_(complex.workspace()) {
     if (label_.empty() && !keeps_channels())
       return;
@@ -60,10 +64,7 @@ public:
   /// Has the surface any seam but those of edges of other than two faces?
   bool is_empty() const { return kind_.empty(); }
   /// Are the seams of any channel kept?
-  bool keeps_channels() const {
-    return std::any_of(channels_.begin(), channels_.end(),
-                       [](const Channel& channel) { return channel.are_seams_kept(); });
-  }
+  bool keeps_channels() const { return of_channels_.are_any_kept(); }
   /// Of each face; or empty.
   const Array<Index>& labels() const { return label_; }
   bool is_corner(Index v) const { return kind_[v] == SeamKind::corner; }
@@ -75,11 +76,7 @@ public:
     if (kind_[a] != SeamKind::free && kind_[b] != SeamKind::free &&
         (!is_seam_edge(star.shared, a, b) || joins_seams(star, a, b)))
       return true;
-    return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
-      return channel.are_seams_kept() && channel.has_seams() &&
-             (ChannelContraction(channel, *complex_, {a, b, {}}).closes_seam(star) ||
-              opens_seam(channel, star, a, b));
-    });
+    return of_channels_.are_changed_by(star, a, b);
   }
 
   /// Calls visit(v, w, sides) for each seam, once; the second of each side is a face.
@@ -123,9 +120,7 @@ private:
   // Is the edge vw of two faces a seam?
   bool is_seam(Index face, Index other, Index v, Index w) const {
     return (!label_.empty() && label_[face] != label_[other]) ||
-           std::any_of(channels_.begin(), channels_.end(), [&](const Channel& channel) {
-             return channel.are_seams_kept() && channel.ends_between(*complex_, face, other, v, w);
-           });
+           of_channels_.are_at(face, other, v, w);
   }
 
   // Of the edge ab that has these faces; a pair without a face is no edge.
@@ -165,33 +160,8 @@ private:
     return !common.empty();
   }
 
-  // Where two edges to a vertex c become one, is that a seam though neither was, or none though one
-  // was? Half seams can do so, at which the channel is discontinuous at one end only.
-  bool opens_seam(const Channel& channel, const PairStar& star, Index a, Index b) const {
-    const auto face_with = [](const AppendBuffer<StarFace>& faces, Index c) {
-      const auto f = std::find_if(faces.begin(), faces.end(),
-                                  [c](const StarFace& face) { return face.has(c); });
-      return f == faces.end() ? none : f->face;
-    };
-    return std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {
-      const Index c = f.other_than(b);
-      if (channel.has_one_wedge(c))
-        return false;
-      const Index at_a = face_with(star.first, c), at_b = face_with(star.second, c);
-      if (at_a == none || at_b == none)
-        return false;
-      const auto differ = [&](Index face, Index other, Index v) {
-        return channel.wedge(*complex_, face, v) != channel.wedge(*complex_, other, v);
-      };
-      const bool was = (differ(at_a, f.face, a) && differ(at_a, f.face, c)) ||
-                       (differ(at_b, f.face, b) && differ(at_b, f.face, c));
-      const bool is = differ(at_a, at_b, c) && (differ(at_a, f.face, a) || differ(at_b, f.face, b));
-      return was != is;
-    });
-  }
-
   const TriangleComplex* complex_ = nullptr;
-  std::span<const Channel> channels_;
+  QUADRILLE_NO_UNIQUE_ADDRESS OfChannels of_channels_;
   Array<Index> label_;   // of each face; empty if there are none
   Array<SeamKind> kind_; // of each vertex; empty if there are no seams
 };

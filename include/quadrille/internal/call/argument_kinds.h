@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CALL_ARGUMENT_KINDS_H
 #define QUADRILLE_INTERNAL_CALL_ARGUMENT_KINDS_H
 
-#include <quadrille/channels.h>
 #include <quadrille/concepts.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/carried.h>

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CALL_ARGUMENTS_H
 #define QUADRILLE_INTERNAL_CALL_ARGUMENTS_H
 
-#include <quadrille/channels.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
 #include <quadrille/internal/base/optional.h>

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CALL_CARRIED_H
 #define QUADRILLE_INTERNAL_CALL_CARRIED_H
 
-#include <quadrille/channels.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/policies.h>
@@ -14,8 +13,13 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 /// What a call carries beside the shape: labels and channels.
+
+namespace quadrille {
+struct SplitVertices;
+}
 
 namespace quadrille::internal {
 
@@ -27,15 +31,7 @@ template <class Map>
 inline constexpr bool is_labels<std::optional<Labels<Map>>> = true;
 
 template <class T>
-inline constexpr bool is_channel = false;
-template <class Source>
-inline constexpr bool is_channel<Texture<Source>> = true;
-template <class Source>
-inline constexpr bool is_channel<Normals<Source>> = true;
-template <class Source>
-inline constexpr bool is_channel<Colors<Source>> = true;
-template <class Source>
-inline constexpr bool is_channel<Attributes<Source>> = true;
+inline constexpr bool is_channel = false; // see <quadrille/channels.h>
 
 /// The arguments of which is_wanted holds, as a tuple.
 #define QUADRILLE_PICK(is_wanted)                                                                  \
@@ -66,14 +62,20 @@ auto pick_labels(const Arguments&... arguments) {
     return NoLabels{};
 }
 
-/// The channel of a named parameter as a tuple, if it is given.
-template <template <class> class Channel, class Named, class Tag>
-auto channel_of(const Named& named, Tag tag) {
-  const auto map = CGAL::parameters::get_parameter(named, tag);
-  if constexpr (is_given<decltype(map)>)
-    return std::tuple(Channel<std::remove_const_t<decltype(map)>>(map));
-  else
-    return std::tuple();
+/// Channels that are named parameters, as `of(named)` gives them: <quadrille/channels.h> defines
+/// it.
+template <class Named>
+struct NamedChannels;
+template <class Named>
+concept AreChannelsIncluded = requires {
+  sizeof(NamedChannels<Named>);
+};
+
+/// Are any attributes among the named parameters?
+template <class Named, class... Tags>
+constexpr bool names_any(Tags... tags) {
+  return (is_given<decltype(CGAL::parameters::get_parameter(std::declval<const Named&>(), tags))> ||
+          ...);
 }
 
 /// Attributes that are named parameters are channels with defaults beside a cost in space; other
@@ -81,13 +83,20 @@ auto channel_of(const Named& named, Tag tag) {
 template <class Cost, class Named>
 auto named_channels([[maybe_unused]] const Named& named) {
   namespace np = CGAL::internal_np;
-  if constexpr (Cost::dimension == 3)
-    return std::tuple_cat(channel_of<Colors>(named, np::vertex_color_map),
-                          channel_of<Texture>(named, np::vertex_texture_map),
-                          channel_of<Normals>(named, np::vertex_normal_map),
-                          channel_of<Attributes>(named, parameters::vertex_attribute));
-  else
+  if constexpr (Cost::dimension == 3 &&
+                names_any<Named>(np::vertex_color_map, np::vertex_texture_map,
+                                 np::vertex_normal_map, parameters::vertex_attribute)) {
+    static_assert(AreChannelsIncluded<Named>,
+                  "vertex_color_map, vertex_texture_map, vertex_normal_map and "
+                  "vertex_attribute_map are channels beside a cost in space: include "
+                  "<quadrille/channels.h>.");
+    if constexpr (AreChannelsIncluded<Named>)
+      return NamedChannels<Named>::of(named);
+    else
+      return std::tuple();
+  } else {
     return std::tuple();
+  }
 }
 
 /// The channels of a call, as a tuple.

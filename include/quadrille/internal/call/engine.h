@@ -66,9 +66,9 @@ void check_tolerances(const Input& input, const StopRule& stop, bool have_faces)
 
 /// The surface once pairs have been contracted; nothing if the visitor cancels before the first.
 template <class Policies>
-std::optional<FinishedSurface<typename Policies::Cost>>
-contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
-               bool keeps_memories, Report& report, StopWatch& watch) {
+std::optional<typename ResultOf<Policies>::Finished>
+contract_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
+               const Policies& policies, bool keeps_memories, Report& report, StopWatch& watch) {
   check_tolerances(input, policies.stop, policies.optional.greatest_tolerance.has_value());
   const auto own_box = input.box();
   const auto box = box_of_units(input, own_box);
@@ -92,14 +92,14 @@ contract_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& po
 /// contraction. It does not know the mesh: where it has been instantiated for a cost and a
 /// placement, calls with these compile no more than adapters (see <quadrille/compiled/engines.h>).
 template <class Policies>
-std::optional<Result<typename Policies::Cost>>
-simplify_input(SurfaceInput<Policies::Cost::dimension> input, const Policies& policies,
-               bool keeps_memories, Report& report, StopWatch& watch) {
+std::optional<ResultOf<Policies>>
+simplify_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
+               const Policies& policies, bool keeps_memories, Report& report, StopWatch& watch) {
   auto finished = contract_input(std::move(input), policies, keeps_memories, report, watch);
   report.seconds.contract = watch.lap();
   if (!finished)
     return std::nullopt;
-  return std::optional<Result<typename Policies::Cost>>(std::in_place, *std::move(finished));
+  return std::optional<ResultOf<Policies>>(std::in_place, *std::move(finished));
 }
 
 } // namespace quadrille::internal

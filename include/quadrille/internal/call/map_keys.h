@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_MAP_KEYS_H
 #define QUADRILLE_INTERNAL_CALL_MAP_KEYS_H
 
-#include <quadrille/internal/adapter/channel_map.h>
+#include <quadrille/internal/adapter/no_channel_maps.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/named_parameters.h>
 #include <quadrille/internal/policy/policies.h>

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CALL_MAPS_OF_COPY_H
 #define QUADRILLE_INTERNAL_CALL_MAPS_OF_COPY_H
 
-#include <quadrille/channels.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/call/carried.h>
 #include <quadrille/internal/call/named_parameters.h>

@@ -1,12 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_CALL_MESHES_H
 #define QUADRILLE_INTERNAL_CALL_MESHES_H
 
-#include <quadrille/internal/adapter/channel_map.h>
 #include <quadrille/internal/adapter/face_graph_adapter.h>
 #include <quadrille/internal/adapter/label_numbers.h>
+#include <quadrille/internal/adapter/no_channel_maps.h>
 #include <quadrille/internal/adapter/soup_adapter.h>
 #include <quadrille/internal/adapter/soup_rows.h>
-#include <quadrille/internal/adapter/split_soup_adapter.h>
 #include <quadrille/internal/base/containers.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/map_keys.h>

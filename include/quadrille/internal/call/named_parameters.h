@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_NAMED_PARAMETERS_H
 #define QUADRILLE_INTERNAL_CALL_NAMED_PARAMETERS_H
 
-#include <quadrille/attribute_quadric.h>
+#include <quadrille/attribute.h>
 #include <quadrille/internal/adapter/attributes.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/base/points.h>
@@ -154,12 +154,12 @@ struct ConcurrencyTag {}; // there is none
 template <class Cost, class NamedParameters, class... Read>
 constexpr void check_named(Names<Read...>) {
   namespace np = CGAL::internal_np;
-  using Known = Names<np::all_default_t, np::geom_traits_t, np::visitor_t,
-                      np::vertex_is_constrained_t, parameters::vertex_quadric_t,
-                      parameters::face_is_selected_t, parameters::vertex_is_shared_t,
-                      parameters::bounding_box_t, parameters::coordinates_are_floats_t,
-                      parameters::vertex_importance_t,
-                      parameters::vertex_tolerance_t, decltype(attribute_name<Cost>()), Read...>;
+  using Known =
+      Names<np::all_default_t, np::geom_traits_t, np::visitor_t, np::vertex_is_constrained_t,
+            parameters::vertex_quadric_t, parameters::face_is_selected_t,
+            parameters::vertex_is_shared_t, parameters::bounding_box_t,
+            parameters::coordinates_are_floats_t, parameters::vertex_importance_t,
+            parameters::vertex_tolerance_t, decltype(attribute_name<Cost>()), Read...>;
   using Attributes = Names<np::vertex_color_map_t, np::vertex_texture_map_t,
                            np::vertex_normal_map_t, parameters::vertex_attribute_t>;
   // What a cost in space does not read is a channel.

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CALL_PIECE_H
 #define QUADRILLE_INTERNAL_CALL_PIECE_H
 
+#include <quadrille/channels.h>
 #include <quadrille/cost_limit.h>
 #include <quadrille/internal/adapter/piece_adapter.h>
 #include <quadrille/internal/call/arguments.h>
@@ -85,7 +86,8 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   }
   Workspace workspace(memory_needs(policies, !piece.labels.empty(), piece.positions.size(),
                                    piece.triangles.size()));
-  PieceAdapter<Cost> adapter(piece, given, channels_among(arguments...), result, workspace);
+  PieceAdapter<Cost, decltype(policies)::has_channels> adapter(
+      piece, given, channels_among(arguments...), result, workspace);
   const auto read = [](auto& reader) { return reader.read(); };
   result.report = run(adapter, policies, read, PieceTeller<Cost>{});
   if (policies.optional.bounds)

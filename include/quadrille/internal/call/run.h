@@ -21,7 +21,8 @@ MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t 
   using Followers = decltype(Surface::followers(std::declval<Surface&>()));
   const bool has_queue = !has_passes(policies.order);
   const std::size_t columns =
-      RowsOf<Followers>::bytes + (has_labels ? bytes_a_vertex<SeamGraph> : 0);
+      RowsOf<Followers>::bytes +
+      (has_labels ? bytes_a_vertex<typename Appearance<Policies>::Seams> : 0);
   // Beside these: its list of corners, its label, what it has become part of; with a queue, since
   // when its pairs hold, and those that were refused.
   const std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);

@@ -276,6 +276,14 @@ private:
   Backs backs_;
 };
 
+/// Calls visit(face) for each face that is left.
+template <class Visit>
+void for_each_face(const TriangleComplex& complex, Visit visit) {
+  for (Index face = 0; face < complex.face_capacity(); ++face)
+    if (!complex.is_removed(face))
+      visit(face);
+}
+
 } // namespace quadrille::internal
 
 #include <quadrille/internal/complex/corner_lists.h>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 #define QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 
-#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
@@ -35,10 +35,11 @@ public:
   static constexpr std::size_t dimension = Cost::dimension;
   using Position = Vector<dimension>;
   using Contraction = internal::Contraction<Cost>;
+  using Seams = SeamGraph<typename ChannelsOf<Policies>::Seams>;
 
   Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
          const Numbering& numbering, const Geometry<dimension>& geometry,
-         const SharedVertices& shared, const LinkCondition& link_condition, const SeamGraph& seams,
+         const SharedVertices& shared, const LinkCondition& link_condition, const Seams& seams,
          const ChannelsOf<Policies>& channels, const GuardList<dimension>& guards,
          bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
@@ -151,7 +152,7 @@ private:
   const Geometry<dimension>& geometry_;
   const SharedVertices& shared_;
   const LinkCondition& link_condition_;
-  const SeamGraph& seams_;
+  const Seams& seams_;
   const ChannelsOf<Policies>& channels_;
   const GuardList<dimension>& guards_;
   bool is_topology_kept_;

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
 #define QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
 
-#include <quadrille/internal/appearance/back_values.h>
+#include <quadrille/internal/appearance/back_labels.h>
 #include <quadrille/internal/appearance/labels_by_face.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/ranges.h>
@@ -215,23 +215,17 @@ private:
 };
 
 /// Before the first contraction: of faces on the same vertices one is left, or one with a back
-/// where the input may have them. Returns which channel has the values of backs, of each.
+/// where the input may have them, of which labels tell both sides then.
 template <std::size_t N>
-std::vector<std::size_t> settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
-                                              SurfaceInput<N>& input, Tally& tally,
-                                              Threads threads) {
+void settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
+                          SurfaceInput<N>& input, Tally& tally, Threads threads) {
   const Array<Index> labels = labels_by_face(input.labels, faces, complex);
   DoubledFaces doubled(complex, labels, tally, threads);
-  if (!input.may_have_backs) {
-    doubled.remove();
-    return {};
-  }
+  if (!input.may_have_backs)
+    return doubled.remove();
   doubled.pair_up(faces);
-  if (complex.backs().is_empty())
-    return {};
-  BackValues values(complex, faces, input.labels, input.channels);
-  values.join_labels();
-  return values.add_channels();
+  if (!complex.backs().is_empty())
+    join_labels_of_backs(complex, faces, input.labels);
 }
 
 } // namespace quadrille::internal

@@ -1,20 +1,17 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_FINISHED_SURFACE_H
 #define QUADRILLE_INTERNAL_CONTRACTION_FINISHED_SURFACE_H
 
-#include <quadrille/internal/appearance/channel.h>
+#include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace quadrille::internal {
 
 /// What has become of a surface, in the engine's numbers and units.
-template <class Cost>
+template <class Cost, class ChannelsLeft>
 struct FinishedSurface {
   Scale<Cost::dimension> scale;
   bool is_closed; ///< it had no border, and has none
@@ -23,8 +20,7 @@ struct FinishedSurface {
   Array<unsigned char> is_moved;
   UninitializedArray<typename Cost::Memory> memories; ///< if they were asked for
   Numbering numbering;
-  std::vector<Channel> channels;
-  std::vector<std::size_t> back_channels; ///< see BackValues
+  QUADRILLE_NO_UNIQUE_ADDRESS ChannelsLeft channels;
 };
 
 } // namespace quadrille::internal

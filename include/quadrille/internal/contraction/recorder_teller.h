@@ -1,11 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDER_TELLER_H
 
-#include <quadrille/internal/appearance/channels.h>
-#include <quadrille/internal/appearance/told_channels.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/corners_by_input_face.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
 #include <quadrille/internal/contraction/record_order.h>
@@ -26,10 +25,26 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// Tells a recorder what becomes of channels: see channel_teller.h.
+template <class Policies>
+class ChannelTeller;
+/// The same of a surface without channels.
+struct NoChannelTeller {
+  template <class Policies>
+  explicit NoChannelTeller(const RecordingNeeds<Policies>&) {}
+  std::size_t begin() { return 0; }
+  std::vector<RecordedChannel> recorded() const { return {}; }
+  void append_values_of(Index, std::vector<double>&) const {}
+  template <class Contraction>
+  void before(const Contraction&) {}
+  void after(Index, RecordBuffer&) {}
+};
 
 /// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
 template <class Policies>
@@ -38,17 +53,17 @@ public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
   using Contraction = internal::Contraction<Cost>;
+  using Channels =
+      std::conditional_t<Policies::has_channels, ChannelTeller<Policies>, NoChannelTeller>;
 
   explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
       : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
-        numbering_(needs.numbering), geometry_(needs.geometry), channels_(needs.channels),
+        numbering_(needs.numbering), geometry_(needs.geometry), channels_(needs),
         distances_(needs.distances), scratches_(needs.scratches) {}
 
-  void begin(const std::vector<std::size_t>& back_channels) override {
+  void begin() override {
     const std::size_t vertices = numbering_.vertices.input_count();
-    told_ = told_channels(all_channels(), back_channels, complex_.vertex_capacity());
-    for (std::size_t c = 0; c < told_.size(); ++c)
-      width_ += told_[c].has_wedges ? 0 : all_channels()[c].components();
+    width_ = dimension + channels_.begin();
     RecordedSurface surface{dimension,
                             width_,
                             std::vector<double>(width_ * vertices),
@@ -68,35 +83,13 @@ public:
         corners_by_input_face(complex_, numbering_.faces, [this](Index face, std::size_t i, bool) {
           return numbering_.vertices[complex_.vertices(face)[i]];
         });
-    for (const ToldChannel& told : told_)
-      if (!told.is_of_backs)
-        surface.channels.push_back(read(told));
+    surface.channels = channels_.recorded();
     policies_.recorder->begin(std::move(surface));
     for (Scratch& scratch : scratches_)
       scratch.record.contractions.list = empty_list();
   }
 
-  /// The wedges of the pair that meets, before they do.
-  void before(const Contraction& contraction) override {
-    std::vector<RecordBuffer::Corner>& corners = contraction.scratch().record.contractions.corners;
-    corners.clear();
-    const auto channels = all_channels();
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      if (!told_[c].has_wedges)
-        continue;
-      const auto note = [&](Index face, Index end) {
-        Channel& channel = channels[c];
-        if (told_[c].is_of_backs && !complex_.backs().has(face))
-          return;
-        corners.push_back(
-            {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
-      };
-      for (const StarFace& f : contraction.star().first)
-        note(f.face, contraction.first());
-      for (const StarFace& f : contraction.star().second)
-        note(f.face, contraction.second());
-    }
-  }
+  void before(const Contraction& contraction) override { channels_.before(contraction); }
 
   void after(const Contraction& contraction, Index kept, Index gone, double error,
              bool is_in_pass) override {
@@ -108,8 +101,7 @@ public:
       add_inputs(f.face, buffer.faces);
     for (Index face : scratch.duplicates)
       add_inputs(face, buffer.faces);
-    if constexpr (Policies::has_channels)
-      gather_wedges(kept, buffer);
+    channels_.after(kept, buffer);
     const RecordedContraction recorded{numbering_.vertices[kept],
                                        numbering_.vertices[gone],
                                        values_of(kept, position, buffer.values),
@@ -171,12 +163,6 @@ private:
   }
   Index input_vertex(Index v) const { return v == none ? none : numbering_.vertices[v]; }
 
-  std::span<Channel> all_channels() {
-    if constexpr (Policies::has_channels)
-      return channels_.all();
-    else
-      return {};
-  }
   RecordList empty_list() const {
     return {width_, policies_.stop.needs().distance, policies_.stop.needs().distance_back};
   }
@@ -187,9 +173,7 @@ private:
     if (width_ == dimension)
       return position.coordinates;
     memory.assign(position.coordinates.begin(), position.coordinates.end());
-    for (std::size_t c = 0; c < told_.size(); ++c)
-      if (!told_[c].has_wedges)
-        all_channels()[c].append_final_values(v, memory);
+    channels_.append_values_of(v, memory);
     return memory;
   }
 
@@ -200,65 +184,10 @@ private:
       faces.push_back(complex_.backs().input_face(face));
   }
 
-  RecordedChannel read(const ToldChannel& told) {
-    Channel& fronts = all_channels()[told.number];
-    RecordedChannel recorded{fronts.components(), {}, {}};
-    if (!told.has_wedges)
-      return recorded;
-    recorded.corners = corners_by_input_face(
-        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
-          const std::size_t c = is_back ? told.of_backs : told.number;
-          return told_[c].first_wedge +
-                 all_channels()[c].wedge(complex_, face, complex_.vertices(face)[i]);
-        });
-    append_values(fronts, recorded.values);
-    if (told.of_backs != told.number)
-      append_values(all_channels()[told.of_backs], recorded.values);
-    return recorded;
-  }
-  void append_values(Channel& channel, std::vector<double>& values) const {
-    channel.records().identify();
-    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
-      channel.append_final_values(wedge, values);
-  }
-
   double distance_bound(const Contraction& contraction) const {
     if (!policies_.stop.needs().distance)
       return 0;
     return distances_->bound_of(contraction);
-  }
-
-  // Of the wedges that met, those of one wedge now: the lowest identity is left.
-  void gather_wedges(Index kept, RecordBuffer& buffer) {
-    buffer.wedges.clear();
-    buffer.joined.clear();
-    buffer.wedge_values.clear();
-    std::vector<std::pair<Index, Index>> renamed; // the wedge now, and an identity that it had
-    const auto& corners = buffer.corners;
-    for (auto begin = corners.begin(); begin != corners.end();) {
-      const std::size_t c = begin->channel;
-      Channel& channel = all_channels()[c];
-      renamed.clear();
-      for (; begin != corners.end() && begin->channel == c; ++begin)
-        renamed.emplace_back(channel.wedge(complex_, begin->face, kept), begin->identity);
-      std::sort(renamed.begin(), renamed.end());
-      renamed.erase(std::unique(renamed.begin(), renamed.end()), renamed.end());
-      for (std::size_t i = 0; i < renamed.size(); ++i) {
-        const auto [wedge, identity] = renamed[i];
-        if (i > 0 && renamed[i - 1].first == wedge) {
-          buffer.joined.push_back(told_[c].first_wedge + identity);
-          buffer.wedges.back().joined_end = buffer.joined.size();
-          continue;
-        }
-        channel.records().identity(wedge) = identity;
-        const std::size_t values_begin = buffer.wedge_values.size();
-        if (!channel.append_final_values(wedge, buffer.wedge_values))
-          buffer.wedge_values.resize(values_begin);
-        buffer.wedges.push_back({told_[c].number, told_[c].first_wedge + identity,
-                                 buffer.joined.size(), buffer.wedge_values.size()});
-      }
-    }
-    buffer.view_wedges();
   }
 
   const Policies& policies_;
@@ -266,10 +195,9 @@ private:
   const TriangleComplex& complex_;
   const Numbering& numbering_;
   const Geometry<dimension>& geometry_;
-  ChannelsOf<Policies>& channels_;
+  Channels channels_;
   const OptionalDistances<Policies>& distances_;
   std::vector<Scratch>& scratches_;
-  std::vector<ToldChannel> told_; // of each channel
   std::size_t width_ = dimension; // how many numbers a vertex has
 };
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 
-#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -29,8 +29,8 @@ public:
 
   virtual ~Recording() = default;
 
-  /// The surface as it is before the first contraction. `back_channels`: see BackValues.
-  virtual void begin(const std::vector<std::size_t>& back_channels) = 0;
+  /// The surface as it is before the first contraction.
+  virtual void begin() = 0;
   virtual void before(const Contraction& contraction) = 0;
   /// A contraction, with the error that Report::error counts; one in a pass is told at the end of
   /// its stage.

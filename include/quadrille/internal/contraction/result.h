@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RESULT_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RESULT_H
 
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/memory/array.h>
@@ -17,10 +18,13 @@ namespace quadrille::internal {
 /// The vertices and faces of a finished surface that are left, counted off in the engine's order,
 /// in which neighbours lie near each other; after all faces come the backs of those that have one.
 /// Input indices are those under which an adapter has read them.
-template <class Cost>
+template <class Cost, class ChannelsLeft>
 class Result {
 public:
-  explicit Result(FinishedSurface<Cost> surface)
+  using Finished = FinishedSurface<Cost, ChannelsLeft>;
+  static constexpr bool has_channels = !std::same_as<ChannelsLeft, NoChannelsLeft>;
+
+  explicit Result(Finished surface)
       : surface_(with_less_memory(std::move(surface))), vertices_(complex().left_vertices()),
         faces_(complex().left_faces()), front_count_(faces_.size()),
         numbers_(places(vertices_, complex().vertex_capacity())) {
@@ -59,28 +63,24 @@ public:
   /// Of a corner of a face, in a channel. Those of backs come after all others.
   Index wedge(std::size_t c, Index face, std::size_t corner) const {
     const Index f = faces_[face], v = complex().vertices(f)[corner_of_front(face, corner)];
-    const bool is_other = is_back(face) && has_back_channel(c);
-    return is_other ? wedges_of(c) + channel_of_backs(c).wedge(complex(), f, v)
-                    : channel(c).wedge(complex(), f, v);
+    return surface_.channels.wedge(complex(), c, f, v, is_back(face));
   }
   /// The first one of a vertex, in any channel.
   Index first_wedge(Index v) const { return vertices_[v]; }
   /// How many numbers of wedges a channel may use.
   std::size_t wedge_count(std::size_t c) const {
-    return has_back_channel(c)
-               ? wedges_of(c) + channel_of_backs(c).wedge_count(complex().vertex_capacity())
-               : wedges_of(c);
+    return surface_.channels.wedge_count(complex(), c);
   }
-  std::size_t components(std::size_t c) const { return channel(c).components(); }
+  std::size_t components(std::size_t c) const requires has_channels {
+    return surface_.channels.components(c);
+  }
   /// A component of a wedge of a channel.
   double value(std::size_t c, Index wedge, std::size_t component) const {
-    const auto [channel, number] = channel_and_wedge(c, wedge);
-    return channel->value(number, component);
+    return surface_.channels.value(complex(), c, wedge, component);
   }
   /// See WedgeRecords.
   Index origin(std::size_t c, Index wedge) const {
-    const auto [channel, number] = channel_and_wedge(c, wedge);
-    return channel->origin(number);
+    return surface_.channels.origin(complex(), c, wedge);
   }
 
   /// What a vertex remembers, in the engine's units, about the vertex; if memories are kept.
@@ -96,7 +96,7 @@ public:
 
 private:
   // Gives back what only contractions needed.
-  static FinishedSurface<Cost> with_less_memory(FinishedSurface<Cost> surface) {
+  static Finished with_less_memory(Finished surface) {
     surface.complex.release();
     surface.positions.shrink_to_fit();
     surface.numbering.use_input_indices();
@@ -112,27 +112,15 @@ private:
     return is_back(face) ? complex().backs().opposite(faces_[face], corner) : corner;
   }
 
-  const Channel& channel(std::size_t c) const { return surface_.channels[c]; }
-  bool has_back_channel(std::size_t c) const {
-    return !surface_.back_channels.empty() && surface_.back_channels[c] != c;
-  }
-  const Channel& channel_of_backs(std::size_t c) const {
-    return channel(surface_.back_channels[c]);
-  }
-  Index wedges_of(std::size_t c) const {
-    return static_cast<Index>(channel(c).wedge_count(complex().vertex_capacity()));
-  }
-  std::pair<const Channel*, Index> channel_and_wedge(std::size_t c, Index wedge) const {
-    if (!has_back_channel(c) || wedge < wedges_of(c))
-      return {&channel(c), wedge};
-    return {&channel_of_backs(c), wedge - wedges_of(c)};
-  }
-
-  FinishedSurface<Cost> surface_;
+  Finished surface_;
   Array<Index> vertices_, faces_; // in the engine's numbers
   std::size_t front_count_;       // from there on they are those of backs
   Array<Index> numbers_;          // of each vertex of the engine, as it is counted off here
 };
+
+/// What is left of a surface once a call has had its way.
+template <class Policies>
+using ResultOf = Result<typename Policies::Cost, ChannelsLeftOf<Policies>>;
 
 } // namespace quadrille::internal
 

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_SHAPE_CHECK_H
 #define QUADRILLE_INTERNAL_CONTRACTION_SHAPE_CHECK_H
 
-#include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -68,8 +67,8 @@ public:
 
   ShapeCheck(const Scale<dimension>& scale, const TriangleComplex& complex,
              const Geometry<dimension>& geometry, const Parts<dimension>& parts,
-             const SeamGraph& seams)
-      : scale_(scale), complex_(complex), geometry_(geometry), parts_(parts), seams_(seams) {}
+             const Array<Index>& labels)
+      : scale_(scale), complex_(complex), geometry_(geometry), parts_(parts), labels_(labels) {}
 
   /// From which error on it pays to look. Of parts below a fifth of the diagonal some contractions
   /// of lesser errors would be found to spoil, if they were measured.
@@ -78,7 +77,7 @@ public:
   }
 
   /// Is there anything that a contraction could spoil? Parts have to be measured before.
-  bool has_any() const { return parts_.size() > 1 || !seams_.labels().empty(); }
+  bool has_any() const { return parts_.size() > 1 || !labels_.empty(); }
 
   /// How far the contraction goes beyond what a large part or region bears: more than 1 if it
   /// spoils the shape of one. A part is looked at where there are several, by the error and by what
@@ -138,7 +137,7 @@ private:
 
   double strain_of_region(const Contraction& contraction) {
     if constexpr (knows_errors<Cost>)
-      return seams_.labels().empty() ? 0 : contraction.error() / limit_of_regions(contraction);
+      return labels_.empty() ? 0 : contraction.error() / limit_of_regions(contraction);
     else
       return 0;
   }
@@ -165,7 +164,7 @@ private:
 
   // Once. That of a small region is infinite.
   QUADRILLE_NOINLINE void measure_regions() {
-    regions_ = regions_of(complex_, seams_.labels());
+    regions_ = regions_of(complex_, labels_);
     std::vector<Box<3>> boxes(regions_.size(), Box<3>::none());
     for (Index face = 0; face < complex_.face_capacity(); ++face)
       if (!complex_.is_removed(face))
@@ -189,7 +188,7 @@ private:
   const TriangleComplex& complex_;
   const Geometry<dimension>& geometry_;
   const Parts<dimension>& parts_;
-  const SeamGraph& seams_;
+  const Array<Index>& labels_; // of each face; or empty
   std::vector<Index> regions_; // of each face
   std::vector<double> sizes_of_regions_;
 };

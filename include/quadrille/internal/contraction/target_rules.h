@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 #define QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 
-#include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
@@ -26,10 +26,10 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
-              TriangleComplex& complex, const LinkCondition& link_condition, const SeamGraph& seams,
-              bool is_topology_kept)
+              TriangleComplex& complex, const LinkCondition& link_condition,
+              const Array<Index>& labels, bool is_topology_kept)
       : policies_(policies), scale_(scale), complex_(complex), link_condition_(link_condition),
-        seams_(seams), is_topology_kept_(is_topology_kept) {}
+        labels_(labels), is_topology_kept_(is_topology_kept) {}
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
@@ -54,8 +54,8 @@ public:
   }
 
   /// Is the error of the contraction more than that part of the distance to the farthest neighbour?
-  /// An edge of a cube of twelve faces is more than a tenth, a corner of a sheet of two. Only a cost
-  /// that tells its error as a distance to the surface can say so.
+  /// An edge of a cube of twelve faces is more than a tenth, a corner of a sheet of two. Only a
+  /// cost that tells its error as a distance to the surface can say so.
   bool is_coarse(const Contraction& contraction, double part = 0.1) const {
     if constexpr (knows_errors<Cost>)
       return contraction.error() >
@@ -72,7 +72,7 @@ private:
       return is_passed_without({backs.count_all(star.shared), 1}, status);
     return is_passed_without(most_loss(star, backs), status) &&
            is_passed_without(
-               Cleanup(complex_, contraction.scratch(), seams_.labels()).loss(contraction.second()),
+               Cleanup(complex_, contraction.scratch(), labels_).loss(contraction.second()),
                status);
   }
 
@@ -80,7 +80,7 @@ private:
   const Scale<Cost::dimension>& scale_;
   TriangleComplex& complex_;
   const LinkCondition& link_condition_;
-  const SeamGraph& seams_;
+  const Array<Index>& labels_; // of each face; or empty
   bool is_topology_kept_;
 };
 

@@ -62,8 +62,9 @@ public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
   using Contraction = internal::Contraction<Cost>;
+  using Input = InputOf<dimension, Policies::has_channels>;
 
-  WorkingSurface(SurfaceInput<dimension> input, const Box<dimension>& box, const Policies& policies)
+  WorkingSurface(Input input, const Box<dimension>& box, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, box, policies)),
         complex_(input.positions.size(), take_triangles(policies.pairs, input),
                  !has_passes(policies.order), policies.threads),
@@ -90,19 +91,17 @@ public:
         checks_(policies, scale_, complex_, numbering_, geometry_, shared_, link_condition_,
                 appearance_.seams(), appearance_.channels(), guards_, is_topology_kept_),
         displacement_(scale_.diagonal(), scale_.length_from_mesh(scale_.diagonal())),
-        target_rules_(policies, scale_, complex_, link_condition_, appearance_.seams(),
-                      is_topology_kept_),
-        shape_check_(scale_, complex_, geometry_, parts_, appearance_.seams()),
+        target_rules_(policies, scale_, complex_, link_condition_, labels(), is_topology_kept_),
+        shape_check_(scale_, complex_, geometry_, parts_, labels()),
         costs_(policies.optional.costs, complex_),
         edges_(policies.stop.needs().edges, complex_, scratch()), progress_(policies) {
     if (!is_topology_kept_ || input.has_duplicate_faces)
-      back_channels_ = settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally,
-                                            policies.threads);
+      settle_doubled_faces(complex_, numbering_.faces, input, scratch().tally, policies.threads);
     if (policies.topology == Topology::parts_may_vanish) {
       measure_parts();
       parts_.measure_isolation(complex_, geometry_, scale_);
     }
-    appearance_.read(input.labels, input.channels, numbering_, scale_, pairs_.are_edges());
+    appearance_.read(input, numbering_, scale_, pairs_.are_edges());
     progress_.start({complex_.count_faces(), complex_.count_vertices()},
                     count_unselected(complex_, numbering_.faces, input.is_selected),
                     edges_.count(numbering_.faces, input.is_selected), scale_.diagonal());
@@ -115,7 +114,7 @@ public:
       memories_.take_given(*policies.optional.memories, numbering_.vertices);
     QUADRILLE_ASSERT(have_rows(followers(*this), complex_.vertex_capacity()));
     if (recording())
-      recording()->begin(back_channels_);
+      recording()->begin();
     if (progress_.has_visitor())
       progress_.expect(ContractionCount(is_topology_kept_, complex_.backs())
                            .contractions(policies.stop, status()));
@@ -227,7 +226,7 @@ public:
 
   /// What has become of the surface, which is gone then; with memories, if that is asked for. Tells
   /// the report the rest, and the visitor that this is the end.
-  FinishedSurface<Cost> finish(bool keeps_memories, Report& report) && {
+  FinishedSurface<Cost, ChannelsLeftOf<Policies>> finish(bool keeps_memories, Report& report) && {
     progress_.tell(report);
     if (policies_.stop.needs().distance)
       distances_->tell(report, progress_.has_all_points());
@@ -243,7 +242,7 @@ public:
     input_parts_.tell(complex_, geometry_, scale_, numbering_, report);
     if (!progress_.is_cancelled())
       progress_.tell_end();
-    std::vector<Channel> channels = appearance_.take_channels();
+    auto channels = appearance_.take_channels();
     return {scale_,
             link_condition_.is_closed(),
             std::move(complex_),
@@ -251,8 +250,7 @@ public:
             moved_.take(),
             keeps_memories ? memories_.take() : UninitializedArray<typename Cost::Memory>(),
             std::move(numbering_),
-            std::move(channels),
-            std::move(back_channels_)};
+            std::move(channels)};
   }
 
 private:
@@ -347,8 +345,7 @@ private:
   CountedCosts costs_;
   CountedEdges edges_;
   Progress<Policies> progress_;
-  InputParts input_parts_;                 // none where topology is kept
-  std::vector<std::size_t> back_channels_; // see BackValues
+  InputParts input_parts_; // none where topology is kept
 };
 
 } // namespace quadrille::internal

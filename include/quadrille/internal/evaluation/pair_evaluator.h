@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H
 #define QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H
 
-#include <quadrille/internal/appearance/channels.h>
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/power_of_two.h>
 #include <quadrille/internal/complex/star.h>

@@ -21,8 +21,6 @@ namespace quadrille::internal {
 /// \file
 /// What channels add to two pairs at the price of one.
 
-using TwoPairs = std::array<VertexPair, 2>;
-
 /// Adds what the maps of the wedges that have the numbers of the ends of two pairs disagree about:
 /// see MapJoiner::add_difference. `to_seconds`: from the first ends to the second.
 QUADRILLE_ALWAYS_INLINE inline void add_differences(const Channel& channel, const TwoPairs& two,
@@ -68,8 +66,8 @@ LaneForm two_joins(const Channels& channels, const TwoPairs& two,
 
 /// The same with what channels have left at the ends, if a cost sees that beside the surface as it
 /// is; NothingAdded, if a cost does not count channels.
-template <class Cost, class Channels>
-auto two_channel_forms(const Channels& channels, const TwoPairs& two,
+template <class Cost>
+auto two_channel_forms(const Channels<Cost>& channels, const TwoPairs& two,
                        const std::array<Vector<3>, 2>& to_seconds) {
   if constexpr (remembers_forms<Cost>) {
     return two_joins(channels, two, to_seconds);

@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H
 #define QUADRILLE_INTERNAL_EVALUATION_TWO_LANES_H
 
+#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/base/lanes.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
-#include <quadrille/internal/evaluation/two_channel_forms.h>
 #include <quadrille/internal/evaluation/two_quadrics.h>
 #include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
@@ -51,6 +51,11 @@ bool is_optimal(const Placement& placement) {
   else
     return true;
 }
+
+/// What channels add to two pairs: see two_channel_forms.h, which calls include that have some.
+template <class Cost>
+auto two_channel_forms(const Channels<Cost>& channels, const TwoPairs& two,
+                       const std::array<Vector<3>, 2>& to_seconds);
 
 /// Costs pairs two at a time. What the kernel cannot solve is left to the
 /// evaluator, which gives the same to the rounding of a float.
@@ -106,7 +111,7 @@ private:
   // What channels add to what each pair remembers, or to what it sees.
   auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& ways) const {
     if constexpr (Evaluator::counts_channels)
-      return two_channel_forms<Cost>(evaluator_.channels(), two, ways);
+      return two_channel_forms(evaluator_.channels(), two, ways);
     else
       return NothingAdded{};
   }

@@ -3,7 +3,6 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/lanes.h>
-#include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
@@ -100,11 +99,10 @@ struct LaneMinima {
   LaneVector positions;
 };
 
-/// The same for memoryless costs: see MemorylessQuadric::join and minimizer.
-template <class Added>
-LaneMinima minima(const MemorylessQuadric::Current& first,
-                  const std::array<const MemorylessQuadric::Current*, 2>& others,
-                  const std::array<MemorylessQuadric::Current, 2>& shared,
+/// The same for memoryless costs: see MemorylessQuadric::join and minimizer, of which `Current` is.
+template <class Current, class Added>
+LaneMinima minima(const Current& first, const std::array<const Current*, 2>& others,
+                  const std::array<Current, 2>& shared,
                   const std::array<Vector<3>, 2>& displacements, Lanes squared_reach,
                   [[maybe_unused]] const Added& added) {
   const auto& [p, q] = others;

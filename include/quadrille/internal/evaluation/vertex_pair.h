@@ -3,11 +3,14 @@
 
 #include <quadrille/internal/base/index.h>
 
+#include <array>
+
 namespace quadrille::internal {
 
 struct VertexPair {
   Index first, second;
 };
+using TwoPairs = std::array<VertexPair, 2>;
 
 } // namespace quadrille::internal
 

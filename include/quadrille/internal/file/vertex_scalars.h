@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
 #define QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
 
-#include <quadrille/channels.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/adapter/piece_adapter.h>
 #include <quadrille/internal/file/ply_header.h>
 

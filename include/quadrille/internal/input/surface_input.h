@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_INPUT_SURFACE_INPUT_H
 #define QUADRILLE_INTERNAL_INPUT_SURFACE_INPUT_H
 
-#include <quadrille/internal/appearance/channel_input.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/text.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/memory/array.h>
@@ -16,6 +16,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace quadrille::internal {
@@ -45,7 +46,6 @@ struct SurfaceInput {
   std::vector<bool> is_selected;
   /// Of each vertex, in the mesh's units; empty if there are none. See ToleranceLimit.
   std::vector<double> tolerances;
-  std::vector<ChannelInput> channels;
   /// May it have faces on the same three vertices? Of those one is left, or with may_have_backs one
   /// of each way round.
   bool has_duplicate_faces = false;
@@ -90,6 +90,11 @@ struct SurfaceInput {
     fix(v);
   }
 };
+
+/// The same with channels: see input_with_channels.h, which calls include that have some.
+struct InputWithChannels;
+template <std::size_t N, bool has_channels>
+using InputOf = std::conditional_t<has_channels, InputWithChannels, SurfaceInput<N>>;
 
 template <std::size_t N>
 void require_finite(const Vector<N>& position, std::size_t vertex) {

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/points.h>
-#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/planar/border_chains.h>
 #include <quadrille/internal/planar/flatness.h>
 #include <quadrille/internal/planar/patch_borders.h>
@@ -67,7 +67,7 @@ inline double rounding_of(const Array<Vector<3>>& positions) {
 ///
 /// Vertices are within limits.height of their patch's plane, and of the straight border that they
 /// have been on.
-inline std::pair<RemeshedSurface, PatchCounts> remesh(SurfaceInput<3> input, FlatLimits limits) {
+inline std::pair<RemeshedSurface, PatchCounts> remesh(InputWithChannels input, FlatLimits limits) {
   const Scale<3> scale(input.box(), true);
   const double rounding = rounding_of(input.positions);
   limits.height = scale.length_from_mesh((std::max)(limits.height, 8 * rounding));

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/input/surface_input.h>
+#include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
 #include <quadrille/vector.h>
@@ -26,7 +26,7 @@ struct RemeshedFace {
 /// What is left of an input, as adapters write it: the vertices of some faces, where they were.
 class RemeshedSurface {
 public:
-  RemeshedSurface(SurfaceInput<3> input, Array<RemeshedFace> faces)
+  RemeshedSurface(InputWithChannels input, Array<RemeshedFace> faces)
       : input_(std::move(input)), faces_(std::move(faces)) {
     Array<unsigned char> is_left(input_.positions.size(), 0);
     for (const RemeshedFace& face : faces_)
@@ -79,7 +79,7 @@ public:
 private:
   Index vertex_at(Index side) const { return input_.triangles[side / 3][side % 3]; }
 
-  SurfaceInput<3> input_;
+  InputWithChannels input_;
   Array<RemeshedFace> faces_;
   Array<Index> vertices_; // that are left, by their input indices, ascending
   Array<Index> numbers_;  // of each input vertex, where it is in vertices_
