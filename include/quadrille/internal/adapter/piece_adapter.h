@@ -7,6 +7,7 @@
 #include <quadrille/internal/appearance/channel_input.h>
 #include <quadrille/internal/base/cost_histogram.h>
 #include <quadrille/internal/base/points.h>
+#include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/input/input_with_channels.h>
