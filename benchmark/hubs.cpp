@@ -3,6 +3,7 @@
 // Sizes are LARGEST faces and its halves; each time is the least of three.
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <benchmark/benchmark.h>

@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 #include <quadrille/channels.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

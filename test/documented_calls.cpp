@@ -27,6 +27,7 @@
 #include <quadrille/normal_deviation.h>
 #include <quadrille/pictures.h>
 #include <quadrille/planar_patches.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>

@@ -9,6 +9,7 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

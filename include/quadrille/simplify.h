@@ -46,7 +46,8 @@ inline namespace QUADRILLE_THREADING {
 /// - a PairPolicy: which pairs there are; EdgePairs{} by default
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default. Those that bound distances are in
 ///   <quadrille/distance_limits.h>
-/// - GreedyOrder or RelaxedOrder, or AnyOrder: in which order; GreedyOrder{} by default
+/// - an order: GreedyOrder{} by default, or RelaxedOrder or AnyOrder of
+///   <quadrille/relaxed_order.h>
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - guards, any number, each with a header of its own: NoSelfIntersection, of
 ///   <quadrille/self_intersection.h>: no faces come to intersect; keep_solid(), of

@@ -3,6 +3,7 @@
 #include "meshes.h"
 #include "reference.h"
 
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -10,6 +10,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/texture_deviation.h>
 #include <quadrille/thin_feature_quadric.h>

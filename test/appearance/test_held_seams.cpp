@@ -8,6 +8,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/distance.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/texture_deviation.h>
 

@@ -4,6 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -11,6 +11,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/height_field.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>

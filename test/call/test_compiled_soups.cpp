@@ -11,6 +11,7 @@
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 

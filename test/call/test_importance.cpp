@@ -6,6 +6,7 @@
 #include <quadrille/importance.h>
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

@@ -5,6 +5,7 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>

@@ -2,6 +2,7 @@
 #include "meshes.h"
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

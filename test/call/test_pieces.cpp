@@ -5,7 +5,7 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/order.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 

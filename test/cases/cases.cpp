@@ -4,6 +4,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/thin_feature_quadric.h>
 
 #include <algorithm>

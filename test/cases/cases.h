@@ -7,6 +7,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/order.h>
 #include <quadrille/quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
 #include <quadrille/topology.h>

@@ -1,6 +1,8 @@
 // Threads by the tag that CGAL has for them since its version 6.0.
 #include "surfaces.h"
 
+#include <quadrille/relaxed_order.h>
+
 #include <CGAL/tags.h>
 
 int main() {

@@ -1,6 +1,7 @@
 // Faces kept apart, in passes.
 #include "surfaces.h"
 
+#include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 
 int main() {

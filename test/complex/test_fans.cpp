@@ -6,6 +6,7 @@
 
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <boost/property_map/function_property_map.hpp>

@@ -12,6 +12,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/relaxed_order.h>
 
 #include <catch2/catch.hpp>
 

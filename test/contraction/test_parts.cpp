@@ -10,6 +10,7 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>

@@ -7,7 +7,7 @@
 #include <quadrille/labels.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/order.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/stop.h>
 #include <quadrille/topology.h>

@@ -5,6 +5,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -4,6 +4,7 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/thin_feature_quadric.h>
 #include <quadrille/weighted.h>

@@ -6,6 +6,7 @@
 #include <quadrille/calibrated.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 
 #include <catch2/catch.hpp>
 

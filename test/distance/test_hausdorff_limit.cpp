@@ -8,6 +8,7 @@
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/labels.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/IO/Color.h>

@@ -11,6 +11,7 @@
 #include <quadrille/internal/verify/intersecting_pairs.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

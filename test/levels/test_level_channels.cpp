@@ -6,6 +6,7 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/channels.h>
 #include <quadrille/levels.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

@@ -10,6 +10,7 @@
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

@@ -1,5 +1,6 @@
 // Asks for two threads: with QUADRILLE_WITH_TBB, and without.
 #include <array>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <stdexcept>
 #include <vector>

@@ -1,6 +1,7 @@
 // A surface has a part that is not of the library, see own_part.sh: has it followed contractions?
 #include <quadrille/internal/call/run.h>
 #include <quadrille/parameters.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

@@ -5,6 +5,7 @@
 #include "textured.h"
 
 #include <quadrille/channels.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

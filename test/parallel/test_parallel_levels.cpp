@@ -7,6 +7,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,8 @@
 // Every cost with every placement and all pairs, in relaxed order.
 #include "policies_on_all.h"
 
+#include <quadrille/relaxed_order.h>
+
 namespace {
 
 using namespace test;

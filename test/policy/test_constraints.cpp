@@ -5,6 +5,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

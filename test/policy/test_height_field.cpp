@@ -3,6 +3,7 @@
 
 #include <quadrille/height_field.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

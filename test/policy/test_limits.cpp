@@ -3,6 +3,7 @@
 #include "meshes.h"
 
 #include <quadrille/edge_length.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <CGAL/property_map.h>

@@ -5,6 +5,7 @@
 #include <quadrille/file.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

@@ -2,6 +2,7 @@
 #include "meshes.h"
 #include "snapshot.h"
 
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

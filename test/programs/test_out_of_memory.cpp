@@ -12,6 +12,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <catch2/catch.hpp>

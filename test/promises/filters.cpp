@@ -7,9 +7,9 @@
 #include "seeds.h"
 
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/order.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
+#include <quadrille/relaxed_order.h>
 
 #include <cstdint>
 

@@ -9,6 +9,7 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/solid.h>

@@ -8,6 +8,7 @@
 #include <CGAL/subdivision_method_3.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
 #include <iostream>

@@ -17,8 +17,6 @@ template <class Cost, bool has_channels>
 using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
 
 template <class Policies>
-bool run_passes(WorkingSurface<Policies>& surface, const RelaxedOrder& order);
-template <class Policies>
 std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs);
 template <class Policies, bool both_ways>
 std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs);
@@ -31,7 +29,7 @@ std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<
                                                     const UsualPolicies<COST, HAS_CHANNELS>&,      \
                                                     bool, Report&, StopWatch&);                    \
   KEYWORDS bool run_passes<UsualPolicies<COST, HAS_CHANNELS>>(                                     \
-      WorkingSurface<UsualPolicies<COST, HAS_CHANNELS>>&, const RelaxedOrder&);                    \
+      WorkingSurface<UsualPolicies<COST, HAS_CHANNELS>>&, const PassSettings&);                    \
   KEYWORDS std::unique_ptr<Recording<UsualPolicies<COST, HAS_CHANNELS>>>                           \
   make_recording<UsualPolicies<COST, HAS_CHANNELS>>(                                               \
       const RecordingNeeds<UsualPolicies<COST, HAS_CHANNELS>>&);                                   \

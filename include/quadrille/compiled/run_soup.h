@@ -9,9 +9,9 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/normal_deviation.h>
-#include <quadrille/order.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
+#include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
 #include <quadrille/solid.h>

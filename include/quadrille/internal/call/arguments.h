@@ -229,13 +229,13 @@ auto pick_policies(const Arguments&... arguments) {
   const auto cost = pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...);
   const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
   const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
-  const auto order = given_order(pick<Kind::order, Cost, GreedyOrder>(arguments...));
+  const auto given_order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
   check_stop<Held<decltype(stop)>, Cost>();
   validate_all(cost, placement, pairs, stop);
-  validate(order);
-  check_guards<std::remove_const_t<decltype(order)>, Arguments...>();
+  const CallOrder order = call_order(given_order);
+  check_guards<std::remove_const_t<decltype(given_order)>, Arguments...>();
   const auto guards = pick_guards<Cost>(arguments...);
-  guards.require_greedy_order(has_passes(order));
+  guards.require_greedy_order(order.passes.has_value());
   const auto carried = pick_carried<Cost>(arguments...);
   using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
                                       EnginePlacement<std::remove_const_t<decltype(placement)>>,
@@ -249,13 +249,12 @@ auto pick_policies(const Arguments&... arguments) {
       use_or_default<FaceRatio>(stop, [](const auto& given) { return StopRule::of(given); }),
       order,
       hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
-      threads_here(threads_of(order)),
+      threads_here(order.threads()),
       pick_recorder<Cost>(arguments...),
       guards.topology_beside(pick_topology<Cost>(arguments...)),
       pick_filters<Cost>(arguments...),
       guards,
-      optional_parts<Policies, Held<decltype(stop)>, std::remove_const_t<decltype(order)>,
-                     is_recorded>()};
+      optional_parts<Policies, Held<decltype(stop)>, Held<decltype(given_order)>, is_recorded>()};
   policies.threads.validate();
   return policies;
 }

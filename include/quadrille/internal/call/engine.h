@@ -7,15 +7,14 @@
 #include <quadrille/internal/input/spatial_order.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/order/greedy_loop.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/stop_rule.h>
-#include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 
 namespace quadrille::internal {
 
@@ -37,17 +36,17 @@ template <class Policies>
 StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch& watch) {
   if (surface.progress().is_cancelled())
     return StopReason::cancelled;
-  const auto* const relaxed = std::get_if<RelaxedOrder>(&surface.policies().order);
-  if (relaxed) {
+  const std::optional<PassSettings>& passes = surface.policies().order.passes;
+  if (passes) {
     report.seconds.prepare = watch.lap();
     if (!surface.progress().begin_contracting() ||
-        !surface.policies().optional.run_passes(surface, *relaxed))
+        !surface.policies().optional.run_passes(surface, *passes))
       return StopReason::cancelled;
     if (surface.progress().is_enough())
       return surface.target_rules().reason_of_stop(surface.status());
   }
   GreedyLoop<Policies> loop(surface);
-  if (!relaxed)
+  if (!passes)
     report.seconds.prepare = watch.lap();
   return loop.run();
 }

@@ -19,7 +19,7 @@ MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t 
                          std::size_t faces) {
   using Surface = WorkingSurface<Policies>;
   using Followers = decltype(Surface::followers(std::declval<Surface&>()));
-  const bool has_queue = !has_passes(policies.order);
+  const bool has_queue = !policies.order.passes;
   const std::size_t columns =
       RowsOf<Followers>::bytes +
       (has_labels ? bytes_a_vertex<typename Appearance<Policies>::Seams> : 0);

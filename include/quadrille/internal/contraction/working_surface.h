@@ -67,7 +67,7 @@ public:
   WorkingSurface(Input input, const Box<dimension>& box, const Policies& policies)
       : policies_(policies), scale_(scale_of(input, box, policies)),
         complex_(input.positions.size(), take_triangles(policies.pairs, input),
-                 !has_passes(policies.order), policies.threads),
+                 !policies.order.passes, policies.threads),
         scratches_(scratches_for(policies.threads, complex_)),
         pairs_(complex_, link_condition_, evaluator_, policies.pairs.includes_edges(),
                select_pairs(policies.pairs, input, complex_, scratch().labels)),
@@ -75,7 +75,7 @@ public:
         creases_(std::move(input.creases)),
         numbering_({input.positions.size(), std::move(input.input_vertices)},
                    {complex_.face_capacity(), std::move(input.input_faces)},
-                   has_passes(policies.order)),
+                   policies.order.passes.has_value()),
         geometry_(complex_, scale_.scaled(std::move(input.positions)), std::move(input.is_fixed),
                   policies.threads),
         shared_(std::move(input.is_shared), std::move(input.borders), numbering_),

@@ -67,10 +67,7 @@ public:
 
 private:
   // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
-  bool is_eager() const {
-    const auto* const greedy = std::get_if<GreedyOrder>(&surface_.policies().order);
-    return has_local_terms<Cost> && greedy && greedy->eager;
-  }
+  bool is_eager() const { return has_local_terms<Cost> && surface_.policies().order.greedy.eager; }
   // Where a cost tells how uneven they are. Eager order costs their pairs anyway.
   bool looks_for_flattened() const { return tells_unevenness<Cost> && !is_eager(); }
 

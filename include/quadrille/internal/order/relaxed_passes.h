@@ -17,7 +17,6 @@
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/order.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -34,8 +33,8 @@ namespace quadrille::internal {
 template <class Policies>
 class RelaxedPasses {
 public:
-  RelaxedPasses(WorkingSurface<Policies>& surface, const RelaxedOrder& order)
-      : surface_(surface), order_(order),
+  RelaxedPasses(WorkingSurface<Policies>& surface, const PassSettings& settings)
+      : surface_(surface), settings_(settings),
         count_(surface.is_topology_kept(), surface.complex().backs()), cost_stop_(surface),
         stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
@@ -86,7 +85,7 @@ private:
   // What a block needs is loaded once: it is contracted right after its costs are known.
   std::size_t pass(std::size_t quota) {
     divide();
-    const PassPlan plan = PassPlan::make(samples(), order_.share, quota, cost_stop_.limit());
+    const PassPlan plan = PassPlan::make(samples(), settings_.share, quota, cost_stop_.limit());
     for (std::size_t i = 0; i < blocks_.size(); ++i)
       blocks_[i].quota = plan.quotas[i];
     for_each_block([&](Block& block, Worker& worker) {
@@ -110,7 +109,7 @@ private:
     contract_between(workers_.front());
     if (workers_.size() == 1)
       workers_.front().proposals.release(); // what comes next needs as much
-    surface_.end_pass(order_.refresh);
+    surface_.end_pass(settings_.refresh);
     let_parts_vanish(static_cast<double>(plan.cost_limit));
     return left;
   }
@@ -295,7 +294,7 @@ private:
   }
 
   WorkingSurface<Policies>& surface_;
-  const RelaxedOrder& order_;
+  const PassSettings settings_;
   ContractionCount count_;
   CostStop<Policies> cost_stop_;
   std::vector<Block> blocks_;
@@ -305,8 +304,8 @@ private:
 
 /// For OptionalParts.
 template <class Policies>
-bool run_passes(WorkingSurface<Policies>& surface, const RelaxedOrder& order) {
-  return RelaxedPasses<Policies>(surface, order).run();
+bool run_passes(WorkingSurface<Policies>& surface, const PassSettings& settings) {
+  return RelaxedPasses<Policies>(surface, settings).run();
 }
 
 } // namespace quadrille::internal

@@ -4,10 +4,10 @@
 #include <quadrille/internal/base/threads.h>
 #include <quadrille/internal/policy/filter_list.h>
 #include <quadrille/internal/policy/guard_set.h>
+#include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/internal/policy/recorder_handle.h>
 #include <quadrille/internal/policy/stop_rule.h>
-#include <quadrille/order.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
@@ -35,11 +35,15 @@ struct GivenMemories;
 struct FaceBound;
 class CostHistogram;
 
+/// Contracts pairs in passes; false if the visitor cancels. RelaxedOrder brings it.
+template <class Policies>
+bool run_passes(WorkingSurface<Policies>& surface, const PassSettings& settings);
+
 /// What only some calls need, as functions: a call that cannot need it does not compile it.
 template <class Policies>
 struct OptionalParts {
   /// Contracts pairs in passes; false if the visitor cancels.
-  bool (*run_passes)(WorkingSurface<Policies>&, const RelaxedOrder&) = nullptr;
+  bool (*run_passes)(WorkingSurface<Policies>&, const PassSettings&) = nullptr;
   /// What tells the recorder.
   std::unique_ptr<Recording<Policies>> (*make_recording)(const RecordingNeeds<Policies>&) = nullptr;
   /// What measures distances for a stop policy that asks for them.
@@ -71,7 +75,7 @@ struct Policies {
   double label_border_weight; // see Labels
   PairSource pairs;
   StopRule stop;
-  AnyOrder order;
+  CallOrder order;
   std::function<bool(const Status&)> visitor; // of no target where there is none
   Threads threads;                            // as many as the order asks for
   std::optional<RecorderHandle> recorder;     // who is told of contractions

@@ -10,34 +10,42 @@
 namespace quadrille::internal {
 
 template <class T>
-inline constexpr bool is_order =
-    std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder> || std::same_as<T, AnyOrder>;
+inline constexpr bool is_order = std::same_as<T, GreedyOrder> || std::same_as<T, RelaxedOrder> ||
+                                 std::same_as<T, std::variant<GreedyOrder, RelaxedOrder>>;
 
-/// An order that may be given; greedy order where none is.
-template <class Order>
-Order given_order(const Order& order) {
-  return order;
+/// How passes go: see RelaxedOrder.
+struct PassSettings {
+  double share;
+  bool refresh;
+  unsigned threads;
+};
+
+/// The order of a call: greedy, behind passes if there are any.
+struct CallOrder {
+  GreedyOrder greedy = {};
+  std::optional<PassSettings> passes = {};
+
+  /// How many threads it may use.
+  unsigned threads() const { return passes ? passes->threads : 1; }
+};
+
+/// An order as the engine has it. Throws std::invalid_argument for one that makes no sense. A
+/// RelaxedOrder is known where it is passed: see <quadrille/relaxed_order.h>.
+inline CallOrder call_order(const GreedyOrder& greedy) {
+  return {greedy, std::nullopt};
+}
+template <std::same_as<RelaxedOrder> Relaxed>
+CallOrder call_order(const Relaxed& relaxed) {
+  relaxed.validate();
+  return {{}, PassSettings{relaxed.share, relaxed.refresh, relaxed.threads}};
+}
+template <class... Orders>
+CallOrder call_order(const std::variant<Orders...>& order) {
+  return std::visit([](const auto& chosen) { return call_order(chosen); }, order);
 }
 template <class Order>
-AnyOrder given_order(const std::optional<Order>& order) {
-  return order ? AnyOrder(*order) : AnyOrder(GreedyOrder{});
-}
-
-/// Does it go in passes? They merge nothing before few faces are left.
-inline bool has_passes(const AnyOrder& order) {
-  return std::holds_alternative<RelaxedOrder>(order);
-}
-
-/// How many threads an order may use.
-inline unsigned threads_of(const AnyOrder& order) {
-  const auto* const relaxed = std::get_if<RelaxedOrder>(&order);
-  return relaxed ? relaxed->threads : 1;
-}
-
-/// Throws std::invalid_argument for an order that makes no sense.
-inline void validate(const AnyOrder& order) {
-  if (const auto* const relaxed = std::get_if<RelaxedOrder>(&order))
-    relaxed->validate();
+CallOrder call_order(const std::optional<Order>& order) {
+  return order ? call_order(*order) : CallOrder{};
 }
 
 } // namespace quadrille::internal

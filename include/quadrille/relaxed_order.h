@@ -1,0 +1,56 @@
+#ifndef QUADRILLE_RELAXED_ORDER_H
+#define QUADRILLE_RELAXED_ORDER_H
+
+#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/order/relaxed_passes.h>
+#include <quadrille/order.h>
+
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+namespace quadrille {
+
+/// Passes over the surface instead of a queue: all pairs are costed, and the cheapest of them
+/// contracted where neither end has been contracted in this pass. Parallel, and close to the error
+/// of GreedyOrder.
+///
+/// Passes end where the target comes near, or where they find little to contract; the rest is done
+/// in greedy order. So targets are met as exactly, and all policies, filters and constraints hold
+/// as well. A pair that the stop policy would stop at is left to the greedy order.
+///
+/// A pass works on blocks of neighbouring vertices, each by itself, and on the pairs between blocks
+/// at its end. The blocks do not depend on the number of threads, so neither does the result.
+struct RelaxedOrder {
+  /// The part of the pairs, the cheapest, that a pass looks at: in (0, 1]. Less is slower and
+  /// closer to greedy order; with `refresh`, 0.2 comes close to MemorylessQuadric in greedy order.
+  double share = 0.5;
+
+  /// After each pass, let vertices remember the surface as it is then, instead of all planes that
+  /// have gone into them: a lower error, except at the lowest counts, where thin parts are lost.
+  bool refresh = false;
+
+  /// From 1 to 1024. More than one needs oneTBB: link quadrille::parallel, or define
+  /// QUADRILLE_WITH_TBB, in each translation unit that asks for it; `simplify` throws
+  /// std::invalid_argument in others. Policies are then called from several threads at a time.
+  unsigned threads = 1;
+
+  /// Throws std::invalid_argument for a share outside of (0, 1] and for a number of threads that
+  /// is none from 1 to 1024.
+  void validate() const {
+    if (!(share > 0 && share <= 1))
+      throw std::invalid_argument("quadrille::RelaxedOrder: the share " + internal::text_of(share) +
+                                  " is not in (0, 1]");
+    if (threads == 0 || threads > 1024)
+      throw std::invalid_argument("quadrille::RelaxedOrder: " + std::to_string(threads) +
+                                  " threads are not from 1 to 1024");
+  }
+};
+
+/// Which of both, with its options, told at run time: one engine is compiled for both, with results
+/// to the same bits. To make passes or not, a std::optional<RelaxedOrder> is enough.
+using AnyOrder = std::variant<GreedyOrder, RelaxedOrder>;
+
+} // namespace quadrille
+
+#endif // QUADRILLE_RELAXED_ORDER_H
