@@ -72,15 +72,15 @@ TEST_CASE("What a call cannot need is not compiled for it") {
   const auto plain = pick_policies<NotGiven, NotGiven>(FaceCount{10});
   CHECK(plain.optional.run_passes == nullptr);
   CHECK(plain.optional.make_recording == nullptr);
-  CHECK(plain.optional.distances == nullptr);
+  CHECK(plain.optional.make_distances == nullptr);
   const auto more = pick_policies<NotGiven, NotGiven>(NeedsMoreThanItSays{});
-  CHECK(more.optional.distances == nullptr);
+  CHECK(more.optional.make_distances == nullptr);
   CHECK(more.stop.needs() == Needs{.cost = true});
   Listener listener;
   CHECK(pick_policies<NotGiven, NotGiven>(RelaxedOrder{}).optional.run_passes != nullptr);
   CHECK(pick_policies<NotGiven, NotGiven>(record_into(listener)).optional.make_recording !=
         nullptr);
-  CHECK(pick_policies<NotGiven, NotGiven>(ErrorLimit(1)).optional.distances != nullptr);
+  CHECK(pick_policies<NotGiven, NotGiven>(ErrorLimit(1)).optional.make_distances != nullptr);
 }
 
 TEST_CASE("A stop policy needs what those in it need, and what that implies") {
