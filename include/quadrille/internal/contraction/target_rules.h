@@ -6,6 +6,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
+#include <quadrille/internal/contraction/shape_check.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/scale.h>
