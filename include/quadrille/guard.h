@@ -5,7 +5,6 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/guard/surface_guard.h>
 #include <quadrille/internal/policy/contraction_view.h>
-#include <quadrille/internal/policy/indexed_contraction.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>

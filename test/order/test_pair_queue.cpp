@@ -4,7 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/internal/order/pair_queue.h>
-#include <quadrille/internal/order/refused_pairs.h>
+#include <quadrille/internal/order/waiting_pairs.h>
 
 #include <catch2/catch.hpp>
 

@@ -9,12 +9,12 @@
 #include <quadrille/internal/base/points.h>
 #include <quadrille/internal/base/read_surface.h>
 #include <quadrille/internal/complex/triangle_complex.h>
+#include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/distance/face_bound.h>
 #include <quadrille/internal/input/input_with_channels.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/memory/packing.h>
-#include <quadrille/internal/policy/given_memories.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>

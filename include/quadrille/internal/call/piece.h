@@ -6,8 +6,8 @@
 #include <quadrille/internal/adapter/piece_adapter.h>
 #include <quadrille/internal/call/arguments.h>
 #include <quadrille/internal/call/run.h>
+#include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/evaluation/cost_units.h>
-#include <quadrille/internal/policy/given_memories.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/scale.h>

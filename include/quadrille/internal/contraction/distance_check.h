@@ -5,11 +5,13 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/checks.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/distance_scratch.h>
 #include <quadrille/internal/contraction/measured_distances.h>
 #include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/distance/back_deviation.h>
 #include <quadrille/internal/distance/distance_bounds.h>
 #include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/distance/recent_faces.h>
+#include <quadrille/internal/distance/star_deviation.h>
 #include <quadrille/internal/distance/tolerances.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
@@ -30,6 +32,15 @@
 #include <vector>
 
 namespace quadrille::internal {
+
+/// What a check of distances works with, of each thread.
+struct DistanceScratch {
+  StarDeviation deviation;
+  BackDeviation back;
+  RecentFaces faces_too_far;
+  StarTolerance tolerance;   // of the star
+  std::vector<float> bounds; // of the faces that the contraction changes, see DistanceBounds
+};
 
 /// Measures each contraction before it is done, and keeps what is known of each face. At a distance
 /// of 0 the stop policy does not stop. `both_ways`: may the type of the stop policy need that?

@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
 #define QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
 
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/scratch.h>
@@ -14,6 +15,7 @@
 #include <quadrille/topology.h>
 #include <quadrille/vector.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -23,6 +25,36 @@
 /// What a working surface is made of.
 
 namespace quadrille::internal {
+
+/// Edges that the user has named as creases, by the input indices of their ends.
+class NamedCreases {
+public:
+  using Edge = std::array<Index, 2>;
+
+  explicit NamedCreases(std::vector<Edge> edges) : edges_(std::move(edges)) {}
+
+  /// Their ends have become parts of other vertices.
+  void follow(const Numbering& numbering) {
+    for (auto& [v, w] : edges_)
+      v = numbering.image(v), w = numbering.image(w);
+    std::erase_if(edges_, [](const Edge& edge) { return edge[0] == edge[1]; });
+  }
+
+  /// By the engine's numbers; without those that have lost their faces.
+  std::vector<Edge> left(const Numbering& numbering) const {
+    std::vector<Edge> left;
+    if (edges_.empty())
+      return left;
+    const InputIndices numbers = numbering.vertices.inverse();
+    for (const auto& [v, w] : edges_)
+      if (const Index p = numbers[v], q = numbers[w]; p != none && q != none)
+        left.push_back({p, q});
+    return left;
+  }
+
+private:
+  std::vector<Edge> edges_;
+};
 
 /// The units of a surface in a box, with the weights that the cost gives its attributes. Floats are
 /// written where something is promised that their rounding could break.

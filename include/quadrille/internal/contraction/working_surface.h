@@ -11,16 +11,13 @@
 #include <quadrille/internal/contraction/cleanup.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
-#include <quadrille/internal/contraction/counted_costs.h>
-#include <quadrille/internal/contraction/counted_edges.h>
-#include <quadrille/internal/contraction/displacement.h>
+#include <quadrille/internal/contraction/counts.h>
 #include <quadrille/internal/contraction/doubled_faces.h>
 #include <quadrille/internal/contraction/finished_surface.h>
 #include <quadrille/internal/contraction/guard_list.h>
 #include <quadrille/internal/contraction/input_parts.h>
 #include <quadrille/internal/contraction/measured_distances.h>
 #include <quadrille/internal/contraction/moved_vertices.h>
-#include <quadrille/internal/contraction/named_creases.h>
 #include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/contraction/progress.h>
@@ -29,7 +26,6 @@
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/shape_check.h>
 #include <quadrille/internal/contraction/target_rules.h>
-#include <quadrille/internal/contraction/unselected.h>
 #include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>

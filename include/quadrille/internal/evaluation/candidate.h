@@ -5,7 +5,14 @@
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/vector.h>
 
+#include <array>
+
 namespace quadrille::internal {
+
+struct VertexPair {
+  Index first, second;
+};
+using TwoPairs = std::array<VertexPair, 2>;
 
 /// A pair of vertices with the place of its contraction, what that costs, the key by which pairs
 /// are ordered, and the error as a distance in the mesh's unit.

@@ -14,7 +14,6 @@
 #include <quadrille/internal/evaluation/cost_units.h>
 #include <quadrille/internal/evaluation/pair_names.h>
 #include <quadrille/internal/evaluation/two_lanes.h>
-#include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/memory/columns.h>
 #include <quadrille/internal/policy/mesh_units.h>

@@ -5,8 +5,8 @@
 #include <quadrille/internal/base/lanes.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
+#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/evaluation/two_quadrics.h>
-#include <quadrille/internal/evaluation/vertex_pair.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/policies.h>

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/displacement.h>
+#include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/policy/policies.h>

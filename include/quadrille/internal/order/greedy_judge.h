@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_ORDER_GREEDY_JUDGE_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/shape_check.h>
 #include <quadrille/internal/contraction/working_surface.h>
@@ -12,7 +13,6 @@
 #include <quadrille/internal/order/end_of_run.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/pair_supply.h>
-#include <quadrille/internal/order/place_at_end.h>
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/report.h>
@@ -22,6 +22,31 @@
 #include <optional>
 
 namespace quadrille::internal {
+
+/// Are both ends of a pair free to come to the other?
+template <class Evaluator, class Contraction>
+bool may_move_to_end(const Evaluator& evaluator, const Contraction& contraction) {
+  const auto& geometry = evaluator.geometry();
+  return contraction.star().hub == none && !geometry.is_fixed(contraction.first()) &&
+         !geometry.is_fixed(contraction.second());
+}
+
+/// Moves a contraction to the cheaper end of the pair that refusal(contraction) does not refuse, if
+/// there is any.
+template <class Evaluator, class Contraction, class Refusal>
+QUADRILLE_NOINLINE bool moves_to_end(const Evaluator& evaluator, Contraction& contraction,
+                                     Refusal refusal) {
+  if (!may_move_to_end(evaluator, contraction))
+    return false;
+  const typename Contraction::Candidate wanted = contraction.candidate();
+  for (const auto& end : evaluator.at_ends(wanted)) {
+    contraction.replace(end);
+    if (!refusal(contraction))
+      return true;
+  }
+  contraction.replace(wanted);
+  return false;
+}
 
 /// What greedy order says of an attempt.
 ///

@@ -2,10 +2,10 @@
 #define QUADRILLE_INTERNAL_ORDER_PAIR_SUPPLY_H
 
 #include <quadrille/internal/base/compiler.h>
+#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/deferred_pairs.h>
 #include <quadrille/internal/order/end_of_run.h>
-#include <quadrille/internal/order/look_ahead.h>
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/stamped_queue.h>
 #include <quadrille/internal/order/waiting_pairs.h>
@@ -18,6 +18,31 @@
 
 namespace quadrille::internal {
 
+/// Asks for what contracting the pairs that come next will read, one thing after the other: what
+/// the parts of the surface hold of their ends, the corners of these, the faces, what is held of
+/// their neighbours. Pairs lie anywhere, so most of the time would go into waiting for memory.
+/// peek(n) points to the pair that comes n pairs later, or nowhere; also(w) asks for what the
+/// caller will read of a neighbour.
+template <class Surface, class Peek, class Also>
+QUADRILLE_ALWAYS_INLINE inline void look_ahead(const Surface& surface, Peek peek, Also also) {
+  const auto& complex = surface.complex();
+  if (const auto* last = peek(12))
+    for (Index v : {last->first, last->second})
+      surface.prefetch_end(v);
+  if (const auto* later = peek(8))
+    for (Index v : {later->first, later->second})
+      complex.prefetch_corners(v);
+  if (const auto* soon = peek(4))
+    for (Index v : {soon->first, soon->second})
+      complex.prefetch_faces(v);
+  if (const auto* next = peek(2))
+    for (Index v : {next->first, next->second})
+      complex.for_each_next(v, [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA {
+        surface.prefetch_neighbour(w);
+        also(w);
+      });
+}
+
 /// Which pair is next: the cheapest in the queue; once there is none, rejected pairs that may have
 /// another turn; and when these are done, the deferred ones, which would go beyond the target.
 template <class Policies>
@@ -25,12 +50,12 @@ class PairSupply {
 public:
   /// Has none before fill().
   explicit PairSupply(WorkingSurface<Policies>& surface)
-      : surface_(surface), queue_(surface.complex().vertex_capacity(),
-                                  PairQueue::expected_pairs(
-                                      surface.pairs().count(surface.status().faces,
-                                                            surface.status().vertices),
-                                      surface.complex().vertex_capacity()),
-                                  surface.complex().workspace()),
+      : surface_(surface),
+        queue_(surface.complex().vertex_capacity(),
+               PairQueue::expected_pairs(
+                   surface.pairs().count(surface.status().faces, surface.status().vertices),
+                   surface.complex().vertex_capacity()),
+               surface.complex().workspace()),
         waiting_(surface.complex()) {}
 
   StampedQueue& queue() { return queue_; }
@@ -110,8 +135,8 @@ private:
     return surface_.shape_check().has_any();
   }
 
-  // Once no pair is left, faces may have gone from where others were rejected for meeting them: that
-  // need not be near the pairs. As long as looking at all of them again pays.
+  // Once no pair is left, faces may have gone from where others were rejected for meeting them:
+  // that need not be near the pairs. As long as looking at all of them again pays.
   QUADRILLE_NOINLINE bool may_have_way() {
     const auto faces = static_cast<double>(surface_.status().faces);
     if (!has_met_obstacle_ || faces > part_that_pays * faces_before_way_)

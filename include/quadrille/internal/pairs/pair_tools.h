@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_PAIRS_PAIR_TOOLS_H
 
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/evaluation/vertex_pair.h>
+#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/memory/append_buffer.h>
 
 #include <cstddef>

@@ -5,7 +5,6 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/optional.h>
 #include <quadrille/internal/policy/contraction_view.h>
-#include <quadrille/internal/policy/indexed_contraction.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/numbering.h>

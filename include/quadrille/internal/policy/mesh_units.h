@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_POLICY_MESH_UNITS_H
 
 #include <quadrille/internal/policy/contraction_view.h>
-#include <quadrille/internal/policy/indexed_contraction.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
