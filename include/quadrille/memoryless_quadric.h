@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_MEMORYLESS_QUADRIC_H
 #define QUADRILLE_MEMORYLESS_QUADRIC_H
 
+#include <quadrille/internal/cost/local_terms.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>

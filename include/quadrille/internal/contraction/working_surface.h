@@ -26,7 +26,7 @@
 #include <quadrille/internal/contraction/setup.h>
 #include <quadrille/internal/contraction/shape_check.h>
 #include <quadrille/internal/contraction/target_rules.h>
-#include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/no_local_terms.h>
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>

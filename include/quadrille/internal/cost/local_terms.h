@@ -8,6 +8,7 @@
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
+#include <quadrille/internal/cost/no_local_terms.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -275,21 +276,6 @@ private:
   EdgeStar edges_;
 };
 
-/// For a cost that does not ask.
-struct NoLocalTerms {
-  template <class Cost, class Geometry>
-  NoLocalTerms(const Cost&, const Geometry&, const TriangleComplex&, const LinkCondition&,
-               const SharedVertices&) {}
-  double unevenness(Index) const { return 0; }
-  void sum_up(VertexLabels&) {}
-  void sum_up(Index, VertexLabels&) {}
-  static auto vertex_columns(auto&) { return std::tuple<>(); }
-};
-
-template <class Cost>
-struct LocalTermsOf {
-  using type = NoLocalTerms;
-};
 template <class Cost>
 requires has_local_terms<Cost>
 struct LocalTermsOf<Cost> {

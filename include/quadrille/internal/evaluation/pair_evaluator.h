@@ -7,7 +7,7 @@
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/cost/no_local_terms.h>
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/cost/vertex_memories.h>
 #include <quadrille/internal/evaluation/candidate.h>
