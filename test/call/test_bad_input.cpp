@@ -9,6 +9,7 @@
 #include <boost/property_map/property_map.hpp>
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/edge_length.h>
 #include <quadrille/height_field.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
