@@ -1,6 +1,9 @@
 // Every cost with every placement and all pairs, in relaxed order.
 #include "policies_on_all.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 
 namespace {
