@@ -2,6 +2,9 @@
 // soups.
 #include "policies_on_all.h"
 
+#include <quadrille/edge_length.h>
+#include <quadrille/memoryless_quadric.h>
+
 using namespace test;
 
 TEST_CASE("Quadric goes with all placements and pairs on all surfaces") {
