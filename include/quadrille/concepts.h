@@ -271,11 +271,13 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///   a neighbour.
 /// - What it is about, by indices in the input: the pair's ends are `contraction.first()` and
 ///   `contraction.second()`, `face.index` is that of a face that changes, and
-///   `contraction.removed_faces()` has those of the faces that go. A soup's are its own; vertices
-///   and faces of a mesh are counted from 0 in the order of `vertices(mesh)` and `faces(mesh)`; of
-///   points that SplitVertices joins, the places are, in the order of the first one at each. A
-///   vertex that others have become part of has the index of one of them. They cost nothing where
-///   they are not asked for.
+///   `contraction.removed_faces()` has those of the faces that go;
+///   `contraction.for_each_gone(visit)` calls visit(f) for each of these, with its `f.corners`
+///   before the contraction and `f.index`. Corners are in the order of the face: (before, second,
+///   third) of one that stays. A soup's are its own; vertices and faces of a mesh are counted from
+///   0 in the order of `vertices(mesh)` and `faces(mesh)`; of points that SplitVertices joins, the
+///   places are, in the order of the first one at each. A vertex that others have become part of
+///   has the index of one of them. They cost nothing where they are not asked for.
 ///
 /// **Used where there**:
 ///

@@ -32,10 +32,10 @@ struct GuardedSurface {
     std::size_t index; ///< below vertex_count
     Vector<3> point;   ///< in the mesh's units
   };
-  /// A face, by its index in the input.
+  /// A face, by its index in the input. One with a back counts once.
   struct Face {
     std::size_t index;                   ///< below face_count
-    std::array<std::size_t, 3> vertices; ///< indices of vertices
+    std::array<std::size_t, 3> vertices; ///< their indices, in the order of the face
   };
 
   std::vector<Vertex> vertices; ///< in no order that is promised
@@ -81,9 +81,13 @@ using GuardStateOf =
 /// constant:
 ///
 /// - `state.allows(contraction)`: a bool; `contraction` is as for a FilterPolicy. It may be asked
-///   several times of one contraction, with several targets, and most that it allows are done.
-/// - `state.follow(contraction)`: that has been done. `contraction.kept()` is the end whose index
-///   the new vertex has; the other one has no vertex any more.
+///   several times of one contraction, with several targets, and not all that it allows are done:
+///   so it changes nothing. A pair that it refuses is asked about again once a face at one of its
+///   ends has changed; see has_obstacles.
+/// - `state.follow(contraction)`: that has been done, to its target(). The contraction shows what
+///   it showed before: the old places of the ends, the faces that have changed and those that have
+///   gone. `contraction.kept()` is the end whose index the new vertex has; the other one has no
+///   vertex any more. A vertex of more than 128 faces that keeps its place is the one that is kept.
 ///
 /// **Used where there**:
 ///
@@ -92,14 +96,21 @@ using GuardStateOf =
 ///   contractions that have no face in common. Without it the guard is for GreedyOrder only.
 /// - `G::works_in_parts`, true: what holds in each part of a file, where every phase begins anew,
 ///   holds in all of it. Without it `simplify_file` does not take the guard.
+/// - `G::has_obstacles`, true: what it says no to depends on more than the faces around the pair.
+///   Then ends of the pair are tried as well, and refused pairs have another turn once no others
+///   are left, as long as that pays.
+/// - `G::topology`: the Topology that it keeps. A call with another one throws; without a Topology
+///   it is that one, whatever the pairs are.
+/// - `G::asks_for_volume`, true: the surface is known to enclose a volume, which Report tells.
 /// - `state.vanish(faces)`: a part is about to go whole; `faces` are the indices of its faces that
-///   are left, a range.
-/// - `state.end()`: the last contraction has been done, as to tell what was kept to whom it
-/// matters.
+///   are left, a range. It has no say in that: ask for Topology::kept where parts have to stay.
+/// - `state.end()`: the last contraction has been done. A guard tells its user what it found by a
+///   pointer that it holds, as Report has no place for it.
 /// - `guard.validate()`: throws if the guard makes no sense.
 ///
-/// Where a call has guards, vertices go to places that can be written to the mesh as they are, so
-/// that what is allowed is what is written.
+/// Where topology is free, faces that come to lie on the vertices of another one go without being
+/// told of. Where a call has guards, vertices go to places that can be written to the mesh as they
+/// are, so that what is allowed is what is written.
 ///
 /// **The least model**:
 /// ```cpp
@@ -136,6 +147,12 @@ public:
   void follow(const GuardedPair<N>& pair, Index kept) override {
     state_->follow(
         FollowedContraction<N>(indexed(pair), room_.scale, room_.numbering.vertices[kept]));
+  }
+
+  bool has_obstacles() const override {
+    return requires {
+      requires Guard::has_obstacles;
+    };
   }
 
   void forget(std::span<const Index> faces) override {

@@ -164,6 +164,60 @@ TEST_CASE("A guard sees the surface of the input, and each contraction, by the i
   CHECK(seen == soup.points.size());
 }
 
+namespace {
+
+// Sums up by how much contractions change the enclosed volume, and allows no more than a limit.
+struct VolumeLimit {
+  static constexpr Topology topology = Topology::kept;
+  static constexpr bool has_obstacles = true;
+  double limit;
+  double* change;
+
+  static double volume(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
+    return dot(p, cross(q, r)) / 6;
+  }
+  struct State {
+    double limit;
+    double* change;
+    static double change_by(const auto& contraction) {
+      double sum = 0;
+      for (const auto& f : contraction.faces())
+        sum += volume(f.after, f.second, f.third) - volume(f.before, f.second, f.third);
+      contraction.for_each_gone(
+          [&](const auto& f) { sum -= volume(f.corners[0], f.corners[1], f.corners[2]); });
+      return sum;
+    }
+    bool allows(const auto& contraction) const {
+      return std::abs(*change + change_by(contraction)) <= limit;
+    }
+    void follow(const auto& contraction) { *change += change_by(contraction); }
+  };
+  State begin(const GuardedSurface&) const {
+    *change = 0;
+    return {limit, change};
+  }
+};
+
+} // namespace
+
+TEST_CASE("A guard sees the corners of all faces that change or go, before and after") {
+  const Soup input = test::with_noise(test::torus(60, 30), 5, 0.02);
+  const double volume = test::volume(input);
+  double change = 0;
+  for (const double limit : {1.0, 1e-4}) { // which is seldom in the way, and mostly
+    Soup soup = input;
+    const Report report =
+        simplify(soup.points, soup.triangles, FaceCount{200}, VolumeLimit{limit * volume, &change});
+    CHECK(report.faces_after == 200);
+    CHECK(std::abs(test::volume(soup) - volume - change) < 1e-12);
+    CHECK(std::abs(change) <= limit * volume);
+    CHECK((report.rejected(Rejection::filter) > 0) == (limit < 1));
+  }
+  Soup soup = input;
+  CHECK_THROWS_AS(simplify(soup.points, soup.triangles, VolumeLimit{1, &change}, Topology::free),
+                  std::invalid_argument);
+}
+
 TEST_CASE("A guard is told of parts that vanish") {
   Soup speck = test::octahedron();
   for (auto& p : speck.points)

@@ -65,9 +65,10 @@ void refuse_nearly_known() {
 /// Does not compile, since an argument is of no kind, and says what it lacks to be of each.
 template <class Cost, class UnknownArgument, class Call>
 void refuse_argument() {
-  static_assert(AllAreKnown<UnknownArgument>,
-                "An argument of this call is no cost, placement, pairs, stop, order or filter: its "
-                "position and its type are those of ArgumentIsNoPolicy<position, type>.");
+  static_assert(
+      AllAreKnown<UnknownArgument>,
+      "An argument of this call is no cost, placement, pairs, stop, order, filter or guard: its "
+      "position and its type are those of ArgumentIsNoPolicy<position, type>.");
   using Argument = typename UnknownArgument::type;
   if constexpr (std::is_arithmetic_v<Argument>) {
     static_assert(!std::is_arithmetic_v<Argument>,
@@ -82,6 +83,8 @@ void refuse_argument() {
     static_assert(PairPolicy<Argument>, "It is no pair policy.");
     static_assert(StopPolicy<Argument>, "It is no stop policy.");
     static_assert(FilterPolicy<Argument, Cost>, "It is no filter.");
+    static_assert(is_guard<Argument>,
+                  "It is no guard: that has a member begin(const GuardedSurface&) const.");
     static_assert(CostPolicy<Argument>, "It is no cost.");
   }
 }

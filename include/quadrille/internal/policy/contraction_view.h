@@ -6,6 +6,7 @@
 #include <quadrille/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -91,6 +92,11 @@ public:
   }
 
 protected:
+  /// The corners, before it, of a face of both ends.
+  std::array<Vector<3>, 3> shared_corners(const StarFace& f, Index second) const {
+    const auto place = [&](Index v) { return space(v == second ? second_ : positions_[v]); };
+    return {space(first_), place(f.second), place(f.third)};
+  }
   const StarFace& star_face(std::size_t i) const {
     const std::size_t n = first_faces_.size();
     return i < n ? first_faces_[i] : second_faces_[i - n];
@@ -165,6 +171,13 @@ struct IndexedFace : ChangedFace {
   std::size_t index;
 };
 
+/// A face that a contraction removes: its corners before it, in its order, and its index in the
+/// input.
+struct GoneFace {
+  std::array<Vector<3>, 3> corners;
+  std::size_t index;
+};
+
 /// The indices in the input of the faces that a contraction removes.
 class RemovedFaces {
 public:
@@ -211,6 +224,12 @@ public:
   }
   /// Those of both ends.
   RemovedFaces removed_faces() const { return {shared_, numbering_.faces}; }
+  /// The same with their corners: calls visit(GoneFace) for each.
+  template <class Visit>
+  void for_each_gone(Visit visit) const {
+    for (const StarFace& f : shared_)
+      visit(GoneFace{this->shared_corners(f, second_), numbering_.faces[f.face]});
+  }
 
 private:
   Index first_, second_;

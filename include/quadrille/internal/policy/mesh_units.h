@@ -115,6 +115,14 @@ public:
     return {{point(f.before), point(f.after), point(f.second), point(f.third)}, f.index};
   }
   RemovedFaces removed_faces() const { return contraction_.removed_faces(); }
+  template <class Visit>
+  void for_each_gone(Visit visit) const {
+    contraction_.for_each_gone([&](GoneFace f) {
+      for (Vector<3>& corner : f.corners)
+        corner = point(corner);
+      visit(f);
+    });
+  }
   std::size_t first() const { return contraction_.first(); }
   std::size_t second() const { return contraction_.second(); }
   Vector<N> target() const { return scale_.position_of_mesh(contraction_.target()); }
