@@ -91,6 +91,7 @@ using GuardStateOf =
 ///
 /// **Used where there**:
 ///
+/// - `G::name`: a constant string that messages call it by.
 /// - `G::cause`: the Rejection that counts where it says no; Rejection::filter without it.
 /// - `G::works_in_passes`, true: several threads may ask the state at a time, and tell it of
 ///   contractions that have no face in common. Without it the guard is for GreedyOrder only.

@@ -32,6 +32,7 @@ namespace quadrille {
 /// For GreedyOrder only. O(log n) for each contraction, as a rule, and 44 bytes a face: all takes
 /// three to five times as long.
 struct NoSelfIntersection {
+  static constexpr const char* name = "quadrille::NoSelfIntersection"; ///< in messages
   static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
 
   /// For the engine: what keeps the faces apart.

@@ -16,6 +16,7 @@ namespace quadrille {
 
 /// What keep_solid() makes: a guard, an argument of `simplify`.
 struct KeepSolid {
+  static constexpr const char* name = "quadrille::keep_solid";     ///< in messages
   static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
   static constexpr Topology topology = Topology::kept;             ///< no other one goes with it
   static constexpr bool asks_for_volume = true;                    ///< a solid encloses one

@@ -621,7 +621,7 @@ TEST_CASE("Passes are refused, since their blocks do not see each other") {
   Soup soup = test::sphere(2);
   const Soup input = soup;
   CHECK_THROWS_WITH(simplify_soup_of(soup, NoSelfIntersection{}, AnyOrder(RelaxedOrder{})),
-                    Catch::Contains("needs GreedyOrder"));
+                    Catch::Contains("NoSelfIntersection needs GreedyOrder"));
   CHECK(test::is_identical(soup, input));
   CHECK_NOTHROW(
       simplify_soup_of(soup, std::optional<NoSelfIntersection>(), AnyOrder(RelaxedOrder{})));

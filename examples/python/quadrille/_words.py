@@ -161,6 +161,7 @@ _NAMES: List[Tuple[str, str]] = [
     (r"quadrille::ThresholdPairs: the threshold", "pairs_closer_than: the distance"),
     (r"quadrille::ThresholdPairs", "pairs_closer_than"),
     (r"quadrille::NoSelfIntersection needs GreedyOrder", "no_self_intersection=True is for order='greedy'"),
+    (r"quadrille::keep_solid needs GreedyOrder", "keep_solid=True is for order='greedy'"),
     (r"quadrille::keep_solid", "keep_solid"),
     (r"quadrille::FaceRatio: the ratio", "ratio"),
     (r"quadrille::(?:ErrorLimit|HausdorffLimit): the limit", "error or relative_error: the limit"),

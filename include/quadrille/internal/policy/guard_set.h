@@ -93,10 +93,13 @@ public:
   void add(const Guard& guard) {
     validate(guard);
     entries_.push_back({std::make_shared<const GuardMakerOf<Guard, N>>(guard), cause<Guard>()});
-    works_in_passes_ &= internal::works_in_passes<Guard>;
+    if (!internal::works_in_passes<Guard>)
+      needs_greedy_order_ = name<Guard>();
     asks_for_volume_ |= internal::asks_for_volume<Guard>;
-    if constexpr (requires { Guard::topology; })
+    if constexpr (requires { Guard::topology; }) {
       topology_ = Guard::topology;
+      keeps_topology_ = name<Guard>();
+    }
   }
 
   bool empty() const { return entries_.empty(); }
@@ -107,20 +110,19 @@ public:
 
   /// Throws if one of them needs GreedyOrder, where the order of a call has passes.
   void require_greedy_order(bool has_passes) const {
-    if (has_passes && !works_in_passes_)
-      throw std::invalid_argument(
-          "quadrille::simplify: a guard of this call needs GreedyOrder, since the blocks of a pass "
-          "do not see each other: NoSelfIntersection, keep_solid(), or one without "
-          "works_in_passes");
+    if (has_passes && needs_greedy_order_)
+      throw std::invalid_argument(needs_greedy_order_ +
+                                  std::string(" needs GreedyOrder, since the blocks of a pass do "
+                                              "not see each other"));
   }
   /// The topology of a call beside them. Throws if it asks for another than they keep.
   std::optional<Topology> topology_beside(std::optional<Topology> topology) const {
     if (!topology_)
       return topology;
     if (topology.value_or(*topology_) != *topology_)
-      throw std::invalid_argument(
-          "quadrille::simplify: a guard of this call keeps the topology, as keep_solid() does: "
-          "pass no Topology::free or Topology::parts_may_vanish beside it");
+      throw std::invalid_argument(keeps_topology_ +
+                                  std::string(" keeps the topology: pass no Topology::free or "
+                                              "Topology::parts_may_vanish beside it"));
     return topology_;
   }
 
@@ -133,8 +135,18 @@ private:
       return Rejection::filter;
   }
 
+  template <class Guard>
+  static constexpr const char* name() {
+    if constexpr (requires { Guard::name; })
+      return Guard::name;
+    else
+      return "a guard of this call of quadrille::simplify";
+  }
+
   std::vector<Entry> entries_;
-  bool works_in_passes_ = true, asks_for_volume_ = false;
+  bool asks_for_volume_ = false;
+  const char* needs_greedy_order_ = nullptr; // the name of one that does
+  const char* keeps_topology_ = nullptr;     // the same
   std::optional<Topology> topology_;
 };
 
