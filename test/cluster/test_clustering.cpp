@@ -575,7 +575,8 @@ TEST_CASE("Bad input is refused, and the soup is as it was") {
   std::vector<std::array<double, 3>> points(4);
   std::vector<std::vector<int>> triangles{{0, 1, 2}, {0, 1, 2, 3}};
   CHECK_THROWS_WITH(cluster_vertices(points, triangles, grid),
-                    "quadrille::cluster_vertices: face 1 is not a triangle");
+                    "quadrille::cluster_vertices: face 1 is not a triangle; "
+                    "CGAL::Polygon_mesh_processing::triangulate_polygons makes it so");
   triangles = {{0, 1, 2}, {0, -1, 2}};
   CHECK_THROWS_WITH(cluster_vertices(points, triangles, grid),
                     "quadrille::cluster_vertices: face 1 names point -1 of 4");
