@@ -5,6 +5,7 @@
 #include <iostream>
 #include <quadrille/level_mesh.h>
 #include <quadrille/levels_file.h>
+#include <quadrille/record.h>
 #include <quadrille/simplify.h>
 #include <string>
 

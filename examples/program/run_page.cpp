@@ -12,6 +12,7 @@
 #include "simplify_mesh.h"
 
 #include <quadrille/levels_file.h>
+#include <quadrille/record.h>
 #endif
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <quadrille/channel_options.h>
 #include <quadrille/quadric.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_LEVEL_H
 #define QUADRILLE_LEVEL_H
 
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 
 #include <algorithm>
 #include <array>

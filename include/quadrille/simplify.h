@@ -17,7 +17,7 @@
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
 #include <quadrille/topology.h>
@@ -58,7 +58,7 @@ inline namespace QUADRILLE_THREADING {
 /// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
 ///   attributes; SplitVertices, for a soup
 /// - Topology: kept, free, or parts_may_vanish; kept by default, free with pairs that are not edges
-/// - record_into(recorder): contractions are told to a recorder, as to Levels
+/// - record_into(recorder), of <quadrille/record.h>: a recorder is told of contractions, as Levels
 ///
 /// Each of them may be a std::optional, which tells at run time whether it is given: one that holds
 /// nothing is as if it had not been passed, so that the default holds. Costs, placements, channels

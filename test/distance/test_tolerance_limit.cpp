@@ -6,6 +6,7 @@
 #include "soups.h"
 
 #include <quadrille/distance_limits.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 

@@ -9,6 +9,7 @@
 #include "soups.h"
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

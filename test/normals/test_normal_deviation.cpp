@@ -11,6 +11,7 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>

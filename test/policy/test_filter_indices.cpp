@@ -1,6 +1,7 @@
 // The indices by which a filter is told what a contraction is about: those of the input.
 #include "meshes.h"
 
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 

@@ -4,6 +4,7 @@
 
 #include <quadrille/guard.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 

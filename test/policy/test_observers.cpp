@@ -6,6 +6,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/hull.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 

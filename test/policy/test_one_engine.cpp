@@ -4,6 +4,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 

@@ -1,6 +1,7 @@
 // The indices by which costs and placements are told what a pair is about: those of the input.
 #include "meshes.h"
 
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/weighted.h>

@@ -10,6 +10,7 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/verify.h>

@@ -9,6 +9,7 @@
 #include "../../page/file.h"
 
 #include <quadrille/compiled.h>
+#include <quadrille/record.h>
 #include <quadrille/report.h>
 
 #include <cstddef>

@@ -16,11 +16,6 @@ namespace quadrille::internal {
 template <class Cost, bool has_channels>
 using UsualPolicies = Policies<Cost, BuiltInPlacement, has_channels>;
 
-template <class Policies>
-std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs);
-template <class Policies, bool both_ways>
-std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs);
-
 /// Declares or defines the instantiations of an engine: KEYWORDS is `extern template`, or
 /// `template` in the one source that defines them.
 #define QUADRILLE_ENGINE(KEYWORDS, COST, HAS_CHANNELS)                                             \

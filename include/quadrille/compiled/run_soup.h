@@ -11,6 +11,7 @@
 #include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
+#include <quadrille/record.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>

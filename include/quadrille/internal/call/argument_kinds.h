@@ -8,7 +8,7 @@
 #include <quadrille/internal/policy/guard_set.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/placement.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 #include <quadrille/topology.h>
 
 #include <concepts>

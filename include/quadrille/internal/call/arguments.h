@@ -21,7 +21,7 @@
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 #include <quadrille/stop.h>
 #include <quadrille/topology.h>
 

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CALL_OPTIONAL_PARTS_H
 #define QUADRILLE_INTERNAL_CALL_OPTIONAL_PARTS_H
 
-#include <quadrille/internal/contraction/recorder_teller.h>
 #include <quadrille/internal/policy/engine_policies.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/order.h>

@@ -10,7 +10,7 @@
 #include <quadrille/internal/contraction/record_buffer.h>
 #include <quadrille/internal/contraction/recording.h>
 #include <quadrille/internal/surface/numbering.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,8 +52,8 @@ public:
 
   /// The wedges of the pair that meets, before they do.
   template <class Contraction>
-  void before(const Contraction& contraction) {
-    std::vector<RecordBuffer::Corner>& corners = contraction.scratch().record.contractions.corners;
+  void before(const Contraction& contraction, RecordBuffer& buffer) {
+    std::vector<RecordBuffer::Corner>& corners = buffer.corners;
     corners.clear();
     const auto channels = channels_.all();
     for (std::size_t c = 0; c < channels.size(); ++c) {

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/contraction/record_list.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 
 #include <algorithm>
 #include <cstddef>

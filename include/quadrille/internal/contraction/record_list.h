@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORD_LIST_H
 
 #include <quadrille/internal/base/index.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 
 #include <cmath>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/base/digit_sort.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/contraction/record_buffer.h>
+#include <quadrille/internal/contraction/record_scratch.h>
 
 #include <algorithm>
 #include <bit>
@@ -24,11 +24,11 @@ struct RecordPlace {
 /// The contractions that threads have recorded in a stage, by cost and then by block. By block
 /// first, so that ties of costs, which no float of at least 0 orders otherwise than its bits do,
 /// are too.
-template <class Scratch>
-std::vector<RecordPlace> places_in_order_of_cost(const std::vector<Scratch>& scratches) {
+inline std::vector<RecordPlace>
+places_in_order_of_cost(const std::vector<RecordScratch>& scratches) {
   std::vector<RecordPlace> places;
   for (std::uint32_t thread = 0; thread < scratches.size(); ++thread) {
-    const RecordBuffer& buffer = scratches[thread].record.contractions;
+    const RecordBuffer& buffer = scratches[thread].contractions;
     std::size_t i = 0;
     for (const RecordBuffer::Block& block : buffer.blocks)
       for (; i < block.end; ++i)

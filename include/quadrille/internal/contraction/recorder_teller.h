@@ -15,7 +15,7 @@
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct NoChannelTeller {
   std::vector<RecordedChannel> recorded() const { return {}; }
   void append_values_of(Index, std::vector<double>&) const {}
   template <class Contraction>
-  void before(const Contraction&) {}
+  void before(const Contraction&, RecordBuffer&) {}
   void after(Index, RecordBuffer&) {}
 };
 
@@ -59,7 +59,7 @@ public:
   explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
       : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
         numbering_(needs.numbering), geometry_(needs.geometry), channels_(needs),
-        distances_(needs.distances), scratches_(needs.scratches) {}
+        distances_(needs.distances), scratches_(needs.policies.threads) {}
 
   void begin() override {
     const std::size_t vertices = numbering_.vertices.input_count();
@@ -85,16 +85,18 @@ public:
         });
     surface.channels = channels_.recorded();
     policies_.recorder->begin(std::move(surface));
-    for (Scratch& scratch : scratches_)
-      scratch.record.contractions.list = empty_list();
+    for (RecordScratch& scratch : scratches_)
+      scratch.contractions.list = empty_list();
   }
 
-  void before(const Contraction& contraction) override { channels_.before(contraction); }
+  void before(const Contraction& contraction) override {
+    channels_.before(contraction, scratches_[contraction.scratch().number].contractions);
+  }
 
   void after(const Contraction& contraction, Index kept, Index gone, double error,
              bool is_in_pass) override {
     Scratch& scratch = contraction.scratch();
-    RecordBuffer& buffer = scratch.record.contractions;
+    RecordBuffer& buffer = scratches_[scratch.number].contractions;
     const Vector<dimension> position = scale_.position_of_mesh(contraction.target());
     buffer.faces.clear();
     for (const StarFace& f : scratch.star.shared)
@@ -134,23 +136,23 @@ public:
   void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) override {
     if (policies_.recorder->hears_refusals())
-      scratch.record.refusals.add(refusal(ends, cause, error));
+      scratches_[scratch.number].refusals.add(refusal(ends, cause, error));
   }
 
   void begin_block(std::size_t number, Scratch& scratch) override {
-    scratch.record.contractions.begin_block(number);
-    scratch.record.refusals.begin_block(number);
+    scratches_[scratch.number].contractions.begin_block(number);
+    scratches_[scratch.number].refusals.begin_block(number);
   }
   void end_stage() override {
     std::vector<RecordedWedge> wedges;
     for (const RecordPlace& place : places_in_order_of_cost(scratches_))
       policies_.recorder->record(
-          scratches_[place.thread].record.contractions.list.contraction(place.number, wedges));
+          scratches_[place.thread].contractions.list.contraction(place.number, wedges));
     tell_refusals(*policies_.recorder, scratches_);
-    for (Scratch& scratch : scratches_) {
-      scratch.record.contractions.list = empty_list();
-      scratch.record.contractions.costs.clear();
-      scratch.record.contractions.blocks.clear();
+    for (RecordScratch& scratch : scratches_) {
+      scratch.contractions.list = empty_list();
+      scratch.contractions.costs.clear();
+      scratch.contractions.blocks.clear();
     }
   }
 
@@ -197,8 +199,8 @@ private:
   const Geometry<dimension>& geometry_;
   Channels channels_;
   const OptionalDistances<Policies>& distances_;
-  std::vector<Scratch>& scratches_;
-  std::size_t width_ = dimension; // how many numbers a vertex has
+  std::vector<RecordScratch> scratches_; // one for each thread
+  std::size_t width_ = dimension;        // how many numbers a vertex has
 };
 
 /// For OptionalParts.

@@ -61,7 +61,6 @@ struct RecordingNeeds {
   const Geometry<dimension>& geometry;
   ChannelsOf<Policies>& channels;
   const OptionalDistances<Policies>& distances;
-  std::vector<Scratch>& scratches;
 };
 
 /// The recording of a surface as an observer of its contractions, if there is anybody to be told.

@@ -3,7 +3,6 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/record_scratch.h>
 #include <quadrille/internal/contraction/tally.h>
 #include <quadrille/internal/pairs/pair_tools.h>
 
@@ -22,7 +21,6 @@ struct Scratch : PairTools {
   Tally tally;
   std::vector<StarFace> faces;   // that the contraction at hand changes, see Cleanup
   std::vector<Index> duplicates; // faces that the contraction at hand has removed as such
-  RecordScratch record;          // of RecorderTeller
 };
 
 } // namespace quadrille::internal

@@ -80,7 +80,7 @@ public:
         importance_(relative_importances(input.importances)),
         appearance_(policies, complex_, geometry_, memories_),
         recording_({policies, scale_, complex_, numbering_, geometry_, appearance_.channels(),
-                    distances_, scratches_}),
+                    distances_}),
         evaluator_(policies, scale_, complex_, geometry_, memories_, terms_, appearance_.channels(),
                    importance_, numbering_),
         guards_(policies.guards, {complex_, geometry_, numbering_, scale_, is_topology_kept_}),

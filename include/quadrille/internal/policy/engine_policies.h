@@ -25,6 +25,8 @@ class Recording;
 template <class Policies>
 struct RecordingNeeds;
 template <class Policies>
+std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs);
+template <class Policies>
 class MeasuredDistances;
 template <class Policies>
 struct DistanceNeeds;

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_POLICY_RECORDER_HANDLE_H
 #define QUADRILLE_INTERNAL_POLICY_RECORDER_HANDLE_H
 
-#include <quadrille/record.h>
+#include <quadrille/recorded.h>
 #include <quadrille/report.h>
 
 #include <utility>
