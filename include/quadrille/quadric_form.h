@@ -26,7 +26,7 @@ public:
   constexpr QuadricForm() = default;
   /// xᵀAx + 2gᵀx + c.
   explicit constexpr QuadricForm(const SymmetricMatrix<N, Scalar>& a, const Position& g = {},
-                                 Scalar c = {})
+                                 Scalar c = Scalar())
       : a_(a), g_(g), c_(c) {}
 
   /// weight · (normal · x)²: the squared distance to a plane through the origin, for a unit normal.
