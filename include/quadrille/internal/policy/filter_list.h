@@ -72,7 +72,7 @@ private:
         normal_flip_ = filter;
         return;
       }
-    others_.push_back({std::make_shared<const Filter>(filter), &allows<Filter>, cause<Filter>()});
+    others_.push_back({std::make_shared<const Filter>(filter), &allows<Filter>, cause_of<Filter>});
   }
 
   template <class Filter>
@@ -83,14 +83,6 @@ private:
       return by_type.allows(contraction);
     else
       return by_type.allows(ContractionInMeshUnits<N>(contraction, scale));
-  }
-
-  template <class Filter>
-  static constexpr Rejection cause() {
-    if constexpr (requires { Filter::cause; })
-      return Filter::cause;
-    else
-      return Rejection::filter;
   }
 
   NormalFlip normal_flip_;

@@ -92,7 +92,7 @@ public:
   template <class Guard>
   void add(const Guard& guard) {
     validate(guard);
-    entries_.push_back({std::make_shared<const GuardMakerOf<Guard, N>>(guard), cause<Guard>()});
+    entries_.push_back({std::make_shared<const GuardMakerOf<Guard, N>>(guard), cause_of<Guard>});
     if (!internal::works_in_passes<Guard>)
       needs_greedy_order_ = name<Guard>();
     asks_for_volume_ |= internal::asks_for_volume<Guard>;
@@ -127,14 +127,6 @@ public:
   }
 
 private:
-  template <class Guard>
-  static constexpr Rejection cause() {
-    if constexpr (requires { Guard::cause; })
-      return Guard::cause;
-    else
-      return Rejection::filter;
-  }
-
   template <class Guard>
   static constexpr const char* name() {
     if constexpr (requires { Guard::name; })

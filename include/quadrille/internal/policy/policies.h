@@ -270,6 +270,15 @@ inline constexpr bool ignores_indices = requires {
 };
 
 /// Throws what a policy throws that makes no sense.
+/// As what it counts that a filter or a guard says no.
+template <class Policy>
+inline constexpr Rejection cause_of = Rejection::filter;
+template <class Policy>
+requires requires {
+  Policy::cause;
+}
+inline constexpr Rejection cause_of<Policy> = Policy::cause;
+
 template <class Policy>
 void validate(const Policy& policy) {
   if constexpr (IsOptional<Policy>)
