@@ -8,7 +8,7 @@ BEGIN {
   if (!sub(/\/[^\/]*$/, "", folder))
     folder = "."
   find_names()
-  lists_pages = path == "doc/manual/README.md" || path == "doc/decisions/README.md"
+  lists_pages = path == "doc/manual/README.md" || path == "doc/design/README.md"
 }
 
 # page("doc/manual/levels.md") is "manual_levels".

@@ -30,7 +30,7 @@ namespace quadrille {
 /// of `importance` times the size of the model. By default that is 0.2 for texture coordinates,
 /// whose range goes once across the model, and 0.02 for others, which may cross theirs from a
 /// vertex to the next: a higher one costs shape and gains hardly any colour (see
-/// doc/decisions/attribute-weights.md).
+/// doc/design/quadrics-and-costs.md).
 /// Memory: the (N + 4)(N + 5) / 2 doubles of a QuadricForm<3 + N> a vertex: 28 for colours.
 ///
 /// Source: Garland and Heckbert, Simplifying Surfaces with Color and Texture using Quadric Error
