@@ -97,11 +97,9 @@ double_area_vector(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
 
 /// The same, but zero, no normal, if the three points lie on a line up to the rounding of their
 /// coordinates. A triangle higher than a millionth of its length has one, however few bits tell it.
-// It is inlined in each call: a result that goes through memory is read at another width than it
-// was written, and waits (2 to 5 % of greedy order).
 QUADRILLE_ALWAYS_INLINE constexpr Vector<3> normal_vector(const Vector<3>& p, const Vector<3>& q,
                                                           const Vector<3>& r) {
-  const Vector<3> normal = double_area_vector(p, q, r);
+  const Vector<3> normal = double_area_vector(p, q, r); // inlined: no load is wider than its store
   const double edges = squared_distance(p, q) + squared_distance(p, r);
   if (squared_length(normal) > 0x1p-40 * edges * edges)
     return normal;
