@@ -159,6 +159,15 @@ TEST_CASE("A spine of three pages is contracted along itself, and in no other wa
     }
   CHECK(kind(ring, 0) == VertexKind::spine);
   CHECK_FALSE(holds(ring, 0, 1)); // the third vertex joins them behind
+
+  // The same with the face 0 1 2 for one of the pages: the third vertex is opposite to each side.
+  std::vector<Triangle> drum;
+  for (const Triangle& t : ring)
+    if (*std::max_element(t.begin(), t.end()) < 9)
+      drum.push_back(t);
+  drum.push_back({0, 1, 2});
+  CHECK(kind(drum, 0) == VertexKind::spine);
+  CHECK_FALSE(holds(drum, 0, 1));
 }
 
 TEST_CASE("Vertices are inside, on the border, or singular") {

@@ -2,14 +2,40 @@
 # Puts the bugs of mutants.tsv, one at a time, into a copy of the sources, and looks whether the
 # tests named beside each notice. Prints one line for each; fails if one survives.
 #   sh test/mutants/run.sh [FIRST [LAST]]   lines of mutants.tsv, all of them by default
+#   sh test/mutants/run.sh --check          compiles nothing: does each line fit the sources as they are?
 #
-# A line of mutants.tsv: file, by its path from include/quadrille, code, what replaces its first occurrence, tests (quadric_form stands for cost/test_quadric_form.cpp); between tabs, \n
-# for the end of a line. The tests must pass without a bug, on the models of a configured build:
-# CGAL_DATA_DIR, or that of `cmake --preset test`.
+# A line of mutants.tsv: file, by its path from include/quadrille, code, what replaces its first
+# occurrence, tests (quadric_form stands for cost/test_quadric_form.cpp); between tabs, \n for the end of
+# a line. The tests must pass without a bug, on the models of a configured build: CGAL_DATA_DIR, or that
+# of `cmake --preset test`.
 set -u
 export LC_ALL=C
 
 cd -- "$(dirname -- "$0")/../.."
+
+# Prints what is wrong with lines of mutants.tsv; fails if anything.
+check_lines() {
+  perl -lne '
+    sub wrong { print "test/mutants/mutants.tsv:$line: @_"; ++$wrong }
+    sub content { open my $file, "<", "include/quadrille/@_" or return; local $/; <$file> }
+    ++$line;
+    my ($header, $code, $replacement, $tests, @more) = split /\t/, $_, -1;
+    defined $tests && !@more or wrong("not four fields"), next;
+    $code ne $replacement or wrong("the code is replaced by itself");
+    my $text = $texts{$header} //= content($header) // "";
+    index($text, $code =~ s/\\n/\n/gr) >= 0 or wrong("$header does not hold: $code");
+    $tests =~ /\S/ or wrong("names no test");
+    for my $test (split / /, $tests) {
+      my @found = glob "test/*/test_$test.cpp";
+      @found or wrong("there is no test_$test.cpp");
+    }
+    END { print "$line lines"; $? = $wrong > 0 || !$line }' test/mutants/mutants.tsv
+}
+if [ "${1:-}" = --check ]; then
+  check_lines
+  exit
+fi
+
 first=${1:-1}
 last=${2:-$(wc -l <test/mutants/mutants.tsv)}
 folder=build/mutants
