@@ -1,5 +1,5 @@
 // Simplifies a model in several ways and prints all digits of the results, which
-// debug_and_release.sh compares.
+// every_build.sh compares.
 //   debug_and_release MODEL.off
 // COST is the name of the cost: one for each unit, so that they are compiled at the same time.
 #include <CGAL/IO/OFF.h>

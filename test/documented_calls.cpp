@@ -1,4 +1,4 @@
-// What the calls in the documents speak of; documented_calls.sh makes the included file of them.
+// What the calls in the documents speak of; documented.sh makes the included file of them.
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

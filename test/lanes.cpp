@@ -1,5 +1,5 @@
 // Prints all digits of what two_quadrics.h computes, and of simplifications for which it does;
-// lanes.sh compares them with and without vectors of the compiler's.
+// every_build.sh compares them with and without vectors of the compiler's.
 #include "support/soups.h"
 
 #include <quadrille/internal/evaluation/two_quadrics.h>

@@ -2,6 +2,7 @@
 # Builds and runs all tests, or the quick ones. Debian packages that are missing are installed
 # first.
 #   sh test/run.sh [--quick] [CMAKE_ARGUMENT...]   for instance -DQUADRILLE_WERROR=ON
+#   sh test/run.sh --headers                       compiles each header by itself: minutes the first time
 set -eu
 export LC_ALL=C
 
@@ -23,6 +24,11 @@ if [ "${1:-}" = --quick ]; then
 fi
 
 jobs=$(nproc)
+if [ "${1:-}" = --headers ]; then
+  shift
+  cmake --preset test "$@"
+  exec cmake --build --preset test --parallel "$jobs" --target all_verify_interface_header_sets
+fi
 cmake --preset test "$@"
 # A test that does not compile must not keep the others from running.
 built=0

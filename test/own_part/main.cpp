@@ -1,4 +1,4 @@
-// A surface has a part that is not of the library, see own_part.sh: has it followed contractions?
+// A surface has a part that is not of the library, see every_build.sh: has it followed contractions?
 #include <quadrille/internal/call/run.h>
 #include <quadrille/parameters.h>
 #include <quadrille/relaxed_order.h>

@@ -22,7 +22,7 @@ from surfaces import torus, write_obj
 
 
 def blocks(document):
-    """Pairs of a line number and code, but for what is part of a file, which documented_code.sh looks at."""
+    """Pairs of a line number and code, but for what is part of a file, which documented.sh looks at."""
     begin, lines, before = None, [], ""
     for number, line in enumerate(document.read_text().split("\n"), 1):
         if line == "```python" and not before.startswith(("<!-- file:", "<!-- part:")):
