@@ -75,20 +75,22 @@ own_part() {
   room=$folder/include/quadrille/internal/contraction
   cp test/own_part/merged_vertices.h "$room"
 
-  # Puts a line after the only one that has a text.
+  # Puts a text behind another, which stands there once.
   insert_after() {
     [ "$(grep -c -F -- "$1" "$room/working_surface.h")" -eq 1 ] || {
       echo "working_surface.h has not one line with: $1"
       exit 1
     }
-    awk -v text="$1" -v line="$2" '{ print } index($0, text) { print line }' \
-      "$room/working_surface.h" >"$folder/edited.h"
+    awk -v text="$1" -v more="$2" '{
+        at = index($0, text)
+        print at ? substr($0, 1, at - 1) text more substr($0, at + length(text)) : $0
+      }' "$room/working_surface.h" >"$folder/edited.h"
     mv "$folder/edited.h" "$room/working_surface.h"
   }
-  insert_after '#include <quadrille/internal/contraction/contraction_count.h>' \
-    '#include <quadrille/internal/contraction/merged_vertices.h>'
-  insert_after '  MovedVertices<dimension> moved_;' '  MergedVertices merged_{complex_};'
-  insert_after 'return std::tie(self.recording_,' 'self.merged_,'
+  insert_after '#include <quadrille/internal/contraction/guard_list.h>' \
+    '\n#include <quadrille/internal/contraction/merged_vertices.h>'
+  insert_after '  OptionalDistances<Policies> distances_;' '\n  MergedVertices merged_{state_.complex};'
+  insert_after 'std::tie(self.evaluator_,' ' self.merged_,'
 
   compiler=$1
   shift

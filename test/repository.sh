@@ -10,7 +10,7 @@ cd -- "$2"
 rooms() {
   cd include/quadrille/internal
 
-  rooms="base memory complex surface guard distance intersection normals policy cost appearance input evaluation pairs contraction order adapter levels call file cluster planar verify"
+  rooms="base memory complex surface guard distance intersection normals policy cost appearance input pairs state evaluation contraction order adapter levels call file cluster planar verify"
 
   for room in *; do
     case " $rooms " in

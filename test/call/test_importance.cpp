@@ -134,15 +134,12 @@ TEST_CASE("what is of no importance goes first, the cheapest before the others")
 }
 
 TEST_CASE("what has become part of a vertex counts on") {
-  struct Event {
-    internal::Index kept, gone;
-  };
   internal::VertexImportance importance({0.5F, 1, 0.25F, 0.125F});
-  importance.after(Event{3, 2});
+  importance.merge(3, 2);
   CHECK(importance.of_pair(3, 3) == 0.25F);
-  importance.after(Event{1, 3});
+  importance.merge(1, 3);
   CHECK(importance.of_pair(1, 1) == 1);
-  importance.after(Event{0, 1});
+  importance.merge(0, 1);
   CHECK(importance.of_pair(0, 0) == 1);
 }
 

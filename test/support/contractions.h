@@ -40,7 +40,7 @@ bool contract(Surface& surface, quadrille::internal::Index a, quadrille::interna
 /// In the engine's units, which are those of a large surface.
 template <class Surface>
 const Position& position(const Surface& surface, quadrille::internal::Index v) {
-  return surface.evaluator().geometry().position(v);
+  return surface.evaluator().state().geometry.position(v);
 }
 
 } // namespace test

@@ -186,8 +186,9 @@ public:
     return false;
   }
 
+  /// While the faces of the star still have their old corners, and vertices their old places.
   template <class Event>
-  void before(const Event& event) {
+  void contract(const Event& event) {
     const auto& contraction = event.contraction;
     const ContractedPair pair = contracted(contraction.first(), contraction.second());
     const Position target = contraction.target() - geometry_.position(pair.first);

@@ -38,6 +38,7 @@ struct NoChannels {
   NoChannels(const Complex&, const Geometry&, Memories&) {}
   bool have_seams() const { return false; }
   NoChannelSeams seams() const { return {}; }
+  void contract(const auto&) {}
   NoChannelsLeft take() { return {}; }
   static auto vertex_columns(auto&) { return std::tuple<>(); }
 };

@@ -102,10 +102,9 @@ public:
     internal::pack_if(label_, is_left);
   }
 
-  template <class Event>
-  void after(const Event& event) {
+  void merge(Index kept, Index gone) {
     if (!is_empty())
-      kind_[event.kept] = (std::max)(kind_[event.kept], kind_[event.gone]);
+      kind_[kept] = (std::max)(kind_[kept], kind_[gone]);
   }
 
 private:

@@ -43,7 +43,7 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
         !surface.policies().optional.run_passes(surface, *passes))
       return StopReason::cancelled;
     if (surface.progress().is_enough())
-      return surface.target_rules().reason_of_stop(surface.status());
+      return surface.run().target_rules().reason_of_stop(surface.status());
   }
   GreedyLoop<Policies> loop(surface);
   if (!passes)
@@ -82,8 +82,8 @@ contract_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
   surface.guards().end(report);
   if (surface.progress().is_cancelled() && !surface.progress().has_begun())
     return std::nullopt;
-  if (surface.recording())
-    surface.recording()->end(report.stop);
+  if (surface.run().recording())
+    surface.run().recording()->end(report.stop);
   return std::move(surface).finish(keeps_memories, report);
 }
 

@@ -96,10 +96,9 @@ public:
   }
 
   /// A vertex of two kinds is of the one that allows less.
-  template <class Event>
-  void after(const Event& event) {
+  void merge(Index kept, Index gone) {
     if (!kind_.empty())
-      kind_[event.kept] = (std::max)(kind_[event.kept], kind_[event.gone]);
+      kind_[kept] = (std::max)(kind_[kept], kind_[gone]);
   }
 
 private:

@@ -25,7 +25,8 @@ template <class Policies>
 class ChannelTeller {
 public:
   explicit ChannelTeller(const RecordingNeeds<Policies>& needs)
-      : complex_(needs.complex), numbering_(needs.numbering), channels_(needs.channels) {}
+      : complex_(needs.state.complex), numbering_(needs.state.numbering),
+        channels_(needs.state.appearance.channels()) {}
 
   /// Returns how many numbers of a vertex are values of channels.
   std::size_t begin() {

@@ -1,22 +1,15 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 #define QUADRILLE_INTERNAL_CONTRACTION_CHECKS_H
 
-#include <quadrille/internal/appearance/no_channels.h>
-#include <quadrille/internal/appearance/seam_graph.h>
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/complex/link_condition.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/cleanup.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/guard_list.h>
 #include <quadrille/internal/evaluation/pair_names.h>
 #include <quadrille/internal/policy/contraction_view.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
-#include <quadrille/internal/surface/geometry.h>
-#include <quadrille/internal/surface/numbering.h>
-#include <quadrille/internal/surface/scale.h>
-#include <quadrille/internal/surface/shared_vertices.h>
+#include <quadrille/internal/state/cleanup.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/report.h>
 
 #include <cmath>
@@ -35,20 +28,12 @@ public:
   static constexpr std::size_t dimension = Cost::dimension;
   using Position = Vector<dimension>;
   using Contraction = internal::Contraction<Cost>;
-  using Seams = SeamGraph<typename ChannelsOf<Policies>::Seams>;
 
-  Checks(const Policies& policies, const Scale<dimension>& scale, const TriangleComplex& complex,
-         const Numbering& numbering, const Geometry<dimension>& geometry,
-         const SharedVertices& shared, const LinkCondition& link_condition, const Seams& seams,
-         const ChannelsOf<Policies>& channels, const GuardList<dimension>& guards,
-         bool is_topology_kept)
-      : policies_(policies), scale_(scale), complex_(complex), numbering_(numbering),
-        geometry_(geometry), shared_(shared), link_condition_(link_condition), seams_(seams),
-        channels_(channels), guards_(guards), is_topology_kept_(is_topology_kept),
+  Checks(const SurfaceState<Policies>& state, const GuardList<dimension>& guards)
+      : state_(state), guards_(guards),
         goes_where_written_(!guards.empty() ||
-                            (scale.writes_floats() && policies.stop.needs().distance)) {}
-
-  const LinkCondition& link_condition() const { return link_condition_; }
+                            (state.scale.writes_floats() && state.policies.stop.needs().distance)) {
+  }
 
   /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
   /// that costs the same suits them, it goes there. Where there are guards, or distances are
@@ -56,17 +41,18 @@ public:
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();
-    if (seams_.is_changed_by(star, a, b))
+    if (state_.appearance.seams().is_changed_by(star, a, b))
       return Rejection::seam;
-    if (geometry_.is_any_fixed()) [[unlikely]]
+    if (state_.geometry.is_any_fixed()) [[unlikely]]
       if (const auto cause = refusal_beside_fixed(star, a, b))
         return cause;
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
       return Rejection::position;
-    if (is_topology_kept_ && !link_condition_.holds(star, a, b, contraction.scratch().labels))
+    if (state_.is_topology_kept &&
+        !state_.link_condition.holds(star, a, b, contraction.scratch().labels))
       return Rejection::topology;
     if (goes_where_written_) [[unlikely]]
-      contraction.move_to(scale_.as_written(contraction.target()));
+      contraction.move_to(state_.scale.as_written(contraction.target()));
     const std::optional<Rejection> cause = refusal(contraction, contraction.target());
     if (cause && !stays(star, a) && !stays(star, b) && finds_other_place(contraction, *cause))
       return std::nullopt;
@@ -74,7 +60,7 @@ public:
   }
 
 private:
-  bool is_fixed(Index v) const { return geometry_.is_fixed(v); }
+  bool is_fixed(Index v) const { return state_.geometry.is_fixed(v); }
   bool stays(const PairStar& star, Index end) const { return is_fixed(end) || star.hub == end; }
 
   // Why what is fixed or shared refuses a contraction, if it does.
@@ -82,28 +68,28 @@ private:
                                                                    Index b) const {
     if (stays(star, a) && stays(star, b))
       return Rejection::constraint;
-    const auto is_fixed = [this](Index v) { return geometry_.is_fixed(v); };
-    if (!is_topology_kept_ && takes_a_fixed_vertex_away(star, a, b, is_fixed))
+    const auto is_fixed = [this](Index v) { return state_.geometry.is_fixed(v); };
+    if (!state_.is_topology_kept && takes_a_fixed_vertex_away(star, a, b, is_fixed))
       return Rejection::constraint;
-    if (shared_.makes_chord(star, a, b))
+    if (state_.shared.makes_chord(star, a, b))
       return Rejection::chord;
     return std::nullopt;
   }
 
   // Why a filter refuses a target, if one does.
   std::optional<Rejection> refusal(const Contraction& contraction, const Position& target) const {
-    const ContractionView<dimension> view(contraction.star(), complex_,
-                                          geometry_.positions().data(), contraction.pair().first,
-                                          contraction.pair().second, target);
+    const ContractionView<dimension> view(
+        contraction.star(), state_.complex, state_.geometry.positions().data(),
+        contraction.pair().first, contraction.pair().second, target);
     std::optional<Rejection> cause =
-        policies_.filters.refusal(view, contraction, numbering_, scale_);
+        state_.policies.filters.refusal(view, contraction, state_.numbering, state_.scale);
     if constexpr (Policies::has_channels)
-      if (!cause && channels_.turn_over(contraction.star(), contraction.first(),
-                                        contraction.second(), target))
+      if (!cause && state_.channels().turn_over(contraction.star(), contraction.first(),
+                                                contraction.second(), target))
         return Rejection::texture;
     if constexpr (looks_at_star<Placement>)
       if (!cause &&
-          !policies_.placement.admits(seen_pair(contraction), star_view(contraction), target))
+          !state_.policies.placement.admits(seen_pair(contraction), star_view(contraction), target))
         return Placement::cause;
     if (!cause && !guards_.empty()) [[unlikely]]
       return guards_.rejection(contraction, target);
@@ -111,51 +97,44 @@ private:
   }
 
   decltype(auto) seen_pair(const Contraction& contraction) const {
-    return PairNames<Policies>(numbering_)
+    return PairNames<Policies>(state_.numbering)
         .for_placement(contraction.pair(), contraction.first(), contraction.second());
   }
   auto star_view(const Contraction& contraction) const {
     return StarView<dimension>(contraction.star(), contraction.first(), contraction.second(),
-                               geometry_.positions().data(), scale_);
+                               state_.geometry.positions().data(), state_.scale);
   }
 
   QUADRILLE_NOINLINE bool finds_other_place(Contraction& contraction,
                                             [[maybe_unused]] Rejection cause) const { // seldom
     const auto takes = [&](const Position& place) {
-      const Position x = goes_where_written_ ? scale_.as_written(place) : place;
+      const Position x = goes_where_written_ ? state_.scale.as_written(place) : place;
       if (refusal(contraction, x))
         return false;
       contraction.move_to(x);
       return true;
     };
-    const auto& placement = policies_.placement; // a derived one may want none of these places
+    const auto& placement =
+        state_.policies.placement; // a derived one may want none of these places
     if constexpr (requires {
-                    placement.any_further(policies_.cost, seen_pair(contraction),
+                    placement.any_further(state_.policies.cost, seen_pair(contraction),
                                           star_view(contraction), takes);
                   })
       if (cause == Placement::cause)
-        return placement.any_further(policies_.cost, seen_pair(contraction), star_view(contraction),
-                                     takes);
+        return placement.any_further(state_.policies.cost, seen_pair(contraction),
+                                     star_view(contraction), takes);
     if constexpr (is_scale_free<Placement> && requires {
-                    placement.any_equal(policies_.cost, seen_pair(contraction), Position{}, takes);
+                    placement.any_equal(state_.policies.cost, seen_pair(contraction), Position{},
+                                        takes);
                   })
-      return placement.any_equal(policies_.cost, seen_pair(contraction),
+      return placement.any_equal(state_.policies.cost, seen_pair(contraction),
                                  Position(contraction.target()), takes);
     else
       return false;
   }
 
-  const Policies& policies_;
-  const Scale<dimension>& scale_;
-  const TriangleComplex& complex_;
-  const Numbering& numbering_;
-  const Geometry<dimension>& geometry_;
-  const SharedVertices& shared_;
-  const LinkCondition& link_condition_;
-  const Seams& seams_;
-  const ChannelsOf<Policies>& channels_;
+  const SurfaceState<Policies>& state_;
   const GuardList<dimension>& guards_;
-  bool is_topology_kept_;
   bool goes_where_written_; // see rejection()
 };
 

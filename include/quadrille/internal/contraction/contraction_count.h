@@ -4,7 +4,7 @@
 #include <quadrille/concepts.h>
 #include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/cleanup.h>
+#include <quadrille/internal/state/cleanup.h>
 #include <quadrille/report.h>
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include <quadrille/internal/base/cost_histogram.h>
 #include <quadrille/internal/complex/edge_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/cleanup.h>
-#include <quadrille/internal/contraction/part_event.h>
-#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/state/cleanup.h>
+#include <quadrille/internal/state/part_event.h>
+#include <quadrille/internal/state/scratch.h>
 #include <quadrille/internal/surface/numbering.h>
 
 #include <algorithm>

@@ -4,9 +4,7 @@
 #include <quadrille/internal/complex/link_condition.h>
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/contraction/checks.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/measured_distances.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/distance/back_deviation.h>
 #include <quadrille/internal/distance/distance_bounds.h>
 #include <quadrille/internal/distance/face_bound.h>
@@ -15,6 +13,8 @@
 #include <quadrille/internal/distance/tolerances.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/scratch.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
@@ -53,14 +53,13 @@ public:
   using Contraction = internal::Contraction<Cost>;
 
   explicit DistanceCheck(const DistanceNeeds<Policies>& needs)
-      : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
-        numbering_(needs.numbering), geometry_(needs.geometry),
-        link_condition_(needs.link_condition), evaluator_(needs.evaluator), checks_(needs.checks),
-        bounds_(complex_.face_capacity(), greatest_coordinate(needs.box),
-                policies_.stop.needs().distance_back, tolerances_of(needs.tolerances)),
-        scratches_(policies_.threads) {
-    if (policies_.optional.bounds)
-      bounds_.take_given(*policies_.optional.bounds, given_tolerance(), complex_, numbering_.faces);
+      : state_(needs.state), evaluator_(needs.evaluator), checks_(needs.checks),
+        bounds_(state_.complex.face_capacity(), greatest_coordinate(needs.box),
+                state_.policies.stop.needs().distance_back, tolerances_of(needs.tolerances)),
+        scratches_(state_.policies.threads) {
+    if (state_.policies.optional.bounds)
+      bounds_.take_given(*state_.policies.optional.bounds, given_tolerance(), state_.complex,
+                         state_.numbering.faces);
   }
 
   /// A target that leaves the surface by next to nothing gives way to an end that does not leave it
@@ -75,12 +74,12 @@ public:
   bool is_beyond_hub(const Candidate& candidate, const Scratch& scratch,
                      const Status& status) override {
     return bounds_.is_beyond_hub(
-        complex_, candidate.first, candidate.second, geometry_.positions(), space(candidate.target),
-        scratches_[scratch.number].faces_too_far,
-        [this](Index v) { return link_condition_.may_be_junction(v); },
+        state_.complex, candidate.first, candidate.second, state_.geometry.positions(),
+        space(candidate.target), scratches_[scratch.number].faces_too_far,
+        [this](Index v) { return state_.link_condition.may_be_junction(v); },
         [this, after = status](double distance, const StarTolerance& tolerance) mutable {
           tell_distance(after, distance, tolerance);
-          return policies_.stop(after);
+          return state_.policies.stop(after);
         });
   }
 
@@ -93,43 +92,44 @@ public:
     };
     const DistanceScratch& scratch = scratches_[contraction.scratch().number];
     double bound = greatest(scratch.bounds);
-    if (policies_.stop.needs().distance_back)
+    if (state_.policies.stop.needs().distance_back)
       bound = scratch.back.is_any_lost()
                   ? std::numeric_limits<double>::infinity()
                   : (std::max)(bound, scratch.tolerance.bound_of(greatest(scratch.back.bounds())));
-    return scale_.length_of_mesh(scratch.tolerance.distance_of(bound));
+    return state_.scale.length_of_mesh(scratch.tolerance.distance_of(bound));
   }
 
   void follow(const Contraction& contraction) override {
     const DistanceScratch& scratch = scratch_of(contraction);
     bounds_.set(contraction.star(), scratch.bounds);
-    if (policies_.stop.needs().distance_back) {
+    if (state_.policies.stop.needs().distance_back) {
       bounds_.set_back(contraction.star(), scratch.back.bounds(), scratch.tolerance);
       contraction.scratch().tally.loses_points |= scratch.back.is_any_lost();
     }
   }
   void pack() override {
-    bounds_.pack_if([this](Index face) { return !complex_.is_removed(face); });
+    bounds_.pack_if([this](Index face) { return !state_.complex.is_removed(face); });
   }
 
   void tell(Report& report, bool has_all_points) const override {
     const double unit = bounds_.greatest_tolerance();
-    report.distance_bound = scale_.length_of_mesh(unit * bounds_.greatest(complex_));
-    if (policies_.stop.needs().distance_back && has_all_points)
-      report.hausdorff_bound = (std::max)(
-          report.distance_bound, scale_.length_of_mesh(unit * bounds_.greatest_back(complex_)));
+    report.distance_bound = state_.scale.length_of_mesh(unit * bounds_.greatest(state_.complex));
+    if (state_.policies.stop.needs().distance_back && has_all_points)
+      report.hausdorff_bound =
+          (std::max)(report.distance_bound,
+                     state_.scale.length_of_mesh(unit * bounds_.greatest_back(state_.complex)));
     if (bounds_.has_tolerances() && has_all_points)
       tell_tolerance(report);
   }
   void tell_bounds(std::vector<FaceBound>& bounds) const override {
-    bounds_.tell(bounds, complex_, numbering_.faces);
+    bounds_.tell(bounds, state_.complex, state_.numbering.faces);
   }
 
 private:
   // The greatest coordinate of a surface in a box, in the engine's unit.
   double greatest_coordinate(const Box<dimension>& box) const {
     double greatest = 0;
-    for (const Vector<dimension>& p : scale_.scaled(std::array{box.low, box.high}))
+    for (const Vector<dimension>& p : state_.scale.scaled(std::array{box.low, box.high}))
       for (std::size_t i = 0; i < 3; ++i)
         greatest = (std::max)(greatest, std::abs(p[i]));
     return greatest;
@@ -139,13 +139,13 @@ private:
     if (of_vertex.empty())
       return {};
     for (double& tolerance : of_vertex)
-      tolerance = scale_.length_from_mesh(tolerance);
-    return {complex_, of_vertex, 2 * scale_.length_from_mesh(scale_.diagonal())};
+      tolerance = state_.scale.length_from_mesh(tolerance);
+    return {state_.complex, of_vertex, 2 * state_.scale.length_from_mesh(state_.scale.diagonal())};
   }
   // In the engine's unit, if bounds have tolerances.
   std::optional<double> given_tolerance() const {
-    const std::optional<double>& greatest = policies_.optional.greatest_tolerance;
-    return greatest ? std::optional(scale_.length_from_mesh(*greatest)) : std::nullopt;
+    const std::optional<double>& greatest = state_.policies.optional.greatest_tolerance;
+    return greatest ? std::optional(state_.scale.length_from_mesh(*greatest)) : std::nullopt;
   }
 
   DistanceScratch& scratch_of(const Contraction& contraction) {
@@ -157,11 +157,12 @@ private:
     tolerance = bounds_.tolerance_of(contraction.star());
     const auto stops = [&](const FaceDeviation& deviation) {
       tell_distance(status, deviation.from_input, tolerance);
-      return policies_.stop(status);
+      return state_.policies.stop(status);
     };
     const FaceDeviation deviation = measure(contraction, status);
     if (!is_next_to_nothing(deviation, contraction) || contraction.star().hub != none ||
-        geometry_.is_fixed(contraction.first()) || geometry_.is_fixed(contraction.second()))
+        state_.geometry.is_fixed(contraction.first()) ||
+        state_.geometry.is_fixed(contraction.second()))
       return stops(deviation);
     const Candidate wanted = contraction.candidate();
     for (const Candidate& end : evaluator_.at_ends(wanted)) {
@@ -180,7 +181,7 @@ private:
   bool measure_too_far_both_ways(Contraction& contraction, Status& status) {
     if (measure_too_far(contraction, status))
       return true;
-    if (!policies_.stop.needs().distance_back)
+    if (!state_.policies.stop.needs().distance_back)
       return false;
     DistanceScratch& scratch = scratch_of(contraction);
     const double used = status.next_tolerance;
@@ -188,7 +189,7 @@ private:
       status.next_distance_back = told(distance, scratch.tolerance);
       if (scratch.tolerance.is_given)
         status.next_tolerance = (std::max)(used, scratch.tolerance.bound_of(distance));
-      return policies_.stop(status);
+      return state_.policies.stop(status);
     };
     return stops(bounds_.measure_back(contraction.star(),
                                       kind_of_star(contraction.first(), contraction.second()),
@@ -197,12 +198,12 @@ private:
 
   // How much of them is used, and in which face most.
   void tell_tolerance(Report& report) const {
-    const Index face = bounds_.most_used(complex_);
+    const Index face = bounds_.most_used(state_.complex);
     if (face == none)
       return;
     Vector<3> middle{};
-    for (Index v : complex_.vertices(face))
-      middle += 1. / 3 * space(scale_.position_of_mesh(geometry_.positions()[v]));
+    for (Index v : state_.complex.vertices(face))
+      middle += 1. / 3 * space(state_.scale.position_of_mesh(state_.geometry.positions()[v]));
     report.used_tolerance = Report::UsedTolerance{bounds_.used(face), middle.coordinates};
   }
 
@@ -212,15 +213,15 @@ private:
     DistanceScratch& scratch = scratch_of(contraction);
     const auto stops_beyond = [&, after = status](double distance) mutable {
       tell_distance(after, distance, scratch.tolerance);
-      return policies_.stop(after);
+      return state_.policies.stop(after);
     };
-    return bounds_.measure(contraction.star(), a, b, geometry_.positions(),
+    return bounds_.measure(contraction.star(), a, b, state_.geometry.positions(),
                            space(contraction.target()), kind_of_star(a, b), scratch.tolerance,
                            scratch.deviation, scratch.bounds, stops_beyond);
   }
 
   StarKind kind_of_star(Index a, Index b) const {
-    const LinkCondition& link = link_condition_;
+    const LinkCondition& link = state_.link_condition;
     if (!link.is_interior(a) || !link.is_interior(b))
       return StarKind::any;
     return link.is_oriented(a) && link.is_oriented(b) ? StarKind::oriented : StarKind::closed;
@@ -237,7 +238,7 @@ private:
   double told(double distance, const StarTolerance& tolerance) const {
     if (distance <= bounds_.rounding())
       return 0;
-    return scale_.length_of_mesh(tolerance.distance_of(tolerance.bound_of(distance)));
+    return state_.scale.length_of_mesh(tolerance.distance_of(tolerance.bound_of(distance)));
   }
 
   // Many of them do not add up to more than rounding.
@@ -250,12 +251,7 @@ private:
   }
   static constexpr double next_to_nothing = 0x1p-20;
 
-  const Policies& policies_;
-  const Scale<dimension>& scale_;
-  const TriangleComplex& complex_;
-  const Numbering& numbering_;
-  const Geometry<dimension>& geometry_;
-  const LinkCondition& link_condition_;
+  const SurfaceState<Policies>& state_;
   const PairEvaluator<Policies>& evaluator_;
   const Checks<Policies>& checks_;
   DistanceBounds bounds_;

@@ -49,13 +49,13 @@ public:
   /// Of a surface before the first contraction. Throws std::invalid_argument if the placement needs
   /// one that is closed and oriented outwards, and it is not.
   EnclosedVolume(Surface& surface, const Box& box)
-      : scale_(surface.evaluator().scale()),
+      : scale_(surface.state().scale),
         middle_(space(scale_.position_from_mesh(0.5 * box.low + 0.5 * box.high))) {
     if (surface.policies().guards.asks_for_volume())
       is_known_ = true; // once it has been checked
     if (!asks_for_volume<Placement> || surface.progress().is_cancelled())
       return;
-    is_known_ |= surface.checks().link_condition().is_oriented();
+    is_known_ |= surface.state().link_condition.is_oriented();
     if constexpr (needs_closed_surface<Placement>)
       require_closed(surface);
   }
@@ -72,7 +72,8 @@ private:
   static constexpr std::size_t block_size = 4096; // faces, whatever the number of threads
 
   void require_closed(Surface& surface) {
-    if (!surface.is_topology_kept() || surface.policies().topology == Topology::parts_may_vanish)
+    if (!surface.state().is_topology_kept ||
+        surface.policies().topology == Topology::parts_may_vanish)
       throw std::invalid_argument("quadrille::simplify: a hull keeps the topology: pass no "
                                   "Topology::free or parts_may_vanish, and no pairs but edges");
     const std::size_t edges = count_unbalanced_edges(surface.complex());
@@ -94,7 +95,7 @@ private:
   // Six times the volume, in the engine's units.
   double sum_up(const Surface& surface) const {
     const TriangleComplex& complex = surface.complex();
-    const auto& positions = surface.evaluator().geometry().positions();
+    const auto& positions = surface.state().geometry.positions();
     const std::size_t faces = complex.face_capacity();
     std::vector<double> sums((faces + block_size - 1) / block_size);
     parallel_for(surface.policies().threads, sums.size(), [&](std::size_t block, std::size_t) {

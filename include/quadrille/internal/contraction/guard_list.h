@@ -2,9 +2,9 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_GUARD_LIST_H
 
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/guard/surface_guard.h>
 #include <quadrille/internal/policy/guard_set.h>
+#include <quadrille/internal/state/part_event.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 

@@ -2,15 +2,11 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_MEASURED_DISTANCES_H
 
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/complex/link_condition.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/evaluation/candidate.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/internal/surface/box.h>
-#include <quadrille/internal/surface/geometry.h>
-#include <quadrille/internal/surface/numbering.h>
-#include <quadrille/internal/surface/scale.h>
 #include <quadrille/report.h>
 
 #include <memory>
@@ -57,17 +53,10 @@ public:
 /// What they are made of. A box in the mesh's unit, and tolerances of vertices if there are any.
 template <class Policies>
 struct DistanceNeeds {
-  static constexpr std::size_t dimension = Policies::Cost::dimension;
-
-  const Policies& policies;
-  const Scale<dimension>& scale;
-  const TriangleComplex& complex;
-  const Numbering& numbering;
-  const Geometry<dimension>& geometry;
-  const LinkCondition& link_condition;
+  const SurfaceState<Policies>& state;
   const PairEvaluator<Policies>& evaluator;
   const Checks<Policies>& checks;
-  const Box<dimension>& box;
+  const Box<Policies::Cost::dimension>& box;
   const std::vector<double>& tolerances;
 };
 
@@ -76,7 +65,7 @@ template <class Policies>
 class OptionalDistances {
 public:
   void measure(const DistanceNeeds<Policies>& needs) {
-    distances_ = needs.policies.optional.make_distances(needs);
+    distances_ = needs.state.policies.optional.make_distances(needs);
   }
 
   MeasuredDistances<Policies>* operator->() const { return distances_.get(); }

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_PROGRESS_H
 #define QUADRILLE_INTERNAL_CONTRACTION_PROGRESS_H
 
-#include <quadrille/internal/contraction/cleanup.h>
-#include <quadrille/internal/contraction/tally.h>
+#include <quadrille/internal/state/cleanup.h>
+#include <quadrille/internal/state/tally.h>
 #include <quadrille/report.h>
 
 #include <algorithm>

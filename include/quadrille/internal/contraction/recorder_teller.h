@@ -3,15 +3,15 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/corners_by_input_face.h>
-#include <quadrille/internal/contraction/part_event.h>
 #include <quadrille/internal/contraction/record_buffer.h>
 #include <quadrille/internal/contraction/record_order.h>
 #include <quadrille/internal/contraction/recording.h>
-#include <quadrille/internal/contraction/refusals.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/part_event.h>
+#include <quadrille/internal/state/scratch.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -57,34 +57,33 @@ public:
       std::conditional_t<Policies::has_channels, ChannelTeller<Policies>, NoChannelTeller>;
 
   explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
-      : policies_(needs.policies), scale_(needs.scale), complex_(needs.complex),
-        numbering_(needs.numbering), geometry_(needs.geometry), channels_(needs),
-        distances_(needs.distances), scratches_(needs.policies.threads) {}
+      : state_(needs.state), channels_(needs), distances_(needs.distances),
+        scratches_(needs.state.policies.threads) {}
 
   void begin() override {
-    const std::size_t vertices = numbering_.vertices.input_count();
+    const std::size_t vertices = state_.numbering.vertices.input_count();
     width_ = dimension + channels_.begin();
     RecordedSurface surface{dimension,
                             width_,
                             std::vector<double>(width_ * vertices),
                             {},
                             {},
-                            policies_.stop.needs().distance,
-                            policies_.stop.needs().distance_back};
+                            state_.policies.stop.needs().distance,
+                            state_.policies.stop.needs().distance_back};
     std::vector<double> memory;
-    for (Index v = 0; v < complex_.vertex_capacity(); ++v) {
-      const Vector<dimension> position = scale_.position_of_mesh(geometry_.position(v));
+    for (Index v = 0; v < state_.complex.vertex_capacity(); ++v) {
+      const Vector<dimension> position = state_.scale.position_of_mesh(state_.geometry.position(v));
       const std::span<const double> of_vertex = values_of(v, position, memory);
       std::copy(of_vertex.begin(), of_vertex.end(),
                 surface.values.begin() +
-                    static_cast<std::ptrdiff_t>(width_ * numbering_.vertices[v]));
+                    static_cast<std::ptrdiff_t>(width_ * state_.numbering.vertices[v]));
     }
-    surface.triangles =
-        corners_by_input_face(complex_, numbering_.faces, [this](Index face, std::size_t i, bool) {
-          return numbering_.vertices[complex_.vertices(face)[i]];
+    surface.triangles = corners_by_input_face(
+        state_.complex, state_.numbering.faces, [this](Index face, std::size_t i, bool) {
+          return state_.numbering.vertices[state_.complex.vertices(face)[i]];
         });
     surface.channels = channels_.recorded();
-    policies_.recorder->begin(std::move(surface));
+    state_.policies.recorder->begin(std::move(surface));
     for (RecordScratch& scratch : scratches_)
       scratch.contractions.list = empty_list();
   }
@@ -97,15 +96,15 @@ public:
              bool is_in_pass) override {
     Scratch& scratch = contraction.scratch();
     RecordBuffer& buffer = scratches_[scratch.number].contractions;
-    const Vector<dimension> position = scale_.position_of_mesh(contraction.target());
+    const Vector<dimension> position = state_.scale.position_of_mesh(contraction.target());
     buffer.faces.clear();
     for (const StarFace& f : scratch.star.shared)
       add_inputs(f.face, buffer.faces);
     for (Index face : scratch.duplicates)
       add_inputs(face, buffer.faces);
     channels_.after(kept, buffer);
-    const RecordedContraction recorded{numbering_.vertices[kept],
-                                       numbering_.vertices[gone],
+    const RecordedContraction recorded{state_.numbering.vertices[kept],
+                                       state_.numbering.vertices[gone],
                                        values_of(kept, position, buffer.values),
                                        error,
                                        distance_bound(contraction),
@@ -114,7 +113,7 @@ public:
     if (is_in_pass)
       buffer.add(recorded, contraction.cost());
     else
-      policies_.recorder->record(recorded);
+      state_.policies.recorder->record(recorded);
   }
 
   void vanished(const PartEvent& event) override {
@@ -123,19 +122,19 @@ public:
       add_inputs(face, faces);
     RecordedContraction removal;
     removal.error = event.radius;
-    if (policies_.stop.needs().distance_back) // its points have no place left
+    if (state_.policies.stop.needs().distance_back) // its points have no place left
       removal.distance_bound = std::numeric_limits<double>::infinity();
     removal.removed_faces = faces;
-    policies_.recorder->record(removal);
+    state_.policies.recorder->record(removal);
   }
 
   void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) override {
-    if (policies_.recorder->hears_refusals())
-      policies_.recorder->refuse(refusal(ends, cause, error));
+    if (state_.policies.recorder->hears_refusals())
+      state_.policies.recorder->refuse(refusal(ends, cause, error));
   }
   void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) override {
-    if (policies_.recorder->hears_refusals())
+    if (state_.policies.recorder->hears_refusals())
       scratches_[scratch.number].refusals.add(refusal(ends, cause, error));
   }
 
@@ -146,9 +145,9 @@ public:
   void end_stage() override {
     std::vector<RecordedWedge> wedges;
     for (const RecordPlace& place : places_in_order_of_cost(scratches_))
-      policies_.recorder->record(
+      state_.policies.recorder->record(
           scratches_[place.thread].contractions.list.contraction(place.number, wedges));
-    tell_refusals(*policies_.recorder, scratches_);
+    tell_refusals(*state_.policies.recorder, scratches_);
     for (RecordScratch& scratch : scratches_) {
       scratch.contractions.list = empty_list();
       scratch.contractions.costs.clear();
@@ -156,17 +155,18 @@ public:
     }
   }
 
-  void end(StopReason reason) override { policies_.recorder->end(reason); }
+  void end(StopReason reason) override { state_.policies.recorder->end(reason); }
 
 private:
   // By input indices.
   RecordedRefusal refusal(const std::array<Index, 2>& ends, Rejection cause, double error) const {
     return {input_vertex(ends[0]), input_vertex(ends[1]), cause, error};
   }
-  Index input_vertex(Index v) const { return v == none ? none : numbering_.vertices[v]; }
+  Index input_vertex(Index v) const { return v == none ? none : state_.numbering.vertices[v]; }
 
   RecordList empty_list() const {
-    return {width_, policies_.stop.needs().distance, policies_.stop.needs().distance_back};
+    return {width_, state_.policies.stop.needs().distance,
+            state_.policies.stop.needs().distance_back};
   }
 
   // The numbers of a vertex at a position; in a memory, if there are more than the position's.
@@ -181,22 +181,18 @@ private:
 
   // The input index of a face, and that of its back.
   void add_inputs(Index face, auto& faces) const {
-    faces.push_back(numbering_.faces[face]);
-    if (complex_.backs().has(face))
-      faces.push_back(complex_.backs().input_face(face));
+    faces.push_back(state_.numbering.faces[face]);
+    if (state_.complex.backs().has(face))
+      faces.push_back(state_.complex.backs().input_face(face));
   }
 
   double distance_bound(const Contraction& contraction) const {
-    if (!policies_.stop.needs().distance)
+    if (!state_.policies.stop.needs().distance)
       return 0;
     return distances_->bound_of(contraction);
   }
 
-  const Policies& policies_;
-  const Scale<dimension>& scale_;
-  const TriangleComplex& complex_;
-  const Numbering& numbering_;
-  const Geometry<dimension>& geometry_;
+  const SurfaceState<Policies>& state_;
   Channels channels_;
   const OptionalDistances<Policies>& distances_;
   std::vector<RecordScratch> scratches_; // one for each thread

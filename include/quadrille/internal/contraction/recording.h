@@ -1,17 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 #define QUADRILLE_INTERNAL_CONTRACTION_RECORDING_H
 
-#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/measured_distances.h>
-#include <quadrille/internal/contraction/part_event.h>
-#include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/surface/geometry.h>
-#include <quadrille/internal/surface/numbering.h>
-#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/part_event.h>
+#include <quadrille/internal/state/scratch.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/report.h>
 
 #include <array>
@@ -49,17 +45,10 @@ public:
   virtual void end(StopReason reason) = 0;
 };
 
-/// The parts of a surface that its recording reads.
+/// What a recording reads.
 template <class Policies>
 struct RecordingNeeds {
-  static constexpr std::size_t dimension = Policies::Cost::dimension;
-
-  const Policies& policies;
-  const Scale<dimension>& scale;
-  const TriangleComplex& complex;
-  const Numbering& numbering;
-  const Geometry<dimension>& geometry;
-  ChannelsOf<Policies>& channels;
+  SurfaceState<Policies>& state;
   const OptionalDistances<Policies>& distances;
 };
 
@@ -68,8 +57,8 @@ template <class Policies>
 class OptionalRecording {
 public:
   explicit OptionalRecording(const RecordingNeeds<Policies>& needs) {
-    if (needs.policies.recorder)
-      recording_ = needs.policies.optional.make_recording(needs);
+    if (needs.state.policies.recorder)
+      recording_ = needs.state.policies.optional.make_recording(needs);
   }
 
   /// nullptr if nobody is.

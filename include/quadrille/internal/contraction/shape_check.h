@@ -4,11 +4,12 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/parts.h>
-#include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/parts.h>
+#include <quadrille/internal/state/recession.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
@@ -59,25 +60,23 @@ inline std::vector<Index> regions_of(const TriangleComplex& complex, const Array
 
 /// Measures what contractions of great error do to the shape of large parts of a surface, and of
 /// large regions of labels: those from a twentieth of its diagonal.
-template <class Cost>
+template <class Policies>
 class ShapeCheck {
 public:
+  using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
   using Contraction = internal::Contraction<Cost>;
 
-  ShapeCheck(const Scale<dimension>& scale, const TriangleComplex& complex,
-             const Geometry<dimension>& geometry, const Parts<dimension>& parts,
-             const Array<Index>& labels)
-      : scale_(scale), complex_(complex), geometry_(geometry), parts_(parts), labels_(labels) {}
+  explicit ShapeCheck(const SurfaceState<Policies>& state) : state_(state) {}
 
   /// From which error on it pays to look. Of parts below a fifth of the diagonal some contractions
   /// of lesser errors would be found to spoil, if they were measured.
   double least_error() const {
-    return spoiling_part * Parts<dimension>::least_large * scale_.diagonal();
+    return spoiling_part * Parts<dimension>::least_large * state_.scale.diagonal();
   }
 
   /// Is there anything that a contraction could spoil? Parts have to be measured before.
-  bool has_any() const { return parts_.size() > 1 || !labels_.empty(); }
+  bool has_any() const { return state_.parts.size() > 1 || !state_.labels().empty(); }
 
   /// How far the contraction goes beyond what a large part or region bears: more than 1 if it
   /// spoils the shape of one. A part is looked at where there are several, by the error and by what
@@ -88,7 +87,7 @@ public:
   /// The same of a part that vanishes, beside the whole surface. It spoils that if it lies apart.
   double strain(const Part<dimension>& part) const {
     return knows_errors<Cost> && part.isolation > apart
-               ? part.isolation * part.radius / (spoiling_part * scale_.diagonal())
+               ? part.isolation * part.radius / (spoiling_part * state_.scale.diagonal())
                : 0;
   }
   /// The key of what spoils a shape: behind all that spoils nothing, of which keys are at most
@@ -107,7 +106,7 @@ public:
   /// the error is great beside the whole; else 1.
   double excess(const Contraction& contraction) const {
     if constexpr (knows_errors<Cost>)
-      if (is_measured(contraction, scale_)) [[unlikely]]
+      if (is_measured(contraction, state_.scale)) [[unlikely]]
         return (std::max)(1., deviation(contraction) / contraction.error());
     return 1;
   }
@@ -120,7 +119,7 @@ private:
   }
 
   double deviation(const Contraction& contraction) const {
-    return scale_.length_of_mesh(deviation_of(contraction, geometry_));
+    return state_.scale.length_of_mesh(deviation_of(contraction, state_.geometry));
   }
 
   double strain_of_part(const Contraction& contraction) const {
@@ -137,18 +136,19 @@ private:
 
   double strain_of_region(const Contraction& contraction) {
     if constexpr (knows_errors<Cost>)
-      return labels_.empty() ? 0 : contraction.error() / limit_of_regions(contraction);
+      return state_.labels().empty() ? 0 : contraction.error() / limit_of_regions(contraction);
     else
       return 0;
   }
 
   // In which both ends lie; to join parts spoils none.
   const Part<dimension>* large_part(const Contraction& contraction) const {
-    if (parts_.size() < 2)
+    if (state_.parts.size() < 2)
       return nullptr;
-    const Index part = parts_.of(contraction.first());
-    return part == parts_.of(contraction.second()) && parts_[part].is_large ? &parts_[part]
-                                                                            : nullptr;
+    const Index part = state_.parts.of(contraction.first());
+    return part == state_.parts.of(contraction.second()) && state_.parts[part].is_large
+               ? &state_.parts[part]
+               : nullptr;
   }
 
   double limit_of_regions(const Contraction& contraction) {
@@ -164,15 +164,15 @@ private:
 
   // Once. That of a small region is infinite.
   QUADRILLE_NOINLINE void measure_regions() {
-    regions_ = regions_of(complex_, labels_);
+    regions_ = regions_of(state_.complex, state_.labels());
     std::vector<Box<3>> boxes(regions_.size(), Box<3>::none());
-    for (Index face = 0; face < complex_.face_capacity(); ++face)
-      if (!complex_.is_removed(face))
-        for (Index v : complex_.vertices(face))
-          boxes[regions_[face]].add(space(geometry_.position(v)));
+    for (Index face = 0; face < state_.complex.face_capacity(); ++face)
+      if (!state_.complex.is_removed(face))
+        for (Index v : state_.complex.vertices(face))
+          boxes[regions_[face]].add(space(state_.geometry.position(v)));
     for (const Box<3>& box : boxes) {
-      const double size = scale_.length_of_mesh(box.diagonal());
-      sizes_of_regions_.push_back(size >= Parts<dimension>::least_large * scale_.diagonal()
+      const double size = state_.scale.length_of_mesh(box.diagonal());
+      sizes_of_regions_.push_back(size >= Parts<dimension>::least_large * state_.scale.diagonal()
                                       ? size
                                       : std::numeric_limits<double>::infinity());
     }
@@ -184,11 +184,7 @@ private:
   static constexpr double apart = 2;                 // of its radii away
   static constexpr double measured = 1. / 4;         // of an error that spoils
 
-  const Scale<dimension>& scale_;
-  const TriangleComplex& complex_;
-  const Geometry<dimension>& geometry_;
-  const Parts<dimension>& parts_;
-  const Array<Index>& labels_; // of each face; or empty
+  const SurfaceState<Policies>& state_;
   std::vector<Index> regions_; // of each face
   std::vector<double> sizes_of_regions_;
 };

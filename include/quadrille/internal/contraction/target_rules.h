@@ -2,14 +2,11 @@
 #define QUADRILLE_INTERNAL_CONTRACTION_TARGET_RULES_H
 
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/complex/link_condition.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/cleanup.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/shape_check.h>
-#include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/policies.h>
-#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/state/cleanup.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -26,15 +23,11 @@ public:
   using Cost = typename Policies::Cost;
   using Contraction = internal::Contraction<Cost>;
 
-  TargetRules(const Policies& policies, const Scale<Cost::dimension>& scale,
-              TriangleComplex& complex, const LinkCondition& link_condition,
-              const Array<Index>& labels, bool is_topology_kept)
-      : policies_(policies), scale_(scale), complex_(complex), link_condition_(link_condition),
-        labels_(labels), is_topology_kept_(is_topology_kept) {}
+  explicit TargetRules(SurfaceState<Policies>& state) : state_(state) {}
 
   /// Would the contraction go beyond the target, where another one might not?
   bool overshoots(const Contraction& contraction, const Status& status) {
-    if (link_condition_.is_closed() && complex_.backs().is_empty())
+    if (state_.link_condition.is_closed() && state_.complex.backs().is_empty())
       return false; // each contraction takes two faces
     return is_passed_after(contraction, status);
   }
@@ -44,13 +37,13 @@ public:
     Status after = status;
     after.faces -= (std::min)(after.faces, loss.faces);
     after.vertices -= (std::min)(after.vertices, loss.vertices);
-    return internal::is_passed(policies_.stop, after);
+    return internal::is_passed(state_.policies.stop, after);
   }
 
   /// In which way the stop policy stops, if it does: have contractions gone beyond its target?
   StopReason reason_of_stop(const Status& status) const {
-    const bool is_passed =
-        status.vertices < status.initial_vertices && internal::is_passed(policies_.stop, status);
+    const bool is_passed = status.vertices < status.initial_vertices &&
+                           internal::is_passed(state_.policies.stop, status);
     return is_passed ? StopReason::target_passed : StopReason::target_met;
   }
 
@@ -60,29 +53,24 @@ public:
   bool is_coarse(const Contraction& contraction, double part = 0.1) const {
     if constexpr (knows_errors<Cost>)
       return contraction.error() >
-             part * scale_.length_of_mesh(std::sqrt(contraction.pair().squared_reach));
+             part * state_.scale.length_of_mesh(std::sqrt(contraction.pair().squared_reach));
     else
       return false;
   }
 
 private:
   QUADRILLE_NOINLINE bool is_passed_after(const Contraction& contraction, const Status& status) {
-    const Backs& backs = complex_.backs();
+    const Backs& backs = state_.complex.backs();
     const PairStar& star = contraction.star();
-    if (is_topology_kept_)
+    if (state_.is_topology_kept)
       return is_passed_without({backs.count_all(star.shared), 1}, status);
     return is_passed_without(most_loss(star, backs), status) &&
-           is_passed_without(
-               Cleanup(complex_, contraction.scratch(), labels_).loss(contraction.second()),
-               status);
+           is_passed_without(Cleanup(state_.complex, contraction.scratch(), state_.labels())
+                                 .loss(contraction.second()),
+                             status);
   }
 
-  const Policies& policies_;
-  const Scale<Cost::dimension>& scale_;
-  TriangleComplex& complex_;
-  const LinkCondition& link_condition_;
-  const Array<Index>& labels_; // of each face; or empty
-  bool is_topology_kept_;
+  SurfaceState<Policies>& state_;
 };
 
 } // namespace quadrille::internal

@@ -68,10 +68,9 @@ public:
   static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.of_); }
 
-  template <class Event>
-  QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
+  QUADRILLE_ALWAYS_INLINE void merge(Index kept, Index gone) {
     if (is_any_given()) [[unlikely]]
-      join(event.kept, event.gone);
+      join(kept, gone);
   }
 
 private:

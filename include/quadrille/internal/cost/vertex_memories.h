@@ -241,7 +241,7 @@ public:
 
   /// The vertex that a contraction has left remembers what both of its ends did.
   template <class Event>
-  void after(const Event& event) {
+  void contract(const Event& event) {
     const auto& pair = event.contraction.pair();
     Memory& memory = memories_[event.kept];
     memory = pair.memory;

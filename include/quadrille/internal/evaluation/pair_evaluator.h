@@ -1,26 +1,22 @@
 #ifndef QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H
 #define QUADRILLE_INTERNAL_EVALUATION_PAIR_EVALUATOR_H
 
-#include <quadrille/internal/appearance/no_channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/power_of_two.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/no_local_terms.h>
-#include <quadrille/internal/cost/vertex_importance.h>
-#include <quadrille/internal/cost/vertex_memories.h>
-#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/evaluation/cost_units.h>
 #include <quadrille/internal/evaluation/pair_names.h>
 #include <quadrille/internal/evaluation/two_lanes.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/memory/columns.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/mesh_units.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/internal/policy/star_view.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/internal/surface/geometry.h>
-#include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -42,35 +38,43 @@ public:
   using Candidate = internal::Candidate<Cost>;
   using Pair = PairOf<Cost>;
   using Geometry = internal::Geometry<Cost::dimension>;
-  using Memories = VertexMemories<Cost>;
+  using State = SurfaceState<Policies>;
   using Terms = typename LocalTermsOf<Cost>::type;
-  using Channels = ChannelsOf<Policies>;
   static constexpr bool counts_channels = Policies::has_channels;
 
-  PairEvaluator(const Policies& policies, const Scale<Cost::dimension>& scale,
-                const TriangleComplex& complex, const Geometry& geometry, const Memories& memories,
-                const Terms& terms, const Channels& channels, const VertexImportance& importance,
-                const Numbering& numbering)
-      : policies_(policies), scale_(scale), complex_(complex), geometry_(geometry),
-        memories_(memories), terms_(terms), channels_(channels), importance_(importance),
-        names_(numbering), cost_of_key_(cost_of_key(policies.cost, scale)) {}
+  explicit PairEvaluator(State& state)
+      : state_(state),
+        terms_(policies().cost, state.geometry, state.complex, state.link_condition, state.shared),
+        names_(state.numbering), cost_of_key_(cost_of_key(policies().cost, state.scale)) {}
 
-  const Cost& cost() const { return policies_.cost; }
-  const Scale<Cost::dimension>& scale() const { return scale_; }
-  const TriangleComplex& complex() const { return complex_; }
-  const Geometry& geometry() const { return geometry_; }
-  const Memories& memories() const { return memories_; }
+  const State& state() const { return state_; }
+  const Cost& cost() const { return policies().cost; }
   const Terms& terms() const { return terms_; }
-  const Channels& channels() const { return channels_; }
-  const VertexImportance& importance() const { return importance_; }
   const PairNames<Policies>& names() const { return names_; }
 
-  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
-    geometry_.prefetch(v);
-    prefetch_columns(memories_, v);
+  /// Local terms are summed up anew; of one vertex only, that is a hub or was one.
+  void sum_up(VertexLabels& labels) { terms_.sum_up(labels); }
+  void sum_up(Index hub, VertexLabels& labels) { terms_.sum_up(hub, labels); }
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
+    if constexpr (has_local_terms<Cost>)
+      terms_.before(event);
+  }
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
+    if constexpr (has_local_terms<Cost>)
+      terms_.after(event);
+  }
+  static constexpr bool is_made_anew = true; // see sum_up()
+  static auto vertex_columns(auto& self) { return Terms::vertex_columns(self.terms_); }
+
+  /// Asks for what costs of pairs read of a vertex.
+  QUADRILLE_ALWAYS_INLINE void prefetch_pair(Index v) const {
+    geometry().prefetch(v);
+    prefetch_columns(state_.memories, v);
     prefetch_columns(terms_, v);
     if constexpr (counts_channels)
-      channels_.prefetch(v);
+      state_.channels().prefetch(v);
   }
 
   /// Where the pair goes and what that costs, but for settle(); `first` is below `second`.
@@ -93,8 +97,8 @@ public:
       if (is_settled(a, b)) {
         candidate.target = target(a, b, candidate.pair);
       } else {
-        const auto x = policies_.placement.settle(
-            policies_.cost, names_.for_placement(candidate.pair, a, b), star_view(a, b, star));
+        const auto x = policies().placement.settle(
+            policies().cost, names_.for_placement(candidate.pair, a, b), star_view(a, b, star));
         if (!x)
           return false;
         candidate.target = *x;
@@ -106,18 +110,19 @@ public:
 
   /// What such a placement sees of it.
   auto star_view(Index first, Index second, const PairStar& star) const {
-    return StarView<Cost::dimension>(star, first, second, geometry_.positions().data(), scale_);
+    return StarView<Cost::dimension>(star, first, second, geometry().positions().data(),
+                                     state_.scale);
   }
 
   /// Of the candidate's target, which may be another one than before.
   QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
-    candidate.cost = policies_.cost(candidate.pair, candidate.target);
+    candidate.cost = policies().cost(candidate.pair, candidate.target);
     candidate.key = key(candidate.pair, candidate.target, candidate.cost);
-    double squared = squared_error(policies_.cost, candidate.pair, candidate.cost);
+    double squared = squared_error(policies().cost, candidate.pair, candidate.cost);
     if constexpr (counts_channels)
-      squared *= channels_.error_factor(candidate.pair, candidate.first, candidate.second);
-    candidate.error = scale_.length_of_mesh(std::sqrt((std::max)(0.0, squared)));
-    if (importance_.is_any_given()) [[unlikely]]
+      squared *= state_.channels().error_factor(candidate.pair, candidate.first, candidate.second);
+    candidate.error = state_.scale.length_of_mesh(std::sqrt((std::max)(0.0, squared)));
+    if (state_.importance.is_any_given()) [[unlikely]]
       weigh(candidate);
   }
 
@@ -141,21 +146,22 @@ public:
     float* const values = keys.extend(pairs.size() + 1); // two at a time
     keys.add(pairs.size());
     evaluate_alike(pairs, values, labels);
-    if (importance_.is_any_given()) [[unlikely]]
+    if (state_.importance.is_any_given()) [[unlikely]]
       weigh(pairs, values);
   }
 
   /// The key of a pair, as a float.
   float key_of(const VertexPair& p) const {
     const float key = key_alike(p);
-    return importance_.is_any_given() ? key * importance_.of_pair(p.first, p.second) : key;
+    return state_.importance.is_any_given() ? key * state_.importance.of_pair(p.first, p.second)
+                                            : key;
   }
   /// The same where all vertices are of the same importance.
   float key_alike(const VertexPair& p) const {
     const auto [a, b] = std::minmax(p.first, p.second);
     const Pair pair = view(a, b);
     const Position x = target(a, b, pair);
-    return as_key(key(pair, x, policies_.cost(pair, x)));
+    return as_key(key(pair, x, policies().cost(pair, x)));
   }
   static float as_key(double cost) {
     if constexpr (rise_of_guess<Placement> != 1)
@@ -170,7 +176,7 @@ public:
     if constexpr (is_scale_free<Cost>)
       return cost;
     else
-      return (std::min)(PowerOfTwo(2 * scale_.exponent())(cost),
+      return (std::min)(PowerOfTwo(2 * state_.scale.exponent())(cost),
                         static_cast<double>((std::numeric_limits<float>::max)()));
   }
 
@@ -180,22 +186,22 @@ public:
 private:
   QUADRILLE_NOINLINE void weigh(Candidate& candidate) const {
     const double factor =
-        static_cast<double>(importance_.of_pair(candidate.first, candidate.second));
+        static_cast<double>(state_.importance.of_pair(candidate.first, candidate.second));
     candidate.cost *= factor;
     candidate.key *= factor;
   }
   QUADRILLE_NOINLINE void weigh(const AppendBuffer<VertexPair>& pairs, float* keys) const {
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      keys[i] *= importance_.of_pair(pairs[i].first, pairs[i].second);
+      keys[i] *= state_.importance.of_pair(pairs[i].first, pairs[i].second);
   }
 
   // Of which importance they are does not count yet.
   QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
                                               VertexLabels& labels) const {
     if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type>)
-      if (is_optimal(policies_.placement)) {
+      if (is_optimal(policies().placement)) {
         TwoLanes(*this).evaluate_all(pairs, values, labels);
-        if (complex_.hubs().any())
+        if (hubs().any())
           evaluate_at_hubs(pairs, values);
         return;
       }
@@ -205,60 +211,58 @@ private:
 
   // Is it known where the pair goes, whatever it costs there? To what is fixed, or to a hub.
   bool is_settled(Index a, Index b) const {
-    return geometry_.is_fixed(a) || geometry_.is_fixed(b) || complex_.hubs().of_pair(a, b) != none;
+    return geometry().is_fixed(a) || geometry().is_fixed(b) || hubs().of_pair(a, b) != none;
   }
 
   QUADRILLE_NOINLINE void evaluate_at_hubs(const AppendBuffer<VertexPair>& pairs,
                                            float* keys) const {
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (complex_.hubs().of_pair(pairs[i].first, pairs[i].second) != none)
+      if (hubs().of_pair(pairs[i].first, pairs[i].second) != none)
         keys[i] = key_alike(pairs[i]);
   }
 
   // The pair as cost and placement see it.
   Pair view(Index a, Index b) const {
-    const Position &p = geometry_.position(a), &q = geometry_.position(b);
+    const Position &p = geometry().position(a), &q = geometry().position(b);
     Pair pair{
-        names_.of_cost(a, b), p, q, sum_about_first(memories_[a], memories_[b], q - p),
-        static_cast<double>((std::max)(geometry_.squared_reach(a), geometry_.squared_reach(b)))};
+        names_.of_cost(a, b), p, q, sum_about_first(state_.memories[a], state_.memories[b], q - p),
+        static_cast<double>((std::max)(geometry().squared_reach(a), geometry().squared_reach(b)))};
     if constexpr (has_local_terms<Cost>)
       pair.current =
-          policies_.cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
+          policies().cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
     if constexpr (counts_channels)
-      channels_.add_to(pair, a, b);
+      state_.channels().add_to(pair, a, b);
     return pair;
   }
 
   Position target(Index a, Index b, const Pair& pair) const {
-    if (geometry_.is_fixed(a) || geometry_.is_fixed(b))
-      return geometry_.is_fixed(a) ? pair.first : pair.second;
-    if (const Index hub = complex_.hubs().of_pair(a, b); hub != none)
+    if (geometry().is_fixed(a) || geometry().is_fixed(b))
+      return geometry().is_fixed(a) ? pair.first : pair.second;
+    if (const Index hub = hubs().of_pair(a, b); hub != none)
       return hub == a ? pair.first : pair.second;
     if constexpr (is_scale_free<Placement>)
-      return policies_.placement(policies_.cost, names_.for_placement(pair, a, b));
+      return policies().placement(policies().cost, names_.for_placement(pair, a, b));
     else
       return target_in_mesh_units(pair, a, b);
   }
 
   QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair, Index a, Index b) const {
-    const CostInMeshUnits<Cost> cost(policies_.cost, scale_);
-    const PairInMeshUnits<Cost> seen(pair, scale_);
-    return seen.position_from_mesh(policies_.placement(cost, names_.for_placement(seen, a, b)),
-                                   scale_);
+    const CostInMeshUnits<Cost> cost(policies().cost, state_.scale);
+    const PairInMeshUnits<Cost> seen(pair, state_.scale);
+    return seen.position_from_mesh(policies().placement(cost, names_.for_placement(seen, a, b)),
+                                   state_.scale);
   }
 
   double key(const Pair& pair, const Position& target, double cost) const {
-    return key_of_cost(cost + tie_break(policies_.cost, pair, target));
+    return key_of_cost(cost + tie_break(policies().cost, pair, target));
   }
 
-  const Policies& policies_;
-  const Scale<Cost::dimension>& scale_;
-  const TriangleComplex& complex_;
-  const Geometry& geometry_;
-  const Memories& memories_;
-  const Terms& terms_;
-  const Channels& channels_;
-  const VertexImportance& importance_;
+  const Policies& policies() const { return state_.policies; }
+  const Geometry& geometry() const { return state_.geometry; }
+  const Hubs& hubs() const { return state_.complex.hubs(); }
+
+  const State& state_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Terms terms_;
   QUADRILLE_NO_UNIQUE_ADDRESS PairNames<Policies> names_;
   double cost_of_key_;
 };

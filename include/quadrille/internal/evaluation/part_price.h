@@ -4,6 +4,7 @@
 #include <quadrille/internal/cost/vertex_importance.h>
 #include <quadrille/internal/evaluation/pair_evaluator.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/surface_state.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>
@@ -47,13 +48,13 @@ public:
     if (std::isnan(price))
       return std::numeric_limits<float>::infinity();
     const float key = PairEvaluator<Policies>::as_key(evaluator_.key_of_cost(price));
-    const VertexImportance& importance = evaluator_.importance();
+    const VertexImportance& importance = evaluator_.state().importance;
     return importance.is_any_given() ? key * importance.greatest_of(vertices) : key;
   }
 
 private:
   const Cost& cost() const { return evaluator_.cost(); }
-  const Position& position(Index v) const { return evaluator_.geometry().position(v); }
+  const Position& position(Index v) const { return evaluator_.state().geometry.position(v); }
 
   // A user's cost may give something that becomes a number.
   double cost_of(const PairOf<Cost>& pair, const Position& x) const { return cost()(pair, x); }
@@ -75,7 +76,7 @@ private:
                       {},
                       squared_distance(space(first), space(second))};
     for (Index v : vertices) {
-      typename Cost::Memory memory = evaluator_.memories()[v];
+      typename Cost::Memory memory = evaluator_.state().memories[v];
       move_origin(memory, first - position(v));
       pair.memory += memory;
     }

@@ -7,8 +7,8 @@
 #include <quadrille/internal/appearance/channels.h>
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/lanes.h>
-#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/evaluation/two_quadrics.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
 

@@ -5,9 +5,9 @@
 #include <quadrille/internal/base/lanes.h>
 #include <quadrille/internal/complex/vertex_labels.h>
 #include <quadrille/internal/cost/local_star.h>
-#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/evaluation/two_quadrics.h>
 #include <quadrille/internal/memory/append_buffer.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/built_in_placement.h>
 #include <quadrille/internal/policy/policies.h>
 #include <quadrille/placement.h>
@@ -71,7 +71,7 @@ public:
 
   /// The last pair is taken alone twice, if need be: there is room for one key more.
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
-    const auto& memories = evaluator_.memories();
+    const auto& memories = evaluator_.state().memories;
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
       const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
@@ -88,7 +88,7 @@ public:
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys,
                     VertexLabels& labels) const requires has_local_terms<Cost> {
     const auto& terms = evaluator_.terms();
-    const auto& complex = evaluator_.complex();
+    const auto& complex = evaluator_.state().complex;
     for (std::size_t i = 0, end = 0; i < pairs.size(); i = end) {
       const Index v = pairs[i].first;
       while (end < pairs.size() && pairs[end].first == v)
@@ -106,12 +106,12 @@ public:
   }
 
 private:
-  const auto& positions() const { return evaluator_.geometry().positions(); }
+  const auto& positions() const { return evaluator_.state().geometry.positions(); }
 
   // What channels add to what each pair remembers, or to what it sees.
   auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& ways) const {
     if constexpr (Evaluator::counts_channels)
-      return two_channel_forms(evaluator_.channels(), two, ways);
+      return two_channel_forms(evaluator_.state().channels(), two, ways);
     else
       return NothingAdded{};
   }
@@ -139,7 +139,7 @@ private:
   Lanes losses(const TwoPairs& two, const LaneVector& minimizers) const {
     const auto& [p, q] = two;
     const auto planes = [&](Index v) -> const auto& {
-      return evaluator_.memories()[v].planes;
+      return evaluator_.state().memories[v].planes;
     };
     const Lanes trace =
         planes(p.first).trace() + Lanes{planes(p.second).trace(), planes(q.second).trace()};
@@ -156,7 +156,7 @@ private:
   // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has
   // costed as if they were free.
   void rewrite_fixed(const AppendBuffer<VertexPair>& pairs, float* keys) const {
-    const auto& geometry = evaluator_.geometry();
+    const auto& geometry = evaluator_.state().geometry;
     if (!geometry.is_any_fixed())
       return;
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -171,7 +171,7 @@ private:
   }
   Lanes squared_reaches(const TwoPairs& two) const {
     const auto reach = [&](const VertexPair& p) {
-      const auto& geometry = evaluator_.geometry();
+      const auto& geometry = evaluator_.state().geometry;
       return static_cast<double>(
           (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second)));
     };

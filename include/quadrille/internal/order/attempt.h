@@ -3,11 +3,11 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/evaluation/candidate.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/scratch.h>
 #include <quadrille/report.h>
 
 #include <optional>
@@ -83,8 +83,7 @@ QUADRILLE_ALWAYS_INLINE inline Attempt attempt(WorkingSurface<Policies>& surface
   if (judge.is_beyond_hub(candidate))
     return Attempt::rejected(Rejection::distance);
 
-  Contraction<Cost> contraction(candidate,
-                                GatheredStar(surface.complex(), first, second, scratch));
+  Contraction<Cost> contraction(candidate, GatheredStar(surface.complex(), first, second, scratch));
   if (judge.is_too_large(contraction.star()))
     return Attempt::put_back(static_cast<float>(candidate.key));
   if constexpr (looks_at_star<Placement>) { // which settles the target

@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_DISTANCE_STOP_H
 #define QUADRILLE_INTERNAL_ORDER_DISTANCE_STOP_H
 
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/evaluation/candidate.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
 #include <quadrille/report.h>
 
 #include <limits>

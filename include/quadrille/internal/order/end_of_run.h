@@ -2,11 +2,11 @@
 #define QUADRILLE_INTERNAL_ORDER_END_OF_RUN_H
 
 #include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/recession.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/hold.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
+#include <quadrille/internal/state/recession.h>
 #include <quadrille/report.h>
 
 #include <cmath>
@@ -78,13 +78,13 @@ private:
   // Charts that are kept hold each on its own, and so do regions of labels: what is left of one
   // counts beside its neighbours.
   bool is_coarse(const Contraction& contraction) const {
-    const TargetRules<Policies>& rules = surface_.target_rules();
-    return has_kept_seams()
-               ? rules.is_coarse(contraction)
-               : !surface_.labels().empty() && rules.is_coarse(contraction, coarse_in_regions);
+    const TargetRules<Policies>& rules = surface_.run().target_rules();
+    return has_kept_seams() ? rules.is_coarse(contraction)
+                            : !surface_.state().labels().empty() &&
+                                  rules.is_coarse(contraction, coarse_in_regions);
   }
   bool has_kept_seams() const {
-    return Policies::has_channels && surface_.are_seams_kept() &&
+    return Policies::has_channels && surface_.state().appearance.seams().keeps_channels() &&
            surface_.progress().rejected(Rejection::seam) > 0;
   }
 

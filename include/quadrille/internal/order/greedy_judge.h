@@ -3,10 +3,8 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/shape_check.h>
 #include <quadrille/internal/contraction/working_surface.h>
-#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/order/attempt.h>
 #include <quadrille/internal/order/cost_stop.h>
 #include <quadrille/internal/order/distance_stop.h>
@@ -14,7 +12,9 @@
 #include <quadrille/internal/order/pair_queue.h>
 #include <quadrille/internal/order/pair_supply.h>
 #include <quadrille/internal/order/vanishing_parts.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace quadrille::internal {
 /// Are both ends of a pair free to come to the other?
 template <class Evaluator, class Contraction>
 bool may_move_to_end(const Evaluator& evaluator, const Contraction& contraction) {
-  const auto& geometry = evaluator.geometry();
+  const auto& geometry = evaluator.state().geometry;
   return contraction.star().hub == none && !geometry.is_fixed(contraction.first()) &&
          !geometry.is_fixed(contraction.second());
 }
@@ -63,7 +63,7 @@ public:
               const VanishingParts<Policies>& parts)
       : Judge<Policies>(surface), supply_(supply), parts_(parts), distance_stop_(surface),
         cost_stop_(surface), end_of_run_(surface),
-        least_spoiling_(end_of_run_.has_count() && surface.is_topology_kept()
+        least_spoiling_(end_of_run_.has_count() && surface.state().is_topology_kept
                             ? surface.shape_check().least_error()
                             : no_limit) {}
 
@@ -165,11 +165,11 @@ private:
   }
   QUADRILLE_NOINLINE std::optional<float> strained_key(const Contraction& contraction) {
     WorkingSurface<Policies>& surface = this->surface();
-    surface.measure_parts();
+    surface.state().measure_parts();
     if (!surface.shape_check().has_any())
       least_spoiling_ = no_limit;
     const double strain = surface.shape_check().strain(contraction);
-    const float key = ShapeCheck<Cost>::dearer(contraction, strain);
+    const float key = ShapeCheck<Policies>::dearer(contraction, strain);
     return strain > 1 && key > queued_cost_ ? std::optional(key) : std::nullopt;
   }
 
@@ -212,7 +212,7 @@ private:
   bool misses_target(const Contraction& contraction) {
     return supply_.deferred().is_too_dear(contraction.cost()) ||
            parts_.is_too_dear(contraction.key()) ||
-           this->surface().target_rules().overshoots(contraction, this->surface().status());
+           this->surface().run().target_rules().overshoots(contraction, this->surface().status());
   }
 
   const PairSupply<Policies>& supply_;

@@ -1,8 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_ORDER_GREEDY_LOOP_H
 #define QUADRILLE_INTERNAL_ORDER_GREEDY_LOOP_H
 
-#include <quadrille/internal/contraction/contraction.h>
-#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/attempt.h>
 #include <quadrille/internal/order/greedy_judge.h>
@@ -12,6 +10,7 @@
 #include <quadrille/internal/order/pair_updates.h>
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
 #include <quadrille/report.h>
 
 #include <cstddef>
@@ -66,7 +65,7 @@ private:
         break;
       case Outcome::stopped:
         if (!others_may_cost_less(*pair, static_cast<float>(attempt.key)))
-          return surface_.target_rules().reason_of_stop(surface_.status());
+          return surface_.run().target_rules().reason_of_stop(surface_.status());
       }
     }
     return reason_of_end();
@@ -98,7 +97,7 @@ private:
   }
 
   void let_wait(const QueuedPair& pair, Rejection cause) {
-    internal::refuse(surface_, {pair.first, pair.second}, cause);
+    surface_.run().refuse({pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
     const auto* const guard = surface_.guards().with_obstacles(cause);
@@ -128,7 +127,7 @@ private:
     judge_.cost_stop().announce_end();
     if (judge_.distance_stop().is_enough_without() || has_met_distance_ ||
         parts_.has_met_distance())
-      return surface_.target_rules().reason_of_stop(surface_.status());
+      return surface_.run().target_rules().reason_of_stop(surface_.status());
     if (has_met_destruction_ || parts_.has_met_destruction())
       return StopReason::target_unreachable;
     return supply_.waiting().empty() ? StopReason::no_pair_left : StopReason::all_pairs_rejected;

@@ -2,10 +2,10 @@
 #define QUADRILLE_INTERNAL_ORDER_HOLD_H
 
 #include <quadrille/internal/complex/edge_sides.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/attempt.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/scratch.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
@@ -70,7 +70,7 @@ private:
   bool counts_most() {
     if (!scratch_)
       scratch_.emplace(surface_.complex().vertex_capacity());
-    const auto& geometry = surface_.evaluator().geometry();
+    const auto& geometry = surface_.evaluator().state().geometry;
     const bool has_unselected = surface_.progress().has_unselected();
     std::size_t edges = 0, held = 0;
     for_each_edge(surface_.complex(), [&](Index v, Index w, const auto&) {
@@ -91,7 +91,8 @@ private:
 
   // The topology of what may vanish is no reason to.
   bool stays(Index v) const {
-    return surface_.policies().topology != Topology::parts_may_vanish || surface_.parts().stays(v);
+    return surface_.policies().topology != Topology::parts_may_vanish ||
+           surface_.state().parts.stays(v);
   }
 
   WorkingSurface<Policies>& surface_;

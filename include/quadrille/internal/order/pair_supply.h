@@ -129,9 +129,9 @@ private:
 
   // Are there large parts or regions beside others, which nothing may spoil?
   bool guards_shapes() {
-    if (!stops_at_a_count(surface_) || !surface_.is_topology_kept())
+    if (!stops_at_a_count(surface_) || !surface_.state().is_topology_kept)
       return false;
-    surface_.measure_parts();
+    surface_.state().measure_parts();
     return surface_.shape_check().has_any();
   }
 

@@ -4,13 +4,13 @@
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/memory/append_buffer.h>
 #include <quadrille/internal/order/cost_refresh.h>
 #include <quadrille/internal/order/stamped_queue.h>
 #include <quadrille/internal/order/waiting_pairs.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/contraction.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,10 +3,7 @@
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/threads.h>
-#include <quadrille/internal/contraction/cleanup.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/contraction/contraction_count.h>
-#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/order/attempt.h>
 #include <quadrille/internal/order/block_stars.h>
@@ -17,6 +14,8 @@
 #include <quadrille/internal/order/vanishing_parts.h>
 #include <quadrille/internal/policy/orders.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/cleanup.h>
+#include <quadrille/internal/state/contraction.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -35,12 +34,12 @@ class RelaxedPasses {
 public:
   RelaxedPasses(WorkingSurface<Policies>& surface, const PassSettings& settings)
       : surface_(surface), settings_(settings),
-        count_(surface.is_topology_kept(), surface.complex().backs()), cost_stop_(surface),
+        count_(surface.state().is_topology_kept, surface.complex().backs()), cost_stop_(surface),
         stars_(surface.complex().workspace()) {
     Workspace* const workspace = surface.complex().workspace(); // for one thread
-    for (Scratch& scratch : surface.scratches())
+    for (Scratch& scratch : surface.state().scratches)
       workers_.push_back(
-          {scratch, Proposals(surface.scratches().size() == 1 ? workspace : nullptr)});
+          {scratch, Proposals(surface.state().scratches.size() == 1 ? workspace : nullptr)});
   }
 
   /// Passes as long as they pay. False if the visitor said so.
@@ -127,10 +126,10 @@ private:
   template <class Task>
   void for_each_block(Task task) {
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
-      begin_block(surface_, block, workers_[worker].scratch);
+      surface_.run().begin_block(block, workers_[worker].scratch);
       task(blocks_[block], workers_[worker]);
     });
-    end_stage(surface_);
+    surface_.run().end_stage();
   }
   Threads threads() const {
     return surface_.pairs().has_others() ? Threads() : surface_.policies().threads;
@@ -223,20 +222,20 @@ private:
     for (Block& block : blocks_)
       proposals.take(block.rest);
     proposals.sort();
-    begin_block(surface_, 0, worker.scratch);
+    surface_.run().begin_block(0, worker.scratch);
     for (std::size_t i = 0; i < proposals.size() && !surface_.progress().is_enough(); ++i) {
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       contract(proposals[i], no_quota, worker.scratch);
       surface_.progress().count(worker.scratch.tally);
     }
-    end_stage(surface_);
+    surface_.run().end_stage();
   }
 
   // Has it been contracted in this pass, or lost its faces?
   bool is_over(Index v) const {
     return stars_.is_touched(v) ||
-           (!surface_.is_topology_kept() && !surface_.complex().has_faces(v));
+           (!surface_.state().is_topology_kept && !surface_.complex().has_faces(v));
   }
 
   // What passes say of an attempt: what the greedy order has to look at is left to it.
@@ -274,21 +273,21 @@ private:
                             stars_.touch(ends[1]);
                           });
     if (attempt.outcome == Outcome::rejected)
-      refuse_in_pass(surface_, ends, attempt.cause, attempt.error, scratch);
+      surface_.run().refuse_in_pass(ends, attempt.cause, attempt.error, scratch);
     else if (attempt.outcome == Outcome::deferred)
       ++scratch.tally.left;
     return attempt.outcome != Outcome::put_back;
   }
 
   bool is_left_to_greedy_order(Contraction& contraction) {
-    TargetRules<Policies>& rules = surface_.target_rules();
+    TargetRules<Policies>& rules = surface_.run().target_rules();
     return is_stop_in_pass(surface_, contraction) ||
            rules.overshoots(contraction, surface_.status()) || rules.is_coarse(contraction) ||
            surface_.shape_check().spoils_part(contraction) || cuts_off_touched(contraction);
   }
 
   bool cuts_off_touched(const Contraction& contraction) const {
-    return !surface_.is_topology_kept() &&
+    return !surface_.state().is_topology_kept &&
            any_cut_off(contraction.star(), contraction.second(),
                        [this](Index v) { return stars_.is_touched(v); });
   }

@@ -3,9 +3,6 @@
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/part_event.h>
-#include <quadrille/internal/contraction/parts.h>
-#include <quadrille/internal/contraction/refusals.h>
 #include <quadrille/internal/contraction/working_surface.h>
 #include <quadrille/internal/evaluation/part_price.h>
 #include <quadrille/internal/order/cost_stop.h>
@@ -13,6 +10,8 @@
 #include <quadrille/internal/order/distance_stop.h>
 #include <quadrille/internal/order/end_of_run.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/part_event.h>
+#include <quadrille/internal/state/parts.h>
 #include <quadrille/report.h>
 #include <quadrille/topology.h>
 
@@ -134,14 +133,14 @@ private:
   using Cost = typename Policies::Cost;
   using Entry = std::pair<float, Index>; // price and part
 
-  const Parts<Cost::dimension>& parts() const { return surface_.parts(); }
+  const Parts<Cost::dimension>& parts() const { return surface_.state().parts; }
   std::span<const Index> vertices(Index part) { return lists_.vertices(surface_.complex(), part); }
   float price(Index part) {
     const Part<Cost::dimension>& shape = parts()[part];
     const double distance = shape.isolation * shape.isolation * shape.squared_radius;
     const float price = price_(vertices(part), shape.centre, distance);
     const double strain = this->strain(shape);
-    return strain > 1 ? ShapeCheck<Cost>::dearer(static_cast<double>(price), strain) : price;
+    return strain > 1 ? ShapeCheck<Policies>::dearer(static_cast<double>(price), strain) : price;
   }
   double strain(const Part<Cost::dimension>& shape) const {
     return has_count_ ? surface_.shape_check().strain(shape) : 0;
@@ -176,7 +175,7 @@ private:
     if (!waiting_price_) {
       const std::span<const Index> vertices = this->vertices(part);
       const Loss loss{faces_of(surface_.complex(), vertices).size(), vertices.size()};
-      if (surface_.target_rules().is_passed_without(loss, surface_.status()))
+      if (surface_.run().target_rules().is_passed_without(loss, surface_.status()))
         waiting_price_ = heap_.front().first;
     }
     return waiting_price_.has_value();
@@ -191,7 +190,7 @@ private:
   }
 
   void refuse(Rejection cause) {
-    internal::refuse(surface_, {none, none}, cause);
+    surface_.run().refuse({none, none}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
   }

@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_PAIRS_PAIR_TOOLS_H
 
 #include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/memory/append_buffer.h>
+#include <quadrille/internal/pairs/candidate.h>
 
 #include <cstddef>
 

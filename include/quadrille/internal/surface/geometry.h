@@ -63,7 +63,7 @@ public:
 
   /// The vertex that a contraction has left takes its place.
   template <class Event>
-  void after(const Event& event) {
+  void contract(const Event& event) {
     positions_[event.kept] = event.contraction.target();
     const bool is_hub = event.contraction.star().hub == event.kept; // it keeps other neighbours
     float farthest = is_hub ? squared_reach_[event.kept] : 0;

@@ -88,10 +88,6 @@ public:
     else
       merged_into_[gone] = kept;
   }
-  template <class Event>
-  void after(const Event& event) {
-    merge(event.kept, event.gone);
-  }
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     internal::prefetch(&merged_into_[is_by_input_ ? vertices[v] : v]);
   }

@@ -1,10 +1,10 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_SCRATCH_H
-#define QUADRILLE_INTERNAL_CONTRACTION_SCRATCH_H
+#ifndef QUADRILLE_INTERNAL_STATE_SCRATCH_H
+#define QUADRILLE_INTERNAL_STATE_SCRATCH_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/tally.h>
 #include <quadrille/internal/pairs/pair_tools.h>
+#include <quadrille/internal/state/tally.h>
 
 #include <cstddef>
 #include <vector>
@@ -25,4 +25,4 @@ struct Scratch : PairTools {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_SCRATCH_H
+#endif // QUADRILLE_INTERNAL_STATE_SCRATCH_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_PART_EVENT_H
-#define QUADRILLE_INTERNAL_CONTRACTION_PART_EVENT_H
+#ifndef QUADRILLE_INTERNAL_STATE_PART_EVENT_H
+#define QUADRILLE_INTERNAL_STATE_PART_EVENT_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
@@ -54,4 +54,4 @@ void remove_part(TriangleComplex& complex, std::span<const Index> vertices, cons
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_PART_EVENT_H
+#endif // QUADRILLE_INTERNAL_STATE_PART_EVENT_H

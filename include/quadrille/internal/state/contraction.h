@@ -1,14 +1,14 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_H
-#define QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_H
+#ifndef QUADRILLE_INTERNAL_STATE_CONTRACTION_H
+#define QUADRILLE_INTERNAL_STATE_CONTRACTION_H
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/scratch.h>
-#include <quadrille/internal/evaluation/candidate.h>
 #include <quadrille/internal/memory/columns.h>
+#include <quadrille/internal/pairs/candidate.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/scratch.h>
 #include <quadrille/internal/surface/geometry.h>
 
 #include <tuple>
@@ -175,4 +175,4 @@ QUADRILLE_ALWAYS_INLINE inline void tell_all_after(const std::tuple<Observer&...
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_CONTRACTION_H
+#endif // QUADRILLE_INTERNAL_STATE_CONTRACTION_H

@@ -1,14 +1,14 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
-#define QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
+#ifndef QUADRILLE_INTERNAL_STATE_SETUP_H
+#define QUADRILLE_INTERNAL_STATE_SETUP_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/base/joined_vector.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/scratch.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/policy/pair_source.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/scratch.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -99,4 +99,4 @@ inline std::vector<Scratch> scratches_for(unsigned threads, const TriangleComple
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_SETUP_H
+#endif // QUADRILLE_INTERNAL_STATE_SETUP_H

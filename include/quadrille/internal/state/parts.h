@@ -1,13 +1,13 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_PARTS_H
-#define QUADRILLE_INTERNAL_CONTRACTION_PARTS_H
+#ifndef QUADRILLE_INTERNAL_STATE_PARTS_H
+#define QUADRILLE_INTERNAL_STATE_PARTS_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/topology_count.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/distance_to_rest.h>
 #include <quadrille/internal/distance/flat_pieces.h>
 #include <quadrille/internal/intersection/box_tree.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/state/distance_to_rest.h>
 #include <quadrille/internal/surface/box.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
@@ -229,4 +229,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_PARTS_H
+#endif // QUADRILLE_INTERNAL_STATE_PARTS_H

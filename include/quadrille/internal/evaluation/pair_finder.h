@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
-#define QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
+#ifndef QUADRILLE_INTERNAL_EVALUATION_PAIR_FINDER_H
+#define QUADRILLE_INTERNAL_EVALUATION_PAIR_FINDER_H
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/complex/link_condition.h>
@@ -11,6 +11,7 @@
 #include <quadrille/internal/pairs/pair_lists.h>
 #include <quadrille/internal/pairs/pair_tools.h>
 #include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/state/surface_state.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,10 +25,9 @@ namespace quadrille::internal {
 template <class Policies>
 class PairFinder {
 public:
-  PairFinder(TriangleComplex& complex, const LinkCondition& link_condition,
-             const PairEvaluator<Policies>& evaluator, bool includes_edges, PairLists listed)
-      : complex_(complex), link_condition_(link_condition), evaluator_(evaluator),
-        includes_edges_(includes_edges), listed_(std::move(listed)) {}
+  PairFinder(SurfaceState<Policies>& state, const PairEvaluator<Policies>& evaluator)
+      : complex_(state.complex), link_condition_(state.link_condition), listed_(state.listed),
+        evaluator_(evaluator), includes_edges_(state.policies.pairs.includes_edges()) {}
 
   /// Are there others than edges?
   bool has_others() const { return listed_.size() > 0; }
@@ -38,12 +38,6 @@ public:
     if (!complex_.backs().is_empty())
       faces = (std::min)(faces, 2 * vertices);
     return listed_.size() + (includes_edges_ ? 3 * faces / 2 : 0);
-  }
-
-  /// The pairs of two vertices that have become one are its pairs.
-  template <class Event>
-  void after(const Event& event) {
-    listed_.merge(event.kept, event.gone);
   }
 
   /// Calls visit(w, key) for each pair of v with another vertex.
@@ -95,7 +89,7 @@ private:
     const Index left = end - i;
     if (12 * step < left) {
       complex_.prefetch(vertex_at(i + 12 * step));
-      evaluator_.prefetch(vertex_at(i + 12 * step));
+      evaluator_.prefetch_pair(vertex_at(i + 12 * step));
     }
     if (9 * step < left)
       complex_.prefetch_corners(vertex_at(i + 9 * step));
@@ -103,7 +97,7 @@ private:
       complex_.prefetch_faces(vertex_at(i + 6 * step));
     if (3 * step < left)
       complex_.for_each_next(vertex_at(i + 3 * step), [&](Index w) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-        evaluator_.prefetch(w);
+        evaluator_.prefetch_pair(w);
       });
   }
 
@@ -111,7 +105,7 @@ private:
   QUADRILLE_ALWAYS_INLINE void prefetch_next(Index v, Index end) const {
     if (96 >= end - v)
       return;
-    evaluator_.prefetch(v + 96);
+    evaluator_.prefetch_pair(v + 96);
     complex_.prefetch_corners(v + 48);
   }
 
@@ -174,11 +168,11 @@ private:
 
   TriangleComplex& complex_;
   const LinkCondition& link_condition_;
+  PairLists& listed_; // those of the policy that are not edges
   const PairEvaluator<Policies>& evaluator_;
   bool includes_edges_;
-  PairLists listed_; // those of the policy that are not edges
 };
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_PAIRS_PAIR_FINDER_H
+#endif // QUADRILLE_INTERNAL_EVALUATION_PAIR_FINDER_H

@@ -1,7 +1,7 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_TALLY_H
-#define QUADRILLE_INTERNAL_CONTRACTION_TALLY_H
+#ifndef QUADRILLE_INTERNAL_STATE_TALLY_H
+#define QUADRILLE_INTERNAL_STATE_TALLY_H
 
-#include <quadrille/internal/contraction/part_event.h>
+#include <quadrille/internal/state/part_event.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -44,4 +44,4 @@ struct Tally {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_TALLY_H
+#endif // QUADRILLE_INTERNAL_STATE_TALLY_H

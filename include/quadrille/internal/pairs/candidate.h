@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_EVALUATION_CANDIDATE_H
-#define QUADRILLE_INTERNAL_EVALUATION_CANDIDATE_H
+#ifndef QUADRILLE_INTERNAL_PAIRS_CANDIDATE_H
+#define QUADRILLE_INTERNAL_PAIRS_CANDIDATE_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/policy/policies.h>
@@ -28,4 +28,4 @@ struct Candidate {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_EVALUATION_CANDIDATE_H
+#endif // QUADRILLE_INTERNAL_PAIRS_CANDIDATE_H

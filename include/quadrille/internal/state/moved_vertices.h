@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_MOVED_VERTICES_H
-#define QUADRILLE_INTERNAL_CONTRACTION_MOVED_VERTICES_H
+#ifndef QUADRILLE_INTERNAL_STATE_MOVED_VERTICES_H
+#define QUADRILLE_INTERNAL_STATE_MOVED_VERTICES_H
 
 #include <quadrille/internal/memory/array.h>
 #include <quadrille/internal/surface/geometry.h>
@@ -19,9 +19,9 @@ public:
 
   static auto vertex_columns(auto& self) { return std::tie(self.is_moved_); }
 
-  /// It is told before the vertex takes its place.
+  /// Before the vertex takes its place.
   template <class Event>
-  void after(const Event& event) {
+  void contract(const Event& event) {
     is_moved_[event.kept] |= event.contraction.target() != geometry_.position(event.kept);
   }
 
@@ -35,4 +35,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_MOVED_VERTICES_H
+#endif // QUADRILLE_INTERNAL_STATE_MOVED_VERTICES_H

@@ -1,10 +1,10 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
-#define QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
+#ifndef QUADRILLE_INTERNAL_STATE_CLEANUP_H
+#define QUADRILLE_INTERNAL_STATE_CLEANUP_H
 
 #include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/scratch.h>
+#include <quadrille/internal/state/scratch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -163,4 +163,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_CLEANUP_H
+#endif // QUADRILLE_INTERNAL_STATE_CLEANUP_H

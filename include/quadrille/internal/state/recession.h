@@ -1,11 +1,11 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_RECESSION_H
-#define QUADRILLE_INTERNAL_CONTRACTION_RECESSION_H
+#ifndef QUADRILLE_INTERNAL_STATE_RECESSION_H
+#define QUADRILLE_INTERNAL_STATE_RECESSION_H
 
 #include <quadrille/internal/base/compiler.h>
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/contraction/contraction.h>
 #include <quadrille/internal/distance/flat_pieces.h>
+#include <quadrille/internal/state/contraction.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
@@ -130,4 +130,4 @@ QUADRILLE_ALWAYS_INLINE inline Recession recession_of(const Contraction<Cost>& c
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_RECESSION_H
+#endif // QUADRILLE_INTERNAL_STATE_RECESSION_H

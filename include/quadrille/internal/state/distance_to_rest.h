@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_DISTANCE_TO_REST_H
-#define QUADRILLE_INTERNAL_CONTRACTION_DISTANCE_TO_REST_H
+#ifndef QUADRILLE_INTERNAL_STATE_DISTANCE_TO_REST_H
+#define QUADRILLE_INTERNAL_STATE_DISTANCE_TO_REST_H
 
 #include <quadrille/internal/complex/triangle_complex.h>
 #include <quadrille/internal/distance/flat_pieces.h>
@@ -117,4 +117,4 @@ double distance_of(const std::vector<Trace>& gone, const TriangleComplex& comple
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_DISTANCE_TO_REST_H
+#endif // QUADRILLE_INTERNAL_STATE_DISTANCE_TO_REST_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
-#define QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
+#ifndef QUADRILLE_INTERNAL_STATE_DOUBLED_FACES_H
+#define QUADRILLE_INTERNAL_STATE_DOUBLED_FACES_H
 
 #include <quadrille/internal/appearance/back_labels.h>
 #include <quadrille/internal/appearance/labels_by_face.h>
@@ -9,9 +9,9 @@
 #include <quadrille/internal/complex/backs.h>
 #include <quadrille/internal/complex/star.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/tally.h>
 #include <quadrille/internal/input/surface_input.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/state/tally.h>
 #include <quadrille/internal/surface/numbering.h>
 
 #include <algorithm>
@@ -230,4 +230,4 @@ void settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_DOUBLED_FACES_H
+#endif // QUADRILLE_INTERNAL_STATE_DOUBLED_FACES_H

@@ -1,11 +1,11 @@
-#ifndef QUADRILLE_INTERNAL_CONTRACTION_INPUT_PARTS_H
-#define QUADRILLE_INTERNAL_CONTRACTION_INPUT_PARTS_H
+#ifndef QUADRILLE_INTERNAL_STATE_INPUT_PARTS_H
+#define QUADRILLE_INTERNAL_STATE_INPUT_PARTS_H
 
 #include <quadrille/internal/base/index.h>
 #include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/contraction/distance_to_rest.h>
-#include <quadrille/internal/contraction/parts.h>
 #include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/state/distance_to_rest.h>
+#include <quadrille/internal/state/parts.h>
 #include <quadrille/internal/surface/geometry.h>
 #include <quadrille/internal/surface/numbering.h>
 #include <quadrille/internal/surface/scale.h>
@@ -81,4 +81,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CONTRACTION_INPUT_PARTS_H
+#endif // QUADRILLE_INTERNAL_STATE_INPUT_PARTS_H
