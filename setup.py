@@ -45,7 +45,7 @@ class CMakeBuild(build_ext):
                          "see doc/manual/python.md for what it needs")
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(folder / "examples/python/quadrille" / target.name, target)
+        shutil.copy(folder / "examples/products/python/quadrille" / target.name, target)
 
 
 setup(

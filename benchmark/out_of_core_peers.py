@@ -4,7 +4,7 @@ it, distances, and whether seams can be found, in a table.
 
     out_of_core_peers.py BUILD IN.ply FACES FOLDER [MEMORY]
 
-BUILD has examples/program/quadrille, benchmark/quadrille_seams and benchmark/clustered. Needs Debian's
+BUILD has examples/products/program/quadrille, benchmark/quadrille_seams and benchmark/clustered. Needs Debian's
 python3-vtk9, python3-numpy and libmeshoptimizer-dev. Rows:
 
 - Quadrille: --out-of-core with MEMORY, 500M by default, and in memory through the same files
@@ -220,7 +220,7 @@ def main():
                                    pathlib.Path(sys.argv[4]))
     memory = sys.argv[5] if len(sys.argv) > 5 else "500M"
     folder.mkdir(parents=True, exist_ok=True)
-    program = str(build / "examples/program/quadrille")
+    program = str(build / "examples/products/program/quadrille")
     common = ["--faces", target, "--cost", "memoryless", "--quiet", "--force"]
     rows = {"parts": [program, path, "OUT", *common, "--threads", "1", "--out-of-core", str(folder / "scratch"), "--memory", memory],
             "in memory": [program, path, "OUT", *common],

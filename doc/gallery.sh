@@ -38,7 +38,7 @@ mkdir -p $out
 simplified() {
   in=$1 target=$out/$2
   shift 2
-  "$built/examples/program/quadrille" "$in" "$target" --quiet "$@"
+  "$built/examples/products/program/quadrille" "$in" "$target" --quiet "$@"
 }
 
 # made WHAT ARGUMENT...: a model that is not in libcgal-demo.

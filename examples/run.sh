@@ -16,7 +16,7 @@ case $#,${1-} in
   *)           target=quadrille_program ;;
 esac
 case $target in
-  quadrille_program) program=$build/examples/program/quadrille ;;
+  quadrille_program) program=$build/examples/products/program/quadrille ;;
   *)                 program=$build/examples/$target ;;
 esac
 

@@ -173,12 +173,12 @@ tables() {
       done ;;
     program)
       for option in $(printf '%s\n' "$code" | grep -oE -e '--[a-z-]+' || true); do
-        grep -rqE -e "[\",]$option[\",]" examples/program || missing "$line" "$option"
+        grep -rqE -e "[\",]$option[\",]" examples/products/program || missing "$line" "$option"
         count=$((count + 1))
       done ;;
     Python)
       for argument in $(printf '%s\n' "$code" | grep -oE '\b[a-z_]+=' | tr -d = || true); do
-        grep -rqE "^ +$argument:" examples/python/quadrille || missing "$line" "$argument="
+        grep -rqE "^ +$argument:" examples/products/python/quadrille || missing "$line" "$argument="
         count=$((count + 1))
       done ;;
     CGAL_5.5 | CGAL_6)

@@ -10,7 +10,7 @@ if [ $# -ne 1 ] || [ ! -x "$program" ]; then
   exit 2
 fi
 case $program in /*) ;; *) program=$PWD/$program ;; esac
-parts_mk=$(cd "$(dirname "$0")/../examples/by_parts" && pwd)/parts.mk
+parts_mk=$(cd "$(dirname "$0")/../examples/products/parts" && pwd)/parts.mk
 # shellcheck source=sheet_gltf.sh
 . "$(dirname "$0")/sheet_gltf.sh"
 

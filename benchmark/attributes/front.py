@@ -2,7 +2,7 @@
 # Distance against error of colours at weights of the colours, ours and those of meshoptimizer and VTK, on ten models. Needs the Debian
 # packages python3-numpy, python3-vtk9 and nodejs, the Python module quadrille of the build, and `npm install meshoptimizer` in a
 # folder of its own:
-#   PYTHONPATH=BUILD/examples/python NODE_MODULES=... python3 benchmark/attributes/front.py MESHES OUT.csv [--ratio 0.1] [--only MODEL...] [--contenders NAME...]
+#   PYTHONPATH=BUILD/examples/products/python NODE_MODULES=... python3 benchmark/attributes/front.py MESHES OUT.csv [--ratio 0.1] [--only MODEL...] [--contenders NAME...]
 # MESHES is the folder data/meshes of libcgal-demo; seven of the models are taken from $QUADRILLE_DATA.
 import argparse
 import csv

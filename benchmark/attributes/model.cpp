@@ -2,7 +2,7 @@
 
 #include "model.h"
 
-#include "../../examples/mesh_io.h"
+#include "../../examples/products/mesh_io/mesh_io.h"
 
 #include <quadrille/distance.h>
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Draws three textured and three coloured models to 10 and 2 % of their faces, ours and those of meshoptimizer side by side, as
 # OUT-textured.png and OUT-coloured.png. Needs what assets.py and front.py need, xvfb and fonts-dejavu-core:
-#   PYTHONPATH=BUILD/examples/python NODE_MODULES=... xvfb-run -a python3 benchmark/attributes/pictures.py PROGRAM GLTFPACK MESHES FOLDER OUT
+#   PYTHONPATH=BUILD/examples/products/python NODE_MODULES=... xvfb-run -a python3 benchmark/attributes/pictures.py PROGRAM GLTFPACK MESHES FOLDER OUT
 # Nothing but meshes of Debian's libcgal-demo, which are painted, and what is made by formulas is drawn.
 import os
 import subprocess

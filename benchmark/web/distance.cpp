@@ -4,7 +4,7 @@
 // prints for each result the root mean square and the greatest distance, both ways, in 1e-4 of the
 // diagonal of the input's bounding box.
 
-#include "../../examples/mesh_io.h"
+#include "../../examples/products/mesh_io/mesh_io.h"
 
 #include <quadrille/distance.h>
 

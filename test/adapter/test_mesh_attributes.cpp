@@ -1,10 +1,10 @@
 // What the vertices, corners and faces of a mesh have on its way through `simplify`:
-// examples/mesh_attributes.h and mesh_channels.h, and costs that carry attributes,
-// examples/carrying_cost.h.
+// examples/products/mesh_io/attributes/mesh_attributes.h and mesh_channels.h, and costs that carry
+// attributes, examples/products/program/carrying_cost.h.
 
-#include "../examples/carrying_cost.h"
-#include "../examples/mesh_attributes.h"
-#include "../examples/mesh_channels.h"
+#include "../examples/products/mesh_io/attributes/mesh_attributes.h"
+#include "../examples/products/mesh_io/attributes/mesh_channels.h"
+#include "../examples/products/program/carrying_cost.h"
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/edge_length.h>

@@ -1,9 +1,9 @@
 // Bytes are a file, the first of them its format: it is refused with an exception, or read, and
 // then simplified with its colours, texture coordinates, normals and parts, written and read again.
-#include "../../examples/mesh_attributes.h"
-#include "../../examples/mesh_channels.h"
-#include "../../examples/mesh_io.h"
-#include "../../examples/mesh_io/split_seams.h"
+#include "../../examples/products/mesh_io/attributes/mesh_attributes.h"
+#include "../../examples/products/mesh_io/attributes/mesh_channels.h"
+#include "../../examples/products/mesh_io/mesh/split_seams.h"
+#include "../../examples/products/mesh_io/mesh_io.h"
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/simplify.h>

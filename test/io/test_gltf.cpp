@@ -1,9 +1,10 @@
-// glTF documents in examples/gltf.h: what goes through a simplification, how, and what is refused.
+// glTF documents in examples/products/mesh_io/gltf.h: what goes through a simplification, how, and
+// what is refused.
 
 #if __has_include(<nlohmann/json.hpp>)
 
-#include "../examples/gltf.h"
-#include "../examples/gltf/compression.h"
+#include "../examples/products/mesh_io/gltf.h"
+#include "../examples/products/mesh_io/gltf/compression.h"
 #include "folder.h"
 #include "gltf_assets.h"
 

@@ -3,7 +3,7 @@
 
 #if __has_include(<nlohmann/json.hpp>)
 
-#include "../examples/gltf.h"
+#include "../examples/products/mesh_io/gltf.h"
 #include "folder.h"
 #include "gltf_assets.h"
 

@@ -1,8 +1,9 @@
-// Scenes of several meshes in examples/gltf.h: one price over all of them, and no cracks between.
+// Scenes of several meshes in examples/products/mesh_io/gltf.h: one price over all of them, and no
+// cracks between.
 
 #if __has_include(<nlohmann/json.hpp>)
 
-#include "../examples/gltf.h"
+#include "../examples/products/mesh_io/gltf.h"
 #include "folder.h"
 #include "gltf_assets.h"
 

@@ -1,8 +1,9 @@
-// A mesh that joints move, in examples/gltf.h: what is left of it follows them in every pose.
+// A mesh that joints move, in examples/products/mesh_io/gltf.h: what is left of it follows them in
+// every pose.
 
 #if __has_include(<nlohmann/json.hpp>)
 
-#include "../examples/gltf.h"
+#include "../examples/products/mesh_io/gltf.h"
 #include "folder.h"
 #include "gltf_assets.h"
 

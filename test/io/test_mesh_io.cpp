@@ -1,13 +1,13 @@
-// Reading and writing of meshes in examples/mesh_io.h: small files, most of them broken, written
-// here into a folder of their own.
+// Reading and writing of meshes in examples/products/mesh_io/mesh_io.h: small files, most of them
+// broken, written here into a folder of their own.
 
-#include "../examples/mesh_io.h"
-#include "../examples/mesh_io/little_endian.h"
-#include "../examples/mesh_io/obj_writer.h"
-#include "../examples/mesh_io/ply_writer.h"
-#include "../examples/mesh_io/replace_file.h"
-#include "../examples/mesh_io/split_seams.h"
-#include "../examples/mesh_io/stl.h"
+#include "../examples/products/mesh_io/formats/obj_writer.h"
+#include "../examples/products/mesh_io/formats/ply_writer.h"
+#include "../examples/products/mesh_io/formats/stl.h"
+#include "../examples/products/mesh_io/little_endian.h"
+#include "../examples/products/mesh_io/mesh/split_seams.h"
+#include "../examples/products/mesh_io/mesh_io.h"
+#include "../examples/products/mesh_io/replace_file.h"
 #include "folder.h"
 
 #include <catch2/catch.hpp>

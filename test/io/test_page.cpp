@@ -1,10 +1,10 @@
 // What a page holds of a recording: every level of it, and what its vertices and corners have.
-#include "../examples/mesh_attributes.h"
-#include "../examples/mesh_channels.h"
-#include "../examples/page/attribute_recorder.h"
-#include "../examples/page/file.h"
-#include "../examples/page/level_arrays.h"
-#include "../examples/page/track.h"
+#include "../examples/products/mesh_io/attributes/mesh_attributes.h"
+#include "../examples/products/mesh_io/attributes/mesh_channels.h"
+#include "../examples/products/page/attribute_recorder.h"
+#include "../examples/products/page/file.h"
+#include "../examples/products/page/level_arrays.h"
+#include "../examples/products/page/track.h"
 #include "replay.h"
 #include "soups.h"
 

@@ -1,5 +1,5 @@
 // Polygons of files that are read by parts, against those that are read into memory.
-#include "../../examples/mesh_io/triangulate.h"
+#include "../../examples/products/mesh_io/mesh/triangulate.h"
 
 #include <quadrille/internal/file/polygon_cut.h>
 

@@ -2,7 +2,7 @@
 // variable QUADRILLE_DATA names, or from its folder `public`; without it the test is skipped.
 #include "on_all.h"
 
-#include "../examples/mesh_io.h"
+#include "../examples/products/mesh_io/mesh_io.h"
 
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>

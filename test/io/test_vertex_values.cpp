@@ -1,5 +1,5 @@
 // Named numbers of vertices on their way through a simplification.
-#include "../../examples/vertex_values.h"
+#include "../../examples/products/mesh_io/attributes/vertex_values.h"
 
 #include <catch2/catch.hpp>
 

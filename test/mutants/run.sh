@@ -74,7 +74,7 @@ passes() {
     compiled* | gltf* | mesh_attributes | page) libraries="$folder/compiled.a $libraries" ;;
   esac
   case $1 in
-    gltf* | mesh_io | public_data) sources="$folder/examples/mesh_io/*.cpp $folder/examples/gltf/compression.cpp $folder/examples/gltf/decompression.cpp" ;; # quadrille_mesh_io
+    gltf* | mesh_io | public_data) sources="$folder/examples/products/mesh_io/*.cpp $folder/examples/products/mesh_io/gltf/*.cpp" ;; # quadrille_mesh_io
     eigen) options=$(pkg-config --cflags eigen3) ;;
     any_order) options="-O1 -I$folder/test/any_order" ;;
     parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;

@@ -1,13 +1,13 @@
 // What the figures of the papers show, in numbers: see doc/figures.md.
-#include "../examples/figures/figure_1.h"
-#include "../examples/figures/figure_2.h"
-#include "../examples/figures/figure_3.h"
-#include "../examples/figures/figure_4.h"
-#include "../examples/figures/figure_5.h"
-#include "../examples/figures/figure_6.h"
-#include "../examples/figures/figure_7.h"
-#include "../examples/figures/figure_8.h"
-#include "../examples/figures/figure_9.h"
+#include "../examples/products/figures/figure_1.h"
+#include "../examples/products/figures/figure_2.h"
+#include "../examples/products/figures/figure_3.h"
+#include "../examples/products/figures/figure_4.h"
+#include "../examples/products/figures/figure_5.h"
+#include "../examples/products/figures/figure_6.h"
+#include "../examples/products/figures/figure_7.h"
+#include "../examples/products/figures/figure_8.h"
+#include "../examples/products/figures/figure_9.h"
 
 #include <catch2/catch.hpp>
 
@@ -26,7 +26,7 @@
 
 // The example, which has the same figures: compiled here, it takes nothing more.
 namespace example {
-#include "../examples/figures.cpp"
+#include "../examples/products/figures/figures.cpp"
 }
 
 using namespace figures;

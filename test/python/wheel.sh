@@ -33,7 +33,7 @@ $offline "$python" -m pip wheel --verbose --no-build-isolation --no-deps --wheel
 # All of the package is in it, and the licence.
 wheel=$(echo "$folder"/quadrille-*.whl)
 "$python" -m zipfile --list "$wheel" | awk 'NR > 1 { print $1 }' > "$folder/content"
-for file in "$folder"/source/examples/python/quadrille/*; do
+for file in "$folder"/source/examples/products/python/quadrille/*; do
   grep -qx "quadrille/${file##*/}" "$folder/content" || fail "${file##*/} is not in the wheel"
 done
 grep -q '^quadrille/_core\..*\.so$' "$folder/content" || fail "the compiled part is not in the wheel"

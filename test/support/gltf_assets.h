@@ -4,9 +4,9 @@
 /// \file
 /// Small glTF documents, made here.
 
-#include "../examples/gltf/accessor.h"
-#include "../examples/gltf/document.h"
-#include "../examples/gltf/json.h"
+#include "../examples/products/mesh_io/gltf/accessor.h"
+#include "../examples/products/mesh_io/gltf/document.h"
+#include "../examples/products/mesh_io/gltf/json.h"
 
 #include <array>
 #include <cmath>

@@ -5,10 +5,10 @@
 // SoupOptions and ChannelOptions. `without=uv,labels` leaves these out; `fixed=N` and `selected=N`
 // take every N-th. It prints a line for each channel: its name, kind and number of components.
 
-#include "../../examples/face_labels.h"
-#include "../../examples/mesh_io.h"
-#include "../../examples/web/call.h"
-#include "../../examples/web/options.h"
+#include "../../examples/products/mesh_io/attributes/face_labels.h"
+#include "../../examples/products/mesh_io/mesh_io.h"
+#include "../../examples/products/web/call.h"
+#include "../../examples/products/web/options.h"
 
 #include <quadrille/levels.h>
 #include <quadrille/stop.h>

@@ -22,7 +22,7 @@ export NODE_PATH="${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs"
 if command -v ccache >/dev/null; then
   export EM_COMPILER_WRAPPER="${EM_COMPILER_WRAPPER:-$(command -v ccache)}"
 fi
-env -u CMAKE_CXX_COMPILER_LAUNCHER emcmake cmake -S examples/web -B "$folder/package" >/dev/null
+env -u CMAKE_CXX_COMPILER_LAUNCHER emcmake cmake -S examples/products/web -B "$folder/package" >/dev/null
 cmake --build "$folder/package"
 unset EM_COMPILER_WRAPPER
 cmake -S test/web -B "$folder/native" >/dev/null

@@ -1,0 +1,84 @@
+#ifndef QUADRILLE_EXAMPLES_PROGRAM_SIMPLIFY_MESH_H
+#define QUADRILLE_EXAMPLES_PROGRAM_SIMPLIFY_MESH_H
+
+/// \file
+/// Simplifies a mesh as options say.
+
+#include "../mesh_io/attributes/mesh_attributes.h"
+#include "../mesh_io/attributes/mesh_channels.h"
+#include "../mesh_io/mesh/bounding_box.h"
+#include "../mesh_io/mesh_io.h"
+#include "options.h"
+#include "pairs_of_faces.h"
+
+#include <quadrille/compiled.h>
+#include <quadrille/report.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille_examples {
+
+/// With all that the mesh has. `image`, if there is one, becomes a list of what became of each
+/// point: an index of the result, or parameters::vanished.
+quadrille::Report simplify_mesh(IndexedMesh& mesh, const Options& options,
+                                const std::optional<quadrille::SoupRecorder>& recorder = {},
+                                std::vector<std::size_t>* image = nullptr);
+
+/// Of a mesh without values at corners and without parts, attributes of vertices: by greedy order,
+/// in a source of its own, since each number of attributes takes an engine.
+quadrille::Report simplify_attributes(const MeshAttributes& attributes, IndexedMesh& mesh,
+                                      const Options& options, const quadrille::SoupOptions& soup,
+                                      std::vector<std::size_t>* image);
+
+/// The numbers of points that have this name; at seams the one that is ahead of the others. Throws
+/// std::invalid_argument where there are none.
+std::vector<double> point_numbers(const IndexedMesh& mesh, const std::string& name,
+                                  bool (*is_ahead)(double, double));
+
+/// The options but for what depends on the soup.
+quadrille::SoupOptions soup_options(const Options& options);
+
+/// The options of a soup of these points.
+quadrille::SoupOptions soup_options(const Options& options, const auto& points,
+                                    const auto& triangles) {
+  quadrille::SoupOptions result = soup_options(options);
+  if (options.joins_pairs())
+    result.pairs_closer_than = length_of(options.pairs, diagonal(points, triangles));
+  if (options.position_noise.value > 0)
+    result.position_noise = length_of(options.position_noise, diagonal(points, triangles));
+  if (options.locks_boundaries)
+    result.fixed = boundary_points(points.size(), triangles);
+  if (!options.target.is_given() && !options.drops_parts &&
+      topology(options) != quadrille::Topology::free)
+    leave_pairs_of_faces(points.size(), triangles, result);
+  return result;
+}
+
+/// How much channels count. All do by default; else only those that the cost is asked for by name.
+ChannelChoices channel_choices(const Options& options);
+
+/// How much attributes that are further dimensions count: as AttributeQuadric has it for each kind.
+/// If one is asked for by name, the other hardly counts.
+Importance importance(const Options& options);
+
+/// A message of the library without names of C++.
+std::string in_words_of_program(std::string message);
+
+/// What is wrong with attributes that no weight makes comparable with positions is told of the
+/// file.
+quadrille::Report with_errors_of_file(const Options& options, const auto& simplify) {
+  try {
+    return simplify();
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.input + ": " + in_words_of_program(error.what()));
+  } catch (const std::length_error& error) {
+    throw std::runtime_error(options.input + ": " + in_words_of_program(error.what()));
+  }
+}
+
+} // namespace quadrille_examples
+
+#endif
