@@ -1,7 +1,10 @@
 // Guards of the user's: what they see, what they refuse, and where they may be used.
 #include "archetypes.h"
+#include "mesh_types.h"
 #include "meshes.h"
 
+#include <quadrille/attribute_quadric.h>
+#include <quadrille/channels.h>
 #include <quadrille/guard.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/record.h>
@@ -57,6 +60,17 @@ struct SameCell {
 
 constexpr double size_of_cell = 0.3;
 
+// How many vertices of the input have become part of one in another cell?
+std::size_t cells_left(const Soup& input, const Soup& result,
+                       const std::vector<std::size_t>& image) {
+  std::size_t outside = 0;
+  for (std::size_t v = 0; v < image.size(); ++v)
+    if (image[v] != parameters::vanished)
+      outside += SameCell<false>::cell(input.points[v], size_of_cell) !=
+                 SameCell<false>::cell(result.points[image[v]], size_of_cell);
+  return outside;
+}
+
 template <bool in_passes, class... Policies>
 Report check_cells(const Soup& input, const Policies&... policies) {
   Soup soup = input;
@@ -64,12 +78,7 @@ Report check_cells(const Soup& input, const Policies&... policies) {
   const Report report =
       simplify(soup.points, soup.triangles, SameCell<in_passes>{size_of_cell}, FaceCount{0},
                policies..., parameters::vertex_image_map(CGAL::make_property_map(image)));
-  const auto cell = [](const auto& p) { return SameCell<in_passes>::cell(p, size_of_cell); };
-  std::size_t outside = 0;
-  for (std::size_t v = 0; v < image.size(); ++v)
-    if (image[v] != parameters::vanished)
-      outside += cell(input.points[v]) != cell(soup.points[image[v]]);
-  CHECK(outside == 0);
+  CHECK(cells_left(input, soup, image) == 0);
   return report;
 }
 
@@ -280,4 +289,55 @@ TEST_CASE("Several guards hold together") {
   Told told;
   const Report both = check_cells<false>(input, Follower{&told});
   CHECK(told.kept_and_gone.size() == both.contractions);
+}
+
+// Of the vertices that were followed, how many have left their cells, and is where they went where
+// the result has them?
+void check_followed(const Told& told, const Soup& input, const Soup& result) {
+  const auto as_floats = [](const auto& p) {
+    return std::array{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+  };
+  std::set<std::array<float, 3>> left, followed;
+  for (const auto& p : result.points)
+    left.insert(as_floats(p));
+  std::size_t outside = 0;
+  for (const auto& [index, place] : told.places) {
+    followed.insert(as_floats(place));
+    outside += SameCell<false>::cell(input.points[index], size_of_cell) !=
+               SameCell<false>::cell(place, size_of_cell);
+  }
+  CHECK(left == followed);
+  CHECK(outside == 0);
+}
+
+TEMPLATE_TEST_CASE("A guard sees meshes by their own indices", "", test::Mesh, test::Polyhedron,
+                   test::FloatTriMesh) {
+  const Soup input = test::with_noise(test::torus(60, 30), 5, 0.01);
+  auto mesh = test::convert<TestType>(input);
+  Told told;
+  const Report report =
+      simplify(mesh, SameCell<false>{size_of_cell}, Follower{&told}, FaceCount{0});
+  CHECK(report.rejected(Rejection::shape) > 0);
+  CHECK(report.faces_after < report.faces_before / 2);
+  CHECK(told.kept_and_gone.size() == report.contractions);
+  check_followed(told, input, test::to_soup(mesh));
+}
+
+TEST_CASE("A guard holds with attributes, whatever carries them") {
+  const Soup input = test::with_noise(test::torus(60, 30), 5, 0.01);
+  std::vector<std::array<double, 3>> colors(input.points.size());
+  for (std::size_t v = 0; v < colors.size(); ++v)
+    for (std::size_t i = 0; i < 3; ++i)
+      colors[v][i] = 0.5 + 0.5 * std::sin(3 * input.points[v][i]);
+  auto of_channel = colors;
+  check_cells<false>(input, Colors{CGAL::make_property_map(of_channel)});
+  Soup soup = input;
+  std::vector<std::size_t> image(input.points.size());
+  const auto with_colors = CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors));
+  const Report report = simplify<ColorQuadric>(
+      soup.points, soup.triangles, SameCell<false>{size_of_cell}, FaceCount{0},
+      parameters::vertex_image_map(CGAL::make_property_map(image), with_colors));
+  CHECK(report.rejected(Rejection::shape) > 0);
+  CHECK(report.faces_after < report.faces_before / 2);
+  CHECK(cells_left(input, soup, image) == 0);
 }
