@@ -2,8 +2,8 @@
 //
 // The small steps that make up most of a simplification, one by one.
 
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/order/pair_queue.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/order/pair_queue.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>

@@ -72,7 +72,7 @@ END
 #   own_part COMPILER FLAG...
 own_part() {
   rm -rf "$folder/include" && cp -r include "$folder/include"
-  room=$folder/include/quadrille/internal/contraction
+  room=$folder/include/quadrille/internal/core/contraction
   cp test/own_part/merged_vertices.h "$room"
 
   # Puts a text behind another, which stands there once.
@@ -87,8 +87,8 @@ own_part() {
       }' "$room/working_surface.h" >"$folder/edited.h"
     mv "$folder/edited.h" "$room/working_surface.h"
   }
-  insert_after '#include <quadrille/internal/contraction/guard_list.h>' \
-    '\n#include <quadrille/internal/contraction/merged_vertices.h>'
+  insert_after '#include <quadrille/internal/core/contraction/guard_list.h>' \
+    '\n#include <quadrille/internal/core/contraction/merged_vertices.h>'
   insert_after '  OptionalDistances<Policies> distances_;' '\n  MergedVertices merged_{state_.complex};'
   insert_after 'std::tie(self.evaluator_,' ' self.merged_,'
 

@@ -2,7 +2,7 @@
 // every_build.sh compares them with and without vectors of the compiler's.
 #include "support/soups.h"
 
-#include <quadrille/internal/evaluation/two_quadrics.h>
+#include <quadrille/internal/core/evaluation/two_quadrics.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 

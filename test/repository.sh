@@ -4,37 +4,88 @@
 set -eu
 cd -- "$2"
 
-# The folders of include/quadrille/internal, the rooms, depend on each other in one direction only: each
-# may include from itself and from those before it in the list. No function of the library, public or
-# internal, has more than 40 lines.
+# Folders of include/quadrille/internal include in one direction only. Each module, as cmake/modules.cmake
+# lists them, includes the modules that it needs, by their internal headers or their doors, and no other;
+# in the core, each room includes itself and those before it in the list. No function of the library,
+# public or internal, has more than 40 lines, and no header more than 600.
 rooms() {
-  cd include/quadrille/internal
+  lists=$PWD/cmake/modules.cmake
+  cd include/quadrille
 
-  rooms="base memory complex surface guard distance intersection normals policy cost appearance input pairs state evaluation contraction order adapter levels call file cluster planar verify"
+  # list NAME: a list of cmake/modules.cmake
+  list() {
+    sed -n "s/^set($1 *\([^)]*\))/\1/p" "$lists"
+  }
+  modules=$(list quadrille_modules)
+  # module_of HEADER, by its path from include/quadrille
+  module_of() {
+    case $1 in
+      internal/*) set -- "${1#internal/}"; echo "${1%%/*}"; return ;;
+      compiled/*) echo compiled; return ;;
+    esac
+    for module in $modules; do
+      case " $(list "${module}_headers") " in *" $1 "*) echo "$module"; return ;; esac
+    done
+    echo core
+  }
+  wrong=0
+  for folder in internal/*; do
+    case " $modules " in
+      *" ${folder#internal/} "*) ;;
+      *) echo "the module ${folder#internal/} is not in cmake/modules.cmake"; wrong=1 ;;
+    esac
+  done
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  grep -o '^#include <quadrille/[^>]*' *.h compiled/* internal/*/*.h internal/*/*/*.h |
+    sed 's|:#include <quadrille/| |' >"$folder/includes"
+  cut -d' ' -f1 "$folder/includes" | cat - "$folder/includes" |
+    tr ' ' '\n' | sort -u | while read -r header; do echo "$header $(module_of "$header")"; done \
+    >"$folder/modules"
+  needs=$(for module in $modules; do echo "$module: $(list "${module}_needs")"; done)
+  awk -v needs="$needs" '
+    BEGIN {
+      count = split(needs, lines, "\n")
+      for (i = 1; i <= count; ++i) {
+        n = split(lines[i], words, /[: ]+/)
+        for (j = 1; j <= n; ++j)
+          may[words[1], words[j]] = 1
+      }
+    }
+    FNR == NR { module[$1] = $2; next }
+    !((module[$1], module[$2]) in may) {
+      print $1 " of " module[$1] " includes " $2 " of " module[$2]
+      wrong = 1
+    }
+    END { exit wrong }' "$folder/modules" "$folder/includes" || wrong=1
 
+  rooms="base memory complex surface guard policy cost appearance input pairs state evaluation contraction recording order adapter call"
+  cd internal/core
   for room in *; do
     case " $rooms " in
       *" $room "*) ;;
-      *) echo "the room $room is not in the list of test/repository.sh"; exit 1 ;;
+      *) echo "the room $room is not in the list of test/repository.sh"; wrong=1 ;;
     esac
   done
-
-  wrong=0
   earlier=
   for room in $rooms; do
     earlier="$earlier $room"
-    for included in $(sed -n 's|^#include <quadrille/internal/\([a-z_]*\)/.*|\1|p' "$room"/*.h | sort -u); do
+    for included in $(sed -n 's|^#include <quadrille/internal/core/\([a-z_]*\)/.*|\1|p' "$room"/*.h | sort -u); do
       case "$earlier " in
         *" $included "*) ;;
-        *) wrong=1; grep -n "<quadrille/internal/$included/" "$room"/*.h ;;
+        *) wrong=1; grep -n "<quadrille/internal/core/$included/" "$room"/*.h ;;
       esac
     done
   done
+  cd ../..
 
   # A function begins where a declaration with a parameter list ends in a brace, and ends with a brace
   # below the first letter of the declaration, which comes after one that is complete.
-  cd ..
-  for header in *.h compiled/*.h compiled/*.cpp internal/*/*.h; do
+  for header in *.h compiled/*.h compiled/*.cpp internal/*/*.h internal/*/*/*.h; do
+    if [ "$(wc -l <"$header")" -gt 600 ]; then
+      echo "$header has more than 600 lines"
+      wrong=1
+    fi
     awk '
       begin && index($0, closing) == 1 {
         if (NR - begin >= 40) {
@@ -58,7 +109,7 @@ rooms() {
 # max, which may be macros where windows.h is included: (std::min)(a, b).
 compiler_spellings() {
   ! grep -rnE 'gnu::|msvc::|__attribute__|__builtin_|__forceinline|\[\[no_unique_address' include |
-    grep -v -e '/internal/base/compiler\.h:' -e '/internal/base/lanes\.h:'
+    grep -v -e '/internal/core/base/compiler\.h:' -e '/internal/core/base/lanes\.h:'
   ! grep -rn '' include | sed 's|//.*||' | grep -E '\b(min|max) *\('
 }
 

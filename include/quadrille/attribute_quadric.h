@@ -2,7 +2,7 @@
 #define QUADRILLE_ATTRIBUTE_QUADRIC_H
 
 #include <quadrille/attribute.h>
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>
@@ -160,7 +160,7 @@ using NormalQuadric = AttributeQuadric<3, Attribute::normal>;
 } // namespace quadrille
 
 #ifdef QUADRILLE_WITH_COMPILED
-#include <quadrille/compiled/engines.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINE(extern template, ColorQuadric, false);

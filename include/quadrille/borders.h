@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_BORDERS_H
 #define QUADRILLE_BORDERS_H
 
-#include <quadrille/internal/base/function_name.h>
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/pairs/border_lines.h>
-#include <quadrille/internal/surface/thinned_line.h>
+#include <quadrille/internal/core/base/function_name.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/surface/thinned_line.h>
+#include <quadrille/internal/planar/border_lines.h>
 #include <quadrille/pairs.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_CHANNEL_OPTIONS_H
 #define QUADRILLE_CHANNEL_OPTIONS_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 
 #include <cmath>
 #include <optional>

@@ -3,16 +3,16 @@
 
 #include <quadrille/attribute.h>
 #include <quadrille/channel_options.h>
-#include <quadrille/internal/adapter/channel_map.h>
-#include <quadrille/internal/adapter/face_graph_channels.h>
-#include <quadrille/internal/adapter/soup_channels.h>
-#include <quadrille/internal/adapter/split_soup_adapter.h>
-#include <quadrille/internal/appearance/channels.h>
-#include <quadrille/internal/base/attribute_values.h>
-#include <quadrille/internal/call/carried.h>
-#include <quadrille/internal/contraction/channel_teller.h>
-#include <quadrille/internal/evaluation/two_channel_forms.h>
-#include <quadrille/internal/input/input_with_channels.h>
+#include <quadrille/internal/attributes/channel_map.h>
+#include <quadrille/internal/attributes/channel_teller.h>
+#include <quadrille/internal/attributes/channels.h>
+#include <quadrille/internal/attributes/face_graph_channels.h>
+#include <quadrille/internal/attributes/soup_channels.h>
+#include <quadrille/internal/attributes/split_soup_adapter.h>
+#include <quadrille/internal/attributes/two_channel_forms.h>
+#include <quadrille/internal/core/base/attribute_values.h>
+#include <quadrille/internal/core/call/carried.h>
+#include <quadrille/internal/core/input/input_with_channels.h>
 #include <quadrille/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -1,17 +1,17 @@
 #ifndef QUADRILLE_CLUSTER_H
 #define QUADRILLE_CLUSTER_H
 
-#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
 
-#include <quadrille/internal/base/containers.h>
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/text.h>
 #include <quadrille/internal/cluster/cell_grid.h>
 #include <quadrille/internal/cluster/cell_vertices.h>
 #include <quadrille/internal/cluster/clustered_soup.h>
 #include <quadrille/internal/cluster/clusters.h>
 #include <quadrille/internal/cluster/face_count_search.h>
+#include <quadrille/internal/core/base/containers.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/stop.h>
 #include <quadrille/vector.h>
 

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_CONCEPTS_H
 #define QUADRILLE_CONCEPTS_H
 
-#include <quadrille/internal/policy/mesh_units.h>
-#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/core/policy/mesh_units.h>
+#include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/needs.h>
 #include <quadrille/pairs.h>
 #include <quadrille/report.h>

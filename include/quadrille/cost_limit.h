@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_COST_LIMIT_H
 #define QUADRILLE_COST_LIMIT_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/needs.h>
 #include <quadrille/report.h>
 

@@ -10,8 +10,8 @@
 #ifndef QUADRILLE_DISTANCE_H
 #define QUADRILLE_DISTANCE_H
 
-#include <quadrille/internal/distance/distance_surface.h>
-#include <quadrille/internal/distance/distance_tree.h>
+#include <quadrille/internal/verify/distance_surface.h>
+#include <quadrille/internal/verify/distance_tree.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel/global_functions.h>

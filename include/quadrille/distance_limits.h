@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_DISTANCE_LIMITS_H
 #define QUADRILLE_DISTANCE_LIMITS_H
 
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/contraction/distance_check.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/guards/distance/distance_check.h>
 #include <quadrille/needs.h>
 #include <quadrille/report.h>
 

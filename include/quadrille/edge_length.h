@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_EDGE_LENGTH_H
 #define QUADRILLE_EDGE_LENGTH_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 
@@ -61,7 +61,7 @@ struct ShortestEdge {
 } // namespace quadrille
 
 #ifdef QUADRILLE_WITH_COMPILED
-#include <quadrille/compiled/engines.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINES(extern template, EdgeLength);

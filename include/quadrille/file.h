@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_FILE_H
 #define QUADRILLE_FILE_H
 
-#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
 
 #include <quadrille/file_report.h>
 #include <quadrille/internal/file/job_estimate.h>

@@ -18,9 +18,9 @@
 #include <quadrille/internal/file/surface_source.h>
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/distance_findings.h>
-#include <quadrille/internal/verify/parted_distance.h>
-#include <quadrille/internal/verify/parted_nearest.h>
-#include <quadrille/internal/verify/parted_surface.h>
+#include <quadrille/internal/file/parted_distance.h>
+#include <quadrille/internal/file/parted_nearest.h>
+#include <quadrille/internal/file/parted_surface.h>
 #include <quadrille/verdict.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_FILTERS_H
 #define QUADRILLE_FILTERS_H
 
-#include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/base/safe_length.h>
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/safe_length.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 

@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_GUARD_H
 #define QUADRILLE_GUARD_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/guard/surface_guard.h>
-#include <quadrille/internal/policy/contraction_view.h>
-#include <quadrille/internal/policy/mesh_units.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/guard/surface_guard.h>
+#include <quadrille/internal/core/policy/contraction_view.h>
+#include <quadrille/internal/core/policy/mesh_units.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_HULL_H
 #define QUADRILLE_HULL_H
 
-#include <quadrille/internal/base/half_spaces.h>
+#include <quadrille/internal/guards/hull/half_spaces.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>

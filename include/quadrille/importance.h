@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_IMPORTANCE_H
 #define QUADRILLE_IMPORTANCE_H
 
-#include <quadrille/internal/base/read_surface.h>
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/surface/box.h>
-#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/triangle_soup.h>
 #include <quadrille/vector.h>
 

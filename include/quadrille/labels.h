@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_LABELS_H
 #define QUADRILLE_LABELS_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 
 #include <cmath>
 #include <stdexcept>

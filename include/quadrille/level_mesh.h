@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_LEVEL_MESH_H
 #define QUADRILLE_LEVEL_MESH_H
 
-#include <quadrille/internal/adapter/face_linker.h>
-#include <quadrille/internal/adapter/umbrellas.h>
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/core/adapter/face_linker.h>
+#include <quadrille/internal/core/adapter/umbrellas.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/memory/array.h>
 #include <quadrille/levels.h>
 #include <quadrille/vector.h>
 

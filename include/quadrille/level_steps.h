@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_LEVEL_STEPS_H
 #define QUADRILLE_LEVEL_STEPS_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/levels/level_track.h>
 #include <quadrille/levels.h>
 

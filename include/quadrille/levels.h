@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_LEVELS_H
 #define QUADRILLE_LEVELS_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/contraction/record_list.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/recording/record_list.h>
 #include <quadrille/internal/levels/level_builder.h>
 #include <quadrille/internal/levels/level_search.h>
 #include <quadrille/internal/levels/level_track.h>

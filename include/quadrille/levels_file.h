@@ -132,8 +132,7 @@ private:
     return internal::level_info(stage.faces, stage.vertices,
                                 static_cast<std::size_t>(stage.contractions),
                                 static_cast<double>(stage.error), directory_.knows_bounds,
-                                directory_.are_bounds_both_ways,
-                                static_cast<double>(stage.bound));
+                                directory_.are_bounds_both_ways, static_cast<double>(stage.bound));
   }
 
   // The segment in which a level lies: the first that ends with one that is coarse enough.

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_MEMORYLESS_QUADRIC_H
 #define QUADRILLE_MEMORYLESS_QUADRIC_H
 
-#include <quadrille/internal/cost/local_terms.h>
+#include <quadrille/internal/core/cost/local_terms.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
@@ -169,7 +169,7 @@ private:
 } // namespace quadrille
 
 #ifdef QUADRILLE_WITH_COMPILED
-#include <quadrille/compiled/engines.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINES(extern template, MemorylessQuadric);

@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_NORMAL_DEVIATION_H
 #define QUADRILLE_NORMAL_DEVIATION_H
 
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/guard/surface_guard.h>
-#include <quadrille/internal/normals/face_cones.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/guard/surface_guard.h>
+#include <quadrille/internal/guards/normals/face_cones.h>
 #include <quadrille/report.h>
 
 #include <cstddef>

@@ -2,11 +2,11 @@
 #define QUADRILLE_PICTURES_H
 
 #include <quadrille/concepts.h>
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/read_surface.h>
-#include <quadrille/internal/pairs/pair_selection.h>
-#include <quadrille/internal/policy/pair_source.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/internal/core/pairs/pair_selection.h>
+#include <quadrille/internal/core/policy/pair_source.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/triangle_soup.h>

@@ -4,17 +4,17 @@
 // This header includes CGAL's constrained Delaunay triangulation, which is GPL: a program that
 // includes it comes under the GPL (or CGAL's commercial licence).
 
-#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
 
 #include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
-#include <quadrille/internal/adapter/label_numbers.h>
-#include <quadrille/internal/base/function_name.h>
-#include <quadrille/internal/call/carried.h>
-#include <quadrille/internal/call/map_keys.h>
-#include <quadrille/internal/call/meshes.h>
-#include <quadrille/internal/call/named_parameters.h>
-#include <quadrille/internal/call/teller.h>
+#include <quadrille/internal/core/adapter/label_numbers.h>
+#include <quadrille/internal/core/base/function_name.h>
+#include <quadrille/internal/core/call/carried.h>
+#include <quadrille/internal/core/call/map_keys.h>
+#include <quadrille/internal/core/call/meshes.h>
+#include <quadrille/internal/core/call/named_parameters.h>
+#include <quadrille/internal/core/call/teller.h>
 #include <quadrille/internal/planar/planar_remesh.h>
 #include <quadrille/labels.h>
 #include <quadrille/parameters.h>

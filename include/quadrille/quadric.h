@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_QUADRIC_H
 #define QUADRILLE_QUADRIC_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/symmetric_matrix.h>
 #include <quadrille/vector.h>

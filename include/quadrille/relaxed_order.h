@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_RELAXED_ORDER_H
 #define QUADRILLE_RELAXED_ORDER_H
 
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/order/relaxed_passes.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/order/relaxed_passes.h>
 #include <quadrille/order.h>
 
 #include <stdexcept>

@@ -146,8 +146,8 @@ struct Report {
   std::size_t contractions = 0;          ///< pairs of vertices made one
   std::size_t non_edge_contractions = 0; ///< those of them that had no face in common
 
-  std::size_t components_before = 0;     ///< parts of the input that no vertex connects
-  std::size_t components_after = 0;      ///< the same of the result
+  std::size_t components_before = 0; ///< parts of the input that no vertex connects
+  std::size_t components_after = 0;  ///< the same of the result
   /// Those that went whole: see Topology::parts_may_vanish. Where topology is free, those of which
   /// no vertex is left, nor one that any of them has become.
   std::size_t vanished_parts = 0;
@@ -165,8 +165,8 @@ struct Report {
 
   StopReason stop = StopReason::no_pair_left; ///< why it has ended
 
-  /// The largest error of any contraction, as a distance in the mesh's units; or how far a part that
-  /// vanished lies from what is left, with its radius, if that is larger.
+  /// The largest error of any contraction, as a distance in the mesh's units; or how far a part
+  /// that vanished lies from what is left, with its radius, if that is larger.
   ///
   /// For a quadric it is √(Q(x)/w): the root mean square distance from the new vertex x to the
   /// planes that it remembers, weighted as the quadric weights them (w is their sum). It is an

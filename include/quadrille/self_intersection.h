@@ -5,8 +5,8 @@
 // <quadrille/simplify.h> includes. That does not include this one, so that calls that do without
 // need not compile it.
 
-#include <quadrille/internal/guard/surface_guard.h>
-#include <quadrille/internal/intersection/face_intersections.h>
+#include <quadrille/internal/core/guard/surface_guard.h>
+#include <quadrille/internal/guards/intersection/face_intersections.h>
 #include <quadrille/report.h>
 
 #include <cstddef>

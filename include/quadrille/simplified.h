@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_SIMPLIFIED_H
 #define QUADRILLE_SIMPLIFIED_H
 
-#include <quadrille/internal/base/function_name.h>
-#include <quadrille/internal/call/maps_of_copy.h>
+#include <quadrille/internal/core/base/function_name.h>
+#include <quadrille/internal/core/call/maps_of_copy.h>
 #include <quadrille/simplify.h>
 
 #include <cstddef>

@@ -1,16 +1,16 @@
 #ifndef QUADRILLE_SIMPLIFY_H
 #define QUADRILLE_SIMPLIFY_H
 
-#include <quadrille/internal/base/compiler.h> // first, since it tells what compiler this needs
+#include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
 
 #include <quadrille/buffers.h>
-#include <quadrille/compiled/engines.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
-#include <quadrille/internal/base/threads.h>
-#include <quadrille/internal/call/arguments.h>
-#include <quadrille/internal/call/diagnostics.h>
-#include <quadrille/internal/call/meshes.h>
+#include <quadrille/internal/core/base/threads.h>
+#include <quadrille/internal/core/call/arguments.h>
+#include <quadrille/internal/core/call/diagnostics.h>
+#include <quadrille/internal/core/call/meshes.h>
 #include <quadrille/labels.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>

@@ -3,8 +3,8 @@
 
 // This header includes what <quadrille/self_intersection.h> does.
 
-#include <quadrille/internal/guard/surface_guard.h>
-#include <quadrille/internal/intersection/solid_guard.h>
+#include <quadrille/internal/core/guard/surface_guard.h>
+#include <quadrille/internal/guards/intersection/solid_guard.h>
 #include <quadrille/report.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/topology.h>

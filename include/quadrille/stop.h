@@ -2,9 +2,9 @@
 #define QUADRILLE_STOP_H
 
 #include <quadrille/cost_limit.h>
-#include <quadrille/internal/base/optional.h>
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/core/base/optional.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/needs.h>
 #include <quadrille/report.h>
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_SYMMETRIC_MATRIX_H
 #define QUADRILLE_SYMMETRIC_MATRIX_H
 
-#include <quadrille/internal/base/lanes.h>
+#include <quadrille/internal/core/base/lanes.h>
 #include <quadrille/vector.h>
 
 #include <array>

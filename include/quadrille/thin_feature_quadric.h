@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_THIN_FEATURE_QUADRIC_H
 #define QUADRILLE_THIN_FEATURE_QUADRIC_H
 
-#include <quadrille/internal/base/lanes.h>
+#include <quadrille/internal/core/base/lanes.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
@@ -103,7 +103,7 @@ struct ThinFeatureQuadric : MemorylessQuadric {
 } // namespace quadrille
 
 #ifdef QUADRILLE_WITH_COMPILED
-#include <quadrille/compiled/engines.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINES(extern template, ThinFeatureQuadric);

@@ -4,9 +4,9 @@
 // This header includes CGAL's kd-tree, which is GPL: a program that includes it comes under the GPL
 // (or CGAL's commercial licence). <quadrille/simplify.h> does not include it.
 
-#include <quadrille/internal/base/text.h>
-#include <quadrille/internal/pairs/close_points.h>
-#include <quadrille/internal/pairs/face_points.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/pairs/close_points.h>
+#include <quadrille/internal/core/pairs/face_points.h>
 #include <quadrille/pairs.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_VECTOR_H
 #define QUADRILLE_VECTOR_H
 
-#include <quadrille/internal/base/compiler.h>
-#include <quadrille/internal/base/unrolled.h>
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/unrolled.h>
 
 #include <array>
 #include <cmath>

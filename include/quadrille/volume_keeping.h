@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_VOLUME_KEEPING_H
 #define QUADRILLE_VOLUME_KEEPING_H
 
-#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/placement.h>
 #include <quadrille/report.h>
 #include <quadrille/vector.h>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_WEIGHTED_H
 #define QUADRILLE_WEIGHTED_H
 
-#include <quadrille/internal/policy/tie_break.h>
+#include <quadrille/internal/core/policy/tie_break.h>
 #include <quadrille/vector.h>
 
 #include <concepts>

@@ -4,7 +4,7 @@
 
 #include <quadrille/channels.h>
 #include <quadrille/importance.h>
-#include <quadrille/internal/cost/vertex_importance.h>
+#include <quadrille/internal/core/cost/vertex_importance.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>

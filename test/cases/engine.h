@@ -5,7 +5,7 @@
 
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/edge_length.h>
-#include <quadrille/internal/policy/built_in_placement.h>
+#include <quadrille/internal/core/policy/built_in_placement.h>
 #include <quadrille/simplify.h>
 #include <quadrille/threshold_pairs.h>
 

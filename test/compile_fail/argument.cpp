@@ -8,7 +8,7 @@ int main() {
 #else
   const int target = 10;
 #endif
-  simplify(mesh, target); // mistake
+  simplify(mesh, target);                      // mistake
   simplify(mesh, EndpointPlacement{}, target); // mistake
-  simplify(points, triangles, target); // mistake
+  simplify(points, triangles, target);         // mistake
 }

@@ -6,6 +6,7 @@
 
 int main() {
   using namespace quadrille;
-  const auto colors = mesh.add_property_map<CGAL::SM_Vertex_index, CGAL::IO::Color>("v:color").first;
+  const auto colors =
+      mesh.add_property_map<CGAL::SM_Vertex_index, CGAL::IO::Color>("v:color").first;
   simplify(mesh, CGAL::parameters::vertex_color_map(colors)); // mistake
 }

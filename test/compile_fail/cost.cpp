@@ -7,7 +7,9 @@ struct Distance {
     Memory& operator+=(const Memory&) { return *this; }
   };
 #ifdef REMEDY
-  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+  Memory face(auto&&, auto&&, auto&&) const {
+    return {};
+  }
 #endif
   double operator()(const auto& pair, const auto& x) const {
     return squared_distance(pair.first, x) + squared_distance(pair.second, x);
@@ -16,8 +18,8 @@ struct Distance {
 
 int main() {
   using namespace quadrille;
-  simplify<Distance, MidpointPlacement>(mesh); // mistake
-  simplify<Distance, MidpointPlacement>(points, triangles); // mistake
-  simplify(mesh, Distance(), MidpointPlacement()); // mistake
+  simplify<Distance, MidpointPlacement>(mesh);                  // mistake
+  simplify<Distance, MidpointPlacement>(points, triangles);     // mistake
+  simplify(mesh, Distance(), MidpointPlacement());              // mistake
   simplify(points, triangles, MidpointPlacement(), Distance()); // mistake
 }

@@ -1,8 +1,8 @@
 // Creases for a cost that knows none.
 #include "surfaces.h"
 
-#include <quadrille/memoryless_quadric.h>
 #include <boost/property_map/property_map.hpp>
+#include <quadrille/memoryless_quadric.h>
 
 template <class Key>
 using All = boost::static_property_map<bool, Key>;
@@ -10,8 +10,10 @@ using All = boost::static_property_map<bool, Key>;
 int main() {
   using namespace quadrille;
 #ifdef REMEDY
-  simplify<Quadric>(mesh, quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true)));
+  simplify<Quadric>(mesh,
+                    quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true)));
 #else
-  simplify<MemorylessQuadric>(mesh, quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true))); // mistake
+  simplify<MemorylessQuadric>(
+      mesh, quadrille::parameters::edge_is_crease_map(All<CGAL::SM_Edge_index>(true))); // mistake
 #endif
 }

@@ -3,14 +3,18 @@
 
 struct Nothing {
 #ifdef REMEDY
-  bool allows(const auto&) const { return false; }
+  bool allows(const auto&) const {
+    return false;
+  }
 #else
-  bool is_allowed(const auto&) const { return false; }
+  bool is_allowed(const auto&) const {
+    return false;
+  }
 #endif
 };
 
 int main() {
   using namespace quadrille;
   simplify(mesh, Nothing(), HighestDegree()); // mistake
-  simplify(points, triangles, Nothing()); // mistake
+  simplify(points, triangles, Nothing());     // mistake
 }

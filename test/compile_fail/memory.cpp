@@ -7,7 +7,9 @@ struct Distance {
   struct Memory {
     Memory& operator+=(const Memory&) { return *this; }
   };
-  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+  Memory face(auto&&, auto&&, auto&&) const {
+    return {};
+  }
 #endif
   double operator()(const auto& pair, const auto& x) const {
     return squared_distance(pair.first, x) + squared_distance(pair.second, x);
@@ -16,6 +18,6 @@ struct Distance {
 
 int main() {
   using namespace quadrille;
-  simplify<Distance, MidpointPlacement>(mesh); // mistake
+  simplify<Distance, MidpointPlacement>(mesh);                  // mistake
   simplify(points, triangles, MidpointPlacement(), Distance()); // mistake
 }

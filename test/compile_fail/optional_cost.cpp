@@ -1,8 +1,8 @@
 // A cost that is given or not at run time.
 #include "surfaces.h"
 
-#include <quadrille/memoryless_quadric.h>
 #include <optional>
+#include <quadrille/memoryless_quadric.h>
 
 int main() {
   using namespace quadrille;

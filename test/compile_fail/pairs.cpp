@@ -16,6 +16,6 @@ struct Neighbours {
 
 int main() {
   using namespace quadrille;
-  simplify(mesh, Neighbours()); // mistake
+  simplify(mesh, Neighbours());              // mistake
   simplify(points, triangles, Neighbours()); // mistake
 }

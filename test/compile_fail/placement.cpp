@@ -13,8 +13,8 @@ struct First {
 
 int main() {
   using namespace quadrille;
-  simplify<Quadric, First>(mesh); // mistake
-  simplify<Quadric, First>(points, triangles); // mistake
-  simplify(mesh, FaceCount{10}, First()); // mistake
+  simplify<Quadric, First>(mesh);                      // mistake
+  simplify<Quadric, First>(points, triangles);         // mistake
+  simplify(mesh, FaceCount{10}, First());              // mistake
   simplify(points, triangles, First(), FaceCount{10}); // mistake
 }

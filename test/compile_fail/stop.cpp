@@ -8,6 +8,6 @@ int main() {
 #else
   const auto stop = [] { return false; };
 #endif
-  simplify(mesh, stop); // mistake
+  simplify(mesh, stop);              // mistake
   simplify(points, triangles, stop); // mistake
 }

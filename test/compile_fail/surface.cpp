@@ -10,7 +10,7 @@ int main() {
   const auto& surface = mesh;
   const auto& corners = triangles;
 #endif
-  simplify(surface, FaceCount{10}); // mistake
+  simplify(surface, FaceCount{10});             // mistake
   simplify<Quadric, OptimalPlacement>(surface); // mistake
-  simplify(points, corners); // mistake
+  simplify(points, corners);                    // mistake
 }

@@ -8,6 +8,6 @@ int main() {
 #else
   std::vector<std::array<double, 3>> faces;
 #endif
-  simplify(points, faces); // mistake
+  simplify(points, faces);                // mistake
   simplify(points, faces, FaceCount{10}); // mistake
 }

@@ -3,10 +3,10 @@
 #include "arrays.h"
 #include "soups.h"
 
-#include <quadrille/internal/complex/link_condition.h>
-#include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/core/complex/link_condition.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
 
 #include <catch2/catch.hpp>
 

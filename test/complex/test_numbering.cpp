@@ -1,7 +1,7 @@
 // Where vertices come from, and what has become of them.
 #include "soups.h"
 
-#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/core/surface/numbering.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,10 +3,10 @@
 #include "arrays.h"
 #include "soups.h"
 
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/vertex_labels.h>
-#include <quadrille/internal/pairs/pair_lists.h>
-#include <quadrille/internal/surface/numbering.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
+#include <quadrille/internal/core/pairs/pair_lists.h>
+#include <quadrille/internal/core/surface/numbering.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "soups.h"
 
-#include <quadrille/internal/adapter/umbrellas.h>
+#include <quadrille/internal/core/adapter/umbrellas.h>
 
 #include <catch2/catch.hpp>
 

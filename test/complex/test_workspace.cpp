@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/core/memory/array.h>
 
 #include <algorithm>
 #include <cstddef>

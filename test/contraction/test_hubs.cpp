@@ -8,10 +8,10 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 
-#include <quadrille/internal/complex/link_condition.h>
-#include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/complex/vertex_labels.h>
+#include <quadrille/internal/core/complex/link_condition.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
 #include <quadrille/relaxed_order.h>
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 
 #include "soups.h"
 
-#include <quadrille/internal/evaluation/two_quadrics.h>
+#include <quadrille/internal/core/evaluation/two_quadrics.h>
 #include <quadrille/quadric_form.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include <quadrille/internal/base/safe_length.h>
+#include <quadrille/internal/core/base/safe_length.h>
 
 #include <catch2/catch.hpp>
 

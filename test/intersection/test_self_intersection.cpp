@@ -2,11 +2,11 @@
 #include "meshes.h"
 #include "soups.h"
 
-#include <quadrille/internal/intersection/box_tree.h>
-#include <quadrille/internal/intersection/face_plane.h>
-#include <quadrille/internal/intersection/face_sides.h>
-#include <quadrille/internal/intersection/flat_fan.h>
-#include <quadrille/internal/intersection/triangle_pair.h>
+#include <quadrille/internal/core/surface/box_tree.h>
+#include <quadrille/internal/guards/intersection/face_plane.h>
+#include <quadrille/internal/guards/intersection/face_sides.h>
+#include <quadrille/internal/guards/intersection/flat_fan.h>
+#include <quadrille/internal/guards/intersection/triangle_pair.h>
 #include <quadrille/internal/verify/checked_surface.h>
 #include <quadrille/internal/verify/intersecting_pairs.h>
 #include <quadrille/memoryless_quadric.h>

@@ -5,9 +5,9 @@
 #include "soups.h"
 
 #include <quadrille/edge_length.h>
-#include <quadrille/internal/complex/star.h>
-#include <quadrille/internal/normals/cones_of_star.h>
-#include <quadrille/internal/normals/normal_cone.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/guards/normals/cones_of_star.h>
+#include <quadrille/internal/guards/normals/normal_cone.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/quadric.h>

@@ -3,8 +3,8 @@
 
 #include "soups.h"
 
-#include <quadrille/internal/order/pair_queue.h>
-#include <quadrille/internal/order/waiting_pairs.h>
+#include <quadrille/internal/core/order/pair_queue.h>
+#include <quadrille/internal/core/order/waiting_pairs.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,6 @@
-// A surface has a part that is not of the library, see every_build.sh: has it followed contractions?
-#include <quadrille/internal/call/run.h>
+// A surface has a part that is not of the library, see every_build.sh: has it followed
+// contractions?
+#include <quadrille/internal/core/call/run.h>
 #include <quadrille/parameters.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>

@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_CONTRACTION_MERGED_VERTICES_H
 #define QUADRILLE_INTERNAL_CONTRACTION_MERGED_VERTICES_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/memory/packing.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/memory/packing.h>
 
 #include <tuple>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "soups.h"
 
 #include <quadrille/distance.h>
-#include <quadrille/internal/order/cost_refresh.h>
+#include <quadrille/internal/core/order/cost_refresh.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
 

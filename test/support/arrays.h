@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_TEST_ARRAYS_H
 #define QUADRILLE_TEST_ARRAYS_H
 
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/core/memory/array.h>
 
 #include <vector>
 

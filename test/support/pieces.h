@@ -3,7 +3,7 @@
 
 #include "soups.h"
 
-#include <quadrille/internal/call/piece.h>
+#include <quadrille/internal/file/piece.h>
 
 #include <algorithm>
 #include <array>

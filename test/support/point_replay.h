@@ -4,7 +4,7 @@
 #include "replay.h"
 #include "soups.h"
 
-#include <quadrille/internal/distance/distance_tree.h>
+#include <quadrille/internal/verify/distance_tree.h>
 
 #include <algorithm>
 #include <cmath>

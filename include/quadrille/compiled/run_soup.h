@@ -7,7 +7,7 @@
 #include <quadrille/compiled/soup_maps.h>
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/distance_limits.h>
-#include <quadrille/internal/policy/built_in_placement.h>
+#include <quadrille/internal/core/policy/built_in_placement.h>
 #include <quadrille/normal_deviation.h>
 #include <quadrille/parameters.h>
 #include <quadrille/placement.h>

@@ -3,12 +3,12 @@
 
 #include <quadrille/compiled.h>
 #include <quadrille/compiled/soup_channel_map.h>
-#include <quadrille/internal/adapter/soup_channels.h>
-#include <quadrille/internal/adapter/split_points.h>
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/call/carried.h>
-#include <quadrille/internal/input/input_with_channels.h>
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/attributes/soup_channels.h>
+#include <quadrille/internal/core/adapter/split_points.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/call/carried.h>
+#include <quadrille/internal/core/input/input_with_channels.h>
+#include <quadrille/internal/core/memory/array.h>
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #include <quadrille/compiled/soup_channel_map.h>
 
-#include <quadrille/internal/adapter/linear_light.h>
+#include <quadrille/internal/core/adapter/linear_light.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>

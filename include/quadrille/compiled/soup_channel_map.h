@@ -3,10 +3,10 @@
 
 #include <quadrille/channel_options.h>
 #include <quadrille/compiled.h>
-#include <quadrille/internal/appearance/channel_input.h>
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/core/appearance/channel_input.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/array.h>
 
 #include <cstddef>
 #include <span>

@@ -6,7 +6,7 @@
 
 #include "indexed_mesh.h"
 
-#include <quadrille/internal/base/wound_pieces.h>
+#include <quadrille/internal/core/base/wound_pieces.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CLUSTER_CELL_GRID_H
 #define QUADRILLE_INTERNAL_CLUSTER_CELL_GRID_H
 
-#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/core/surface/box.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_CLUSTER_CELL_VERTICES_H
 #define QUADRILLE_INTERNAL_CLUSTER_CELL_VERTICES_H
 
-#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/cluster/cell_grid.h>
 #include <quadrille/internal/cluster/clusters.h>
 #include <quadrille/internal/cluster/eigenvectors.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/vector.h>

@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_CLUSTER_CLUSTERED_SOUP_H
 #define QUADRILLE_INTERNAL_CLUSTER_CLUSTERED_SOUP_H
 
-#include <quadrille/internal/base/containers.h>
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/base/read_surface.h>
-#include <quadrille/internal/surface/box.h>
-#include <quadrille/internal/surface/scale.h>
+#include <quadrille/internal/core/base/containers.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/vector.h>
 
 #include <array>

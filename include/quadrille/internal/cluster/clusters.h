@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_CLUSTER_CLUSTERS_H
 #define QUADRILLE_INTERNAL_CLUSTER_CLUSTERS_H
 
-#include <quadrille/internal/base/index.h>
 #include <quadrille/internal/cluster/cell_grid.h>
 #include <quadrille/internal/cluster/distinct_keys.h>
+#include <quadrille/internal/core/base/index.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CLUSTER_DISTINCT_KEYS_H
 #define QUADRILLE_INTERNAL_CLUSTER_DISTINCT_KEYS_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/cluster/cell_grid.h>
 #include <quadrille/internal/cluster/clusters.h>
-#include <quadrille/internal/surface/box.h>
+#include <quadrille/internal/core/surface/box.h>
 
 #include <algorithm>
 #include <cmath>

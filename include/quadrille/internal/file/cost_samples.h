@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_COST_SAMPLES_H
 #define QUADRILLE_INTERNAL_FILE_COST_SAMPLES_H
 
-#include <quadrille/internal/base/cost_histogram.h>
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/cost_histogram.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/loaded_part.h>
 

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_FILE_TARGET_H
 #define QUADRILLE_INTERNAL_FILE_FILE_TARGET_H
 
+#include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/file/job_key.h>
-#include <quadrille/internal/policy/policies.h>
 #include <quadrille/stop.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_INPUT_SURVEY_H
 #define QUADRILLE_INTERNAL_FILE_INPUT_SURVEY_H
 
-#include <quadrille/internal/base/text.h>
+#include <quadrille/internal/core/base/text.h>
 #include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/label_table.h>
 #include <quadrille/internal/file/phase_plan.h>

@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_FILE_JOB_ESTIMATE_H
 
 #include <quadrille/file_report.h>
-#include <quadrille/internal/base/cost_histogram.h>
-#include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/core/base/cost_histogram.h>
+#include <quadrille/internal/core/surface/face_bound.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/file_target.h>
 #include <quadrille/internal/file/memory_budget.h>

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_LOADED_PART_H
 #define QUADRILLE_INTERNAL_FILE_LOADED_PART_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/surface/face_bound.h>
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/doubled_rows.h>
 #include <quadrille/internal/file/id_index.h>

@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_FILE_PART_LIMIT_H
 
 #include <quadrille/distance_limits.h>
-#include <quadrille/internal/base/optional.h>
-#include <quadrille/internal/policy/policies.h>
+#include <quadrille/internal/core/base/optional.h>
+#include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/needs.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>

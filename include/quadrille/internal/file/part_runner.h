@@ -1,6 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
 #define QUADRILLE_INTERNAL_FILE_PART_RUNNER_H
 
+#include <quadrille/internal/core/policy/guard_set.h>
 #include <quadrille/internal/file/cost_samples.h>
 #include <quadrille/internal/file/job_key.h>
 #include <quadrille/internal/file/loaded_part.h>
@@ -8,7 +9,6 @@
 #include <quadrille/internal/file/parted_job.h>
 #include <quadrille/internal/file/piece_of_part.h>
 #include <quadrille/internal/file/sample_file.h>
-#include <quadrille/internal/policy/guard_set.h>
 #include <quadrille/simplify.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PART_SCATTER_H
 #define QUADRILLE_INTERNAL_FILE_PART_SCATTER_H
 
-#include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/core/surface/face_bound.h>
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/doubled_rows.h>
 #include <quadrille/internal/file/id_set.h>

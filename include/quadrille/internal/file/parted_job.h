@@ -2,6 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_PARTED_JOB_H
 
 #include <quadrille/file_report.h>
+#include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/file/file_target.h>
 #include <quadrille/internal/file/first_parts.h>
 #include <quadrille/internal/file/job_folder.h>
@@ -12,7 +13,6 @@
 #include <quadrille/internal/file/sewing.h>
 #include <quadrille/internal/file/survivors.h>
 #include <quadrille/internal/file/true_borders.h>
-#include <quadrille/internal/surface/box.h>
 
 #include <cmath>
 #include <cstddef>

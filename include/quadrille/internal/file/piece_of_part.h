@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PIECE_OF_PART_H
 #define QUADRILLE_INTERNAL_FILE_PIECE_OF_PART_H
 
-#include <quadrille/internal/call/piece.h>
 #include <quadrille/internal/file/boundary_vertices.h>
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/loaded_part.h>
 #include <quadrille/internal/file/next_parts.h>
+#include <quadrille/internal/file/piece.h>
 #include <quadrille/internal/file/survivors.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_SAMPLE_FILE_H
 #define QUADRILLE_INTERNAL_FILE_SAMPLE_FILE_H
 
-#include <quadrille/internal/base/cost_histogram.h>
+#include <quadrille/internal/core/base/cost_histogram.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/file_checksum.h>
 

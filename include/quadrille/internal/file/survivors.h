@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_SURVIVORS_H
 #define QUADRILLE_INTERNAL_FILE_SURVIVORS_H
 
-#include <quadrille/internal/distance/face_bound.h>
+#include <quadrille/internal/core/surface/face_bound.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/file_checksum.h>
 #include <quadrille/internal/file/rows.h>

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_FILE_VERTEX_SCALARS_H
 
 #include <quadrille/channel_options.h>
-#include <quadrille/internal/adapter/piece_adapter.h>
+#include <quadrille/internal/file/piece_adapter.h>
 #include <quadrille/internal/file/ply_header.h>
 
 #include <algorithm>

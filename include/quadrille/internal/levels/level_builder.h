@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_LEVELS_LEVEL_BUILDER_H
 #define QUADRILLE_INTERNAL_LEVELS_LEVEL_BUILDER_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/contraction/record_list.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/recording/record_list.h>
+#include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/levels/level_track.h>
-#include <quadrille/internal/surface/numbering.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_LEVELS_LEVEL_TRACK_H
 #define QUADRILLE_INTERNAL_LEVELS_LEVEL_TRACK_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_LEVELS_LEVELS_FILE_WRITER_H
 #define QUADRILLE_INTERNAL_LEVELS_LEVELS_FILE_WRITER_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/levels/bytes.h>
 #include <quadrille/internal/levels/level_directory.h>
 #include <quadrille/internal/levels/segment_bytes.h>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_LEVELS_SEGMENT_BYTES_H
 #define QUADRILLE_INTERNAL_LEVELS_SEGMENT_BYTES_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/levels/bytes.h>
 #include <quadrille/internal/levels/level_track.h>
 

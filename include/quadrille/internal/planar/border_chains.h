@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_BORDER_CHAINS_H
 #define QUADRILLE_INTERNAL_PLANAR_BORDER_CHAINS_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/surface/thinned_line.h>
 #include <quadrille/internal/planar/patch_borders.h>
-#include <quadrille/internal/surface/thinned_line.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>

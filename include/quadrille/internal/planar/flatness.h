@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_FLATNESS_H
 #define QUADRILLE_INTERNAL_PLANAR_FLATNESS_H
 
-#include <quadrille/internal/appearance/channel_input.h>
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/appearance/channel_input.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/planar/surface_sides.h>
 #include <quadrille/vector.h>
 

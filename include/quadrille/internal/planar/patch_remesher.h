@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_PATCH_REMESHER_H
 #define QUADRILLE_INTERNAL_PLANAR_PATCH_REMESHER_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/planar/patch_borders.h>
 #include <quadrille/internal/planar/patch_growth.h>
 #include <quadrille/internal/planar/patch_triangulation.h>

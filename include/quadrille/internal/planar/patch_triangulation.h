@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H
 #define QUADRILLE_INTERNAL_PLANAR_PATCH_TRIANGULATION_H
 
-#include <quadrille/internal/base/index.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/planar/patch_borders.h>
 #include <quadrille/internal/planar/surface_sides.h>
 #include <quadrille/vector.h>

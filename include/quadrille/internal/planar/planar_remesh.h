@@ -1,9 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_PLANAR_REMESH_H
 #define QUADRILLE_INTERNAL_PLANAR_PLANAR_REMESH_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/base/points.h>
-#include <quadrille/internal/input/input_with_channels.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/input/input_with_channels.h>
+#include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/internal/planar/border_chains.h>
 #include <quadrille/internal/planar/flatness.h>
 #include <quadrille/internal/planar/patch_borders.h>
@@ -11,8 +13,6 @@
 #include <quadrille/internal/planar/patch_remesher.h>
 #include <quadrille/internal/planar/remeshed_surface.h>
 #include <quadrille/internal/planar/surface_sides.h>
-#include <quadrille/internal/surface/box.h>
-#include <quadrille/internal/surface/scale.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>

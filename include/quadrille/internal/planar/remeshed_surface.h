@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_REMESHED_SURFACE_H
 #define QUADRILLE_INTERNAL_PLANAR_REMESHED_SURFACE_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/input/input_with_channels.h>
-#include <quadrille/internal/memory/array.h>
-#include <quadrille/internal/memory/packing.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/input/input_with_channels.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/memory/packing.h>
 #include <quadrille/vector.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_PLANAR_SURFACE_SIDES_H
 #define QUADRILLE_INTERNAL_PLANAR_SURFACE_SIDES_H
 
-#include <quadrille/internal/base/index.h>
-#include <quadrille/internal/complex/triangle_complex.h>
-#include <quadrille/internal/memory/array.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/array.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_VERIFY_ALLOWED_FACES_H
 #define QUADRILLE_INTERNAL_VERIFY_ALLOWED_FACES_H
 
-#include <quadrille/internal/distance/distance_surface.h>
-#include <quadrille/internal/distance/distance_tree.h>
 #include <quadrille/internal/verify/check_progress.h>
+#include <quadrille/internal/verify/distance_surface.h>
+#include <quadrille/internal/verify/distance_tree.h>
 
 #include <algorithm>
 #include <array>

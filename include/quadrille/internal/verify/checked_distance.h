@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_VERIFY_CHECKED_DISTANCE_H
 #define QUADRILLE_INTERNAL_VERIFY_CHECKED_DISTANCE_H
 
-#include <quadrille/internal/distance/distance_surface.h>
 #include <quadrille/internal/verify/allowed_faces.h>
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/checked_surface.h>
+#include <quadrille/internal/verify/distance_surface.h>
 #include <quadrille/internal/verify/greatest_excess.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_VERIFY_CHECKED_SURFACE_H
 #define QUADRILLE_INTERNAL_VERIFY_CHECKED_SURFACE_H
 
-#include <quadrille/internal/base/read_surface.h>
+#include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/triangle_soup.h>
 #include <quadrille/vector.h>
 

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_BASE_PARALLEL_H
 #define QUADRILLE_INTERNAL_BASE_PARALLEL_H
 
-#include <quadrille/internal/base/threads.h>
+#include <quadrille/internal/core/base/threads.h>
 
 #include <cstddef>
 

@@ -1,0 +1,298 @@
+#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_H
+#define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_H
+
+#include <quadrille/internal/attributes/affine_maps.h>
+#include <quadrille/internal/attributes/channel_reader.h>
+#include <quadrille/internal/attributes/channel_weights.h>
+#include <quadrille/internal/attributes/contracted_pair.h>
+#include <quadrille/internal/attributes/wedge_normals.h>
+#include <quadrille/internal/attributes/wedge_records.h>
+#include <quadrille/internal/attributes/wedge_table.h>
+#include <quadrille/internal/core/appearance/channel_input.h>
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/prefetch.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/memory/packing.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
+/// to it, ChannelContraction tells.
+class Channel {
+public:
+  /// Where pairs may be no edges, wedges of different values may come together anywhere, unless
+  /// each vertex has one.
+  template <class Numbering>
+  Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
+          ChannelWeights weights, bool are_pairs_edges)
+      : seams_(input.seams), new_values_(input.new_values), is_texture_(input.is_texture()),
+        border_weight_(input.border_weight),
+        are_pairs_edges_(are_pairs_edges || has_one_a_vertex(input)),
+        factors_(std::move(weights.factors)), as_written_(input.as_written),
+        table_(complex.workspace()), joiner_(std::move(weights.squared)),
+        records_(input.components, complex.workspace()) {
+    const ChannelReader reader(input, numbering, complex);
+    if (has_one_a_vertex(input))
+      reader.read_vertices(records_);
+    else
+      reader.read_wedges(table_, records_, are_pairs_edges_);
+  }
+
+  bool is_texture() const { return is_texture_; }
+  bool are_seams_kept() const { return seams_ == Seams::kept; }
+  bool are_seams_held() const { return seams_ == Seams::held; }
+  bool has_seams() const { return table_.has_seams(); }
+  std::size_t components() const { return records_.components(); }
+
+  Index wedge(const TriangleComplex& complex, Index face, Index vertex) const {
+    return table_.at(complex, face, vertex);
+  }
+  bool has_one_wedge(Index vertex) const { return table_.has_one(vertex); }
+  double value(Index wedge, std::size_t c) const { return records_.value(wedge, c); }
+  /// See WedgeRecords.
+  Index origin(Index wedge) const { return records_.origin(wedge); }
+  std::size_t wedge_count(std::size_t vertices) const { return table_.size(vertices); }
+  /// Appends the components of a wedge as they would be written. False if they would not be.
+  bool append_final_values(Index wedge, std::vector<double>& values) const {
+    const std::size_t begin = values.size();
+    for (std::size_t c = 0; c < components(); ++c)
+      values.push_back(records_.final_value(wedge, c));
+    const bool is_new = records_.origin(wedge) == none;
+    return as_written_(std::span(values).subspan(begin), is_new);
+  }
+
+  Vector<2> texture_at(const TriangleComplex& complex, Index face, Index vertex) const {
+    return records_.texture_at(wedge(complex, face, vertex));
+  }
+
+  /// Is the channel discontinuous between two faces at both ends of an edge?
+  bool has_seam(const TriangleComplex& complex, Index face, Index other, Index v, Index w) const {
+    return table_.has_seams() && wedge(complex, face, v) != wedge(complex, other, v) &&
+           wedge(complex, face, w) != wedge(complex, other, w);
+  }
+  /// Does the texture of two faces at the edge vw lie on one side of it, so that it is folded?
+  bool has_fold(const TriangleComplex& complex, Index face, Index other, Index v, Index w) const {
+    if (!is_texture_)
+      return false;
+    const auto side = [&](Index f) { // to the left of the way from v to w, if positive
+      const auto& [p, q, r] = complex.vertices(f);
+      const double area = doubled_area(records_.texture_at(table_.at(f, 0, p)),
+                                       records_.texture_at(table_.at(f, 1, q)),
+                                       records_.texture_at(table_.at(f, 2, r)));
+      return (p == v && q == w) || (q == v && r == w) || (r == v && p == w) ? area : -area;
+    };
+    const double one = side(face), two = side(other);
+    return (one > 0 && two > 0) || (one < 0 && two < 0);
+  }
+
+  /// Maps of the attributes as they are now. What the faces of a wedge disagree about goes to its
+  /// vertex: add(v, matrix). `labels`: of each face; or empty. An area counts weight(area).
+  template <class Positions, class Weight, class Add>
+  void remember(const Positions& positions, const TriangleComplex& complex,
+                const Array<Index>& labels, Weight weight_of_area, Add add) {
+    records_.forget_faces();
+    if (components() == 0)
+      return;
+    std::vector<Vector<3>> gradients(components());
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      if (complex.is_removed(face))
+        continue;
+      const double weight =
+          find_gradients(positions, complex, face, factor(labels, face), weight_of_area, gradients);
+      if (!(weight > 0))
+        continue;
+      const auto& vertices = complex.vertices(face);
+      for (std::size_t i = 0; i < 3; ++i)
+        add(vertices[i], records_.join_face(table_.at(face, i, vertices[i]), weight, gradients,
+                                            joiner_.squared_weights()));
+    }
+  }
+
+  /// Does a chart end between two faces at the edge vw, or is it folded there?
+  bool ends_between(const TriangleComplex& complex, Index face, Index other, Index v,
+                    Index w) const {
+    return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
+  }
+  /// Must charts hold their borders, and no face turn over in the texture?
+  bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_held()); }
+  double border_weight() const { return border_weight_.value_or(0); } ///< see ChannelOptions
+  bool is_border_weight_given() const { return border_weight_.has_value(); }
+  /// Of held seams, by which part of the edges they are: where they are few, holding them firmly
+  /// takes little of the shape; where they are many, there is little else to give.
+  void choose_border_weight(double part) {
+    border_weight_ = std::clamp(0.0036 / (part * part), 0.1, 1.0);
+  }
+  /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
+  /// along the edge and not off it. What that leaves at v goes to `form`.
+  void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,
+                   Index w, double area, QuadricForm<3>& form) {
+    records_.hold_borders();
+    const Index at_v = wedge(complex, face, v);
+    const Vector<2> p = records_.texture_at(at_v), q = texture_at(complex, face, w);
+    const Vector<2> along = q - p;
+    const double squared = squared_length(along);
+    if (!(squared > 0))
+      return;
+    const double factor = this->factor(labels, face) * border_weight() * area *
+                          joiner_.squared_weights()[0] / squared;
+    WedgeMap edge;
+    edge.border = {factor * along[1] * along[1], -factor * along[0] * along[1],
+                   factor * along[0] * along[0]};
+    edge.maps = {AffineMap{{}, p[0]}, AffineMap{{}, p[1]}};
+    WedgeMap chart = records_.map(at_v);
+    joiner_.join(chart, edge, {}, form);
+    records_.write(at_v, chart);
+  }
+
+  /// Does the contraction of a pair only join the one wedge of each of its ends, freely?
+  QUADRILLE_ALWAYS_INLINE bool joins_two(const ContractedPair& pair) const {
+    return joins_two(pair.first, pair.second) && !pair.is_first_fixed && !pair.is_second_fixed;
+  }
+  /// The same if neither end is fixed.
+  QUADRILLE_ALWAYS_INLINE bool joins_two(Index first, Index second) const {
+    return are_pairs_edges_ && table_.has_one(first) && table_.has_one(second) &&
+           !records_.holds_border(first) && !records_.holds_border(second);
+  }
+
+  /// Adds what the wedges of two ends disagree about, about the first end.
+  QUADRILLE_ALWAYS_INLINE void add_difference(Index first, Index second, const Vector<3>& to_second,
+                                              QuadricForm<3>& form) const {
+    joiner_.add_difference(records_.weight(first), records_.maps(first), records_.weight(second),
+                           records_.maps(second), -1.0 * to_second, form);
+  }
+  /// The texture coordinates of the joined wedge at a target, given from the first end.
+  Vector<2> joined_texture(const ContractedPair& pair, const Vector<3>& target) const {
+    const auto at = [&](std::size_t c) {
+      return records_.joined(pair.first, pair.second, pair.to_second, c).at(target);
+    };
+    return {at(0), at(1)};
+  }
+  /// Carries the contraction of a pair out that joins two wedges: see joins_two().
+  void apply_join(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
+                  Index kept, const Vector<3>& target) {
+    records_.join(pair.first, pair.second, pair.to_second, target, kept, joiner_.squared_weights());
+    if (table_.has_seams())
+      rename_corners(complex, star, pair, [kept](Index) { return kept; });
+  }
+
+  /// Carries a contraction out: the first of some wedges, those of both ends, get the maps and
+  /// origins of changes, and a corner of the star gets the wedge renamed(old wedge).
+  template <class Changes, class Rename>
+  void apply(const TriangleComplex& complex, const PairStar& star, const ContractedPair& pair,
+             WedgeList wedges, const Changes& changes, Rename renamed) {
+    for (std::size_t k = 0; k < changes.size(); ++k)
+      records_.write(wedges[k], changes[k].map, changes[k].origin);
+    if (!table_.has_seams())
+      return;
+    rename_corners(complex, star, pair, renamed);
+    wedges.resize(changes.size());
+    table_.chain(wedges);
+  }
+
+  /// Gives the wedges the values of a result, where these are not those of least cost.
+  template <class Positions>
+  void settle(const Positions& positions, const TriangleComplex& complex) {
+    if (new_values_ == NewValues::existing)
+      records_.restore_existing();
+    if (new_values_ == NewValues::recomputed)
+      records_.set_normals(
+          wedge_normals(table_, wedge_count(complex.vertex_capacity()), positions, complex));
+  }
+
+  /// Leaves out all vertices but those of an ascending list, and the faces for which is_left does
+  /// not hold.
+  template <class IsLeft>
+  void pack(const Array<Index>& vertices, IsLeft is_left) {
+    records_.pack(table_.pack(vertices, is_left));
+  }
+
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index vertex) const {
+    records_.prefetch(vertex);
+    table_.prefetch(vertex);
+  }
+
+  const WedgeTable& table() const { return table_; }
+  const MapJoiner& joiner() const { return joiner_; }
+  const WedgeRecords& records() const { return records_; }
+  WedgeRecords& records() { return records_; }
+  bool are_pairs_edges() const { return are_pairs_edges_; }
+
+private:
+  static bool has_one_a_vertex(const ChannelInput& input) {
+    return input.corners.empty() || input.seams == Seams::free;
+  }
+  // How much more a face weighs than others, for its label.
+  double factor(const Array<Index>& labels, Index face) const {
+    return factors_.empty() || labels.empty() ? 1 : factors_[labels[face]];
+  }
+
+  // A texture changes by a length for each length nearly everywhere; others change by much more at
+  // what is sharp in them, and are to count there.
+  double steepness_part() const { return is_texture_ ? 1 : 1.0 / 16; }
+  // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
+  // change by more than a length (of others than textures, four) for each length, so that slivers
+  // do not count without bound.
+  template <class Positions, class Weight>
+  double find_gradients(const Positions& positions, const TriangleComplex& complex, Index face,
+                        double factor, Weight weight_of_area,
+                        std::vector<Vector<3>>& gradients) const {
+    const auto& v = complex.vertices(face);
+    const Vector<3> to_second = positions[v[1]] - positions[v[0]];
+    const Vector<3> to_third = positions[v[2]] - positions[v[0]];
+    const Vector<3> normal = cross(to_second, to_third);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return 0;
+    const Vector<3> first_way = (1 / squared) * cross(to_third, normal);
+    const Vector<3> second_way = (1 / squared) * cross(normal, to_second);
+    const std::array<Index, 3> w{table_.at(face, 0, v[0]), table_.at(face, 1, v[1]),
+                                 table_.at(face, 2, v[2])};
+    double steepness = 0;
+    for (std::size_t c = 0; c < components(); ++c) {
+      gradients[c] = (value(w[1], c) - value(w[0], c)) * first_way +
+                     (value(w[2], c) - value(w[0], c)) * second_way;
+      steepness += joiner_.squared_weights()[c] * squared_length(gradients[c]);
+    }
+    return factor * weight_of_area(0.5 * std::sqrt(squared)) /
+           (1 + steepness_part() * factor * steepness / static_cast<double>(components()));
+  }
+
+  template <class Rename>
+  void rename_corners(const TriangleComplex& complex, const PairStar& star,
+                      const ContractedPair& pair, Rename renamed) {
+    for (const StarFace& f : star.first)
+      table_.rename_corner(complex, f.face, pair.first, renamed);
+    for (const StarFace& f : star.second)
+      table_.rename_corner(complex, f.face, pair.second, renamed);
+  }
+
+  Seams seams_;
+  NewValues new_values_;
+  bool is_texture_;
+  std::optional<double> border_weight_;
+  bool are_pairs_edges_;                                    // or may be taken as such
+  std::vector<double> factors_;                             // of each label; or none
+  std::function<bool(std::span<double>, bool)> as_written_; // see ChannelInput
+  WedgeTable table_;
+  MapJoiner joiner_;
+  WedgeRecords records_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_H

@@ -1,0 +1,141 @@
+#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_TELLER_H
+#define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_TELLER_H
+
+#include <quadrille/internal/attributes/channel.h>
+#include <quadrille/internal/attributes/channels.h>
+#include <quadrille/internal/attributes/told_channels.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/contraction/recording.h>
+#include <quadrille/internal/core/recording/corners_by_input_face.h>
+#include <quadrille/internal/core/recording/record_buffer.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/recorded.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Tells a recorder what becomes of the channels of a surface.
+template <class Policies>
+class ChannelTeller {
+public:
+  explicit ChannelTeller(const RecordingNeeds<Policies>& needs)
+      : complex_(needs.state.complex), numbering_(needs.state.numbering),
+        channels_(needs.state.appearance.channels()) {}
+
+  /// Returns how many numbers of a vertex are values of channels.
+  std::size_t begin() {
+    told_ = told_channels(channels_.all(), channels_.back_channels(), complex_.vertex_capacity());
+    std::size_t width = 0;
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      width += told_[c].has_wedges ? 0 : channels_.all()[c].components();
+    return width;
+  }
+  /// The channels as a recorder is told of them at the beginning.
+  std::vector<RecordedChannel> recorded() {
+    std::vector<RecordedChannel> recorded;
+    for (const ToldChannel& told : told_)
+      if (!told.is_of_backs)
+        recorded.push_back(read(told));
+    return recorded;
+  }
+  /// The numbers of a vertex that are values of channels.
+  void append_values_of(Index v, std::vector<double>& values) {
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      if (!told_[c].has_wedges)
+        channels_.all()[c].append_final_values(v, values);
+  }
+
+  /// The wedges of the pair that meets, before they do.
+  template <class Contraction>
+  void before(const Contraction& contraction, RecordBuffer& buffer) {
+    std::vector<RecordBuffer::Corner>& corners = buffer.corners;
+    corners.clear();
+    const auto channels = channels_.all();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      if (!told_[c].has_wedges)
+        continue;
+      const auto note = [&](Index face, Index end) {
+        Channel& channel = channels[c];
+        if (told_[c].is_of_backs && !complex_.backs().has(face))
+          return;
+        corners.push_back(
+            {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
+      };
+      for (const StarFace& f : contraction.star().first)
+        note(f.face, contraction.first());
+      for (const StarFace& f : contraction.star().second)
+        note(f.face, contraction.second());
+    }
+  }
+
+  /// Of the wedges that met, those of one wedge now: the lowest identity is left.
+  void after(Index kept, RecordBuffer& buffer) {
+    buffer.wedges.clear();
+    buffer.joined.clear();
+    buffer.wedge_values.clear();
+    std::vector<std::pair<Index, Index>> renamed; // the wedge now, and an identity that it had
+    const auto& corners = buffer.corners;
+    for (auto begin = corners.begin(); begin != corners.end();) {
+      const std::size_t c = begin->channel;
+      Channel& channel = channels_.all()[c];
+      renamed.clear();
+      for (; begin != corners.end() && begin->channel == c; ++begin)
+        renamed.emplace_back(channel.wedge(complex_, begin->face, kept), begin->identity);
+      std::sort(renamed.begin(), renamed.end());
+      renamed.erase(std::unique(renamed.begin(), renamed.end()), renamed.end());
+      for (std::size_t i = 0; i < renamed.size(); ++i) {
+        const auto [wedge, identity] = renamed[i];
+        if (i > 0 && renamed[i - 1].first == wedge) {
+          buffer.joined.push_back(told_[c].first_wedge + identity);
+          buffer.wedges.back().joined_end = buffer.joined.size();
+          continue;
+        }
+        channel.records().identity(wedge) = identity;
+        const std::size_t values_begin = buffer.wedge_values.size();
+        if (!channel.append_final_values(wedge, buffer.wedge_values))
+          buffer.wedge_values.resize(values_begin);
+        buffer.wedges.push_back({told_[c].number, told_[c].first_wedge + identity,
+                                 buffer.joined.size(), buffer.wedge_values.size()});
+      }
+    }
+    buffer.view_wedges();
+  }
+
+private:
+  RecordedChannel read(const ToldChannel& told) {
+    Channel& fronts = channels_.all()[told.number];
+    RecordedChannel recorded{fronts.components(), {}, {}};
+    if (!told.has_wedges)
+      return recorded;
+    recorded.corners = corners_by_input_face(
+        complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
+          const std::size_t c = is_back ? told.of_backs : told.number;
+          return told_[c].first_wedge +
+                 channels_.all()[c].wedge(complex_, face, complex_.vertices(face)[i]);
+        });
+    append_values(fronts, recorded.values);
+    if (told.of_backs != told.number)
+      append_values(channels_.all()[told.of_backs], recorded.values);
+    return recorded;
+  }
+  void append_values(Channel& channel, std::vector<double>& values) const {
+    channel.records().identify();
+    for (Index wedge = 0; wedge < channel.wedge_count(complex_.vertex_capacity()); ++wedge)
+      channel.append_final_values(wedge, values);
+  }
+
+  const TriangleComplex& complex_;
+  const Numbering& numbering_;
+  ChannelsOf<Policies>& channels_;
+  std::vector<ToldChannel> told_; // of each channel
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_TELLER_H

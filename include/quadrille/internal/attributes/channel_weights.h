@@ -1,0 +1,161 @@
+#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_WEIGHTS_H
+#define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_WEIGHTS_H
+
+#include <quadrille/internal/attributes/even_weight.h>
+#include <quadrille/internal/core/appearance/channel_input.h>
+#include <quadrille/internal/core/base/text.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How a channel counts. The squares of the lengths, in the engine's unit, that a step of 1 in each
+/// component counts as; and how much more than these the faces of each label, or none.
+struct ChannelWeights {
+  std::vector<double> squared, factors;
+};
+
+/// How a channel lies on a surface: areas, and the range of its values at faces.
+class ChannelExtent {
+public:
+  template <class Numbering, class Positions>
+  ChannelExtent(const ChannelInput& channel, const Numbering& numbering,
+                const TriangleComplex& complex, const Positions& positions,
+                const Array<Index>& labels)
+      : low_(channel.components, (std::numeric_limits<double>::max)()),
+        high_(channel.components, std::numeric_limits<double>::lowest()) {
+    Array<unsigned char> is_used(channel.size(), 0, complex.workspace());
+    for (Index face = 0; face < complex.face_capacity(); ++face) {
+      if (complex.is_removed(face))
+        continue;
+      const auto& v = complex.vertices(face);
+      std::array<Index, 3> values;
+      for (std::size_t i = 0; i < 3; ++i) {
+        values[i] = channel.value_at(numbering.faces[face], i, numbering.vertices[v[i]]);
+        is_used[values[i]] = 1;
+      }
+      if (!channel.is_texture())
+        continue;
+      const std::size_t label = labels.empty() ? 0 : labels[face];
+      areas_.resize((std::max)(areas_.size(), label + 1));
+      areas_[label].surface += std::sqrt(squared_length(
+          normal_vector(space(positions[v[0]]), space(positions[v[1]]), space(positions[v[2]]))));
+      areas_[label].texture += texture_area(channel, values);
+    }
+    for (Index value = 0; value < is_used.size(); ++value)
+      if (is_used[value])
+        add_value(channel, value);
+  }
+
+  /// Area of the surface / area of the texture; 0 if either is 0.
+  double squared_length_of_texture() const {
+    Areas sum;
+    for (const Areas& areas : areas_)
+      sum = {sum.surface + areas.surface, sum.texture + areas.texture};
+    return sum.ratio();
+  }
+  /// By how much that differs where a label is; 1 where it can't be told.
+  std::vector<double> factors_by_label() const {
+    const double all = squared_length_of_texture();
+    std::vector<double> factors;
+    for (const Areas& areas : areas_)
+      factors.push_back(all > 0 && areas.ratio() > 0 ? areas.ratio() / all : 1);
+    return factors;
+  }
+  /// The largest of the components.
+  double range() const {
+    double range = 0;
+    for (std::size_t c = 0; c < low_.size(); ++c)
+      range = (std::max)(range, high_[c] - low_[c]);
+    return range;
+  }
+
+private:
+  void add_value(const ChannelInput& channel, Index value) {
+    for (std::size_t c = 0; c < channel.components; ++c) {
+      low_[c] = (std::min)(low_[c], channel.value(value, c));
+      high_[c] = (std::max)(high_[c], channel.value(value, c));
+    }
+  }
+  static double texture_area(const ChannelInput& channel, const std::array<Index, 3>& values) {
+    const auto difference = [&](std::size_t i, std::size_t c) {
+      return channel.value(values[i], c) - channel.value(values[0], c);
+    };
+    return std::abs(difference(1, 0) * difference(2, 1) - difference(1, 1) * difference(2, 0));
+  }
+
+  struct Areas {
+    double surface = 0, texture = 0; // twice
+    double ratio() const { return surface > 0 && texture > 0 ? surface / texture : 0; }
+  };
+
+  std::vector<double> low_, high_;
+  std::vector<Areas> areas_; // of each label
+};
+
+/// The length that a step of 1 in a channel that is no texture counts as by default. `diagonal` and
+/// `range` are above 0. Normals belong to the shape, so they count nearly as much.
+template <class Numbering, class Positions>
+double default_weight(const ChannelInput& channel, const Numbering& numbering,
+                      const TriangleComplex& complex, const Positions& positions, double diagonal,
+                      double range) {
+  const double usual = 0.02 * diagonal / range;
+  const bool is_normal = channel.attribute == Attribute::normal;
+  if (!is_normal && channel.attribute != Attribute::color)
+    return usual;
+  const std::optional<double> even =
+      EvenWeight(channel, numbering, complex, positions, range).find();
+  if (!even)
+    return usual;
+  return is_normal ? std::clamp(1.1 * *even, 0.1 * usual, 2 * usual)
+                   : std::clamp(0.5 * *even, 0.05 * usual, usual);
+}
+
+/// The weights of a channel: see ChannelOptions. `labels`: of each face; or empty. Throws
+/// std::invalid_argument if these are no lengths that can be told beside those of the surface.
+template <class Numbering, class Positions, std::size_t N>
+ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& numbering,
+                               const TriangleComplex& complex, const Positions& positions,
+                               const Array<Index>& labels, const Scale<N>& scale) {
+  const ChannelExtent extent(channel, numbering, complex, positions, labels);
+  const double range = extent.range();
+  double by_default = 1;
+  ChannelWeights weights;
+  const bool is_given = !channel.weights.empty();
+  if (channel.is_texture() && extent.squared_length_of_texture() > 0) {
+    by_default = std::sqrt(extent.squared_length_of_texture());
+    if (!is_given && !labels.empty())
+      weights.factors = extent.factors_by_label();
+  } else if (!is_given && range > 0 && scale.diagonal() > 0)
+    by_default = default_weight(channel, numbering, complex, positions,
+                                scale.length_from_mesh(scale.diagonal()), range);
+  // A default is bounded: what it makes of a texture of no size is not the user's fault.
+  const double greatest = range > 0 ? (std::min)(0x1p150, 0x1p30 / range) : 0x1p150;
+  for (std::size_t c = 0; c < channel.components; ++c) {
+    const double weight =
+        channel.importance * (!is_given ? std::clamp(by_default, 0x1p-150, greatest)
+                                        : scale.length_from_mesh(channel.weights[c]));
+    weights.squared.push_back(weight * weight);
+    if (!(weight * weight > 0x1p-400 && weight * weight < 0x1p400) || !(weight * range < 0x1p40))
+      throw std::invalid_argument("quadrille::simplify: component " + std::to_string(c) +
+                                  " of a channel, of a range of " + text_of(range) + ", weighs " +
+                                  text_of(scale.length_of_mesh(weight)) +
+                                  ": that is no length beside those of the surface");
+  }
+  return weights;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_WEIGHTS_H

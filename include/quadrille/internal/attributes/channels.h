@@ -1,0 +1,302 @@
+#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNELS_H
+#define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNELS_H
+
+#include <quadrille/internal/attributes/back_channels.h>
+#include <quadrille/internal/attributes/channel.h>
+#include <quadrille/internal/attributes/channel_contraction.h>
+#include <quadrille/internal/attributes/channel_seams.h>
+#include <quadrille/internal/attributes/channel_weights.h>
+#include <quadrille/internal/attributes/channels_left.h>
+#include <quadrille/internal/attributes/chart_end.h>
+#include <quadrille/internal/core/appearance/channel_input.h>
+#include <quadrille/internal/core/appearance/no_channels.h>
+#include <quadrille/internal/core/complex/edge_sides.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/symmetric_matrix.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Do the vertices remember what channels leave in what they remember anyway?
+template <class Cost>
+inline constexpr bool remembers_forms = std::same_as<typename Cost::Memory, QuadricForm<3>>;
+
+/// Does a cost add what channels leave to what it sees now?
+template <class Cost>
+inline constexpr bool sees_forms = requires(PairOf<Cost>& pair, const QuadricForm<3>& form) {
+  pair.current.quadric += form;
+};
+
+/// The channels of a surface, and what they cost. A cost that takes no quadric does not count them,
+/// but they are carried along.
+template <class Cost>
+class Channels {
+public:
+  using Geometry = internal::Geometry<Cost::dimension>;
+  using Position = Vector<3>;
+  using Left = ChannelsLeft;
+  using Seams = ChannelSeams;
+
+  Channels(const TriangleComplex& complex, const Geometry& geometry, VertexMemories<Cost>& memories)
+      : complex_(complex), geometry_(geometry), memories_(memories), forms_(complex.workspace()),
+        traces_(complex.workspace()) {}
+
+  /// Reads what an adapter has read; where backs have values of their own, these are channels
+  /// behind the others. `labels`: of each face; or empty.
+  void read(std::vector<ChannelInput> inputs, const Numbering& numbering,
+            const Array<Index>& labels, const Scale<Cost::dimension>& scale, bool are_pairs_edges) {
+    if (!complex_.backs().is_empty())
+      back_channels_ = BackChannels(complex_, numbering.faces, inputs).add();
+    for (const ChannelInput& input : inputs)
+      channels_.push_back(
+          Channel(input, numbering, complex_,
+                  channel_weights(input, numbering, complex_, geometry_.positions(), labels, scale),
+                  are_pairs_edges));
+  }
+  std::span<const Channel> all() const { return channels_; }
+  std::span<Channel> all() { return channels_; }
+  /// See BackChannels; empty if there are no backs.
+  const std::vector<std::size_t>& back_channels() const { return back_channels_; }
+  bool have_seams() const {
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [](const Channel& channel) { return channel.has_seams(); });
+  }
+  /// Of the channels as they are by now.
+  ChannelSeams seams() const { return {complex_, channels_}; }
+  /// With the values of the result.
+  ChannelsLeft take() {
+    for (Channel& channel : channels_)
+      channel.settle(geometry_.positions(), complex_);
+    return {std::move(channels_), std::move(back_channels_)};
+  }
+
+  /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
+  void remember(const Array<Index>& labels) {
+    if constexpr (!remembers_forms<Cost>)
+      forms_.assign(geometry_.positions().size(), QuadricForm<3>());
+    traces_.assign(geometry_.positions().size(), 0);
+    for (Channel& channel : channels_)
+      channel.remember(geometry_.positions(), complex_, labels, weight_of_area,
+                       [&](Index v, const SymmetricMatrix<3>& matrix) {
+                         form_at(v).matrix() += matrix;
+                         traces_[v] += matrix.trace();
+                       });
+  }
+
+  /// Holds charts where they end, of a surface that has seams of other kinds or not: a border of
+  /// the surface holds no chart where there is no seam.
+  void hold_borders(const Array<Index>& labels, bool has_other_seams) {
+    for (Channel& channel : channels_) {
+      if (!channel.holds_charts() ||
+          (channel.is_border_weight_given() && !(channel.border_weight() > 0)))
+        continue;
+      std::size_t edges = 0, seams = 0;
+      std::vector<ChartEnd> ends;
+      for_each_edge(complex_, [&](Index v, Index w, const auto& sides) {
+        ++edges;
+        if (sides.size() == 2 &&
+            !channel.ends_between(complex_, sides[0].second, sides[1].second, v, w))
+          return;
+        seams += sides.size() > 1;
+        for (const auto& side : sides)
+          ends.push_back({v, w, side.second});
+      });
+      if (seams == 0 && !has_other_seams)
+        continue;
+      if (!channel.is_border_weight_given())
+        channel.choose_border_weight(static_cast<double>(seams) / static_cast<double>(edges));
+      for (const ChartEnd& end : ends)
+        hold_border(channel, labels, end);
+    }
+  }
+
+  /// What the attributes cost at a pair is seen by the cost of the pair.
+  QUADRILLE_ALWAYS_INLINE void add_to(PairOf<Cost>& pair, Index a, Index b) const {
+    if constexpr (remembers_forms<Cost>)
+      add_joins(pair.memory, contracted(a, b));
+    else if constexpr (sees_forms<Cost>)
+      pair.current.quadric += form(contracted(a, b));
+  }
+
+  /// The weight of a pair with what channels add, divided by that of the shape alone: an error is a
+  /// distance by the latter.
+  double error_factor(const PairOf<Cost>& pair, Index a, Index b) const {
+    double weight = 0;
+    QuadricForm<3> form;
+    if constexpr (remembers_forms<Cost>) {
+      weight = pair.memory.trace();
+    } else if constexpr (sees_forms<Cost>) {
+      weight = pair.current.quadric.trace();
+      add_joins(form, contracted(a, b));
+    }
+    const double joins = trace_of_joins(pair, a, b, form);
+    const double of_shape = weight - (traces_[a] + traces_[b] + joins);
+    return of_shape > 0 ? weight / of_shape : 1;
+  }
+
+  /// The pair of a contraction.
+  ContractedPair contracted(Index a, Index b) const {
+    return {a, b, geometry_.position(b) - geometry_.position(a), geometry_.is_fixed(a),
+            geometry_.is_fixed(b)};
+  }
+
+  /// What the joins of a pair cost, about its first end.
+  QUADRILLE_ALWAYS_INLINE void add_joins(QuadricForm<3>& form, const ContractedPair& pair) const {
+    for (const Channel& channel : channels_)
+      add_joins(channel, pair, form);
+  }
+  /// The same of one channel.
+  QUADRILLE_ALWAYS_INLINE void add_joins(const Channel& channel, const ContractedPair& pair,
+                                         QuadricForm<3>& form) const {
+    if (channel.joins_two(pair))
+      channel.add_difference(pair.first, pair.second, pair.to_second, form);
+    else
+      ChannelContraction(channel, complex_, pair).add_joins(form);
+  }
+  /// What channels have left at a vertex, where its memory does not hold it.
+  const QuadricForm<3>& form(Index v) const { return forms_[v]; }
+
+  /// Would a contraction turn a face over in a texture?
+  bool turn_over(const PairStar& star, Index a, Index b, const Position& target) const {
+    const ContractedPair pair = contracted(a, b);
+    for (const Channel& channel : channels_) {
+      if (!channel.holds_charts())
+        continue;
+      if (ChannelContraction(channel, complex_, pair)
+              .turns_over(star, target - geometry_.position(a)))
+        return true;
+    }
+    return false;
+  }
+
+  /// While the faces of the star still have their old corners, and vertices their old places.
+  template <class Event>
+  void contract(const Event& event) {
+    const auto& contraction = event.contraction;
+    const ContractedPair pair = contracted(contraction.first(), contraction.second());
+    const Position target = contraction.target() - geometry_.position(pair.first);
+    QuadricForm<3> joins;
+    for (Channel& channel : channels_)
+      if (channel.joins_two(pair)) {
+        if constexpr (!remembers_forms<Cost>)
+          channel.add_difference(pair.first, pair.second, pair.to_second, joins);
+        channel.apply_join(complex_, contraction.star(), pair, event.kept, target);
+      } else {
+        const ChannelContraction change(channel, complex_, pair);
+        change.apply(channel, contraction.star(), event.kept, change.changes(target, joins));
+      }
+    traces_[event.kept] = traces_[pair.first] + traces_[pair.second] +
+                          trace_of_joins(contraction.pair(), pair.first, pair.second, joins);
+    if constexpr (!remembers_forms<Cost>) {
+      joins +=
+          QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
+      joins.move_origin(target);
+      forms_[event.kept] = joins;
+    }
+  }
+
+  static constexpr bool is_seldom_there = true;
+  static auto vertex_columns(auto& self) { return std::tie(self.forms_, self.traces_); }
+  /// Leaves out wedges of faces for which is_left does not hold, and of other vertices than those
+  /// of an ascending list.
+  template <class IsLeft>
+  void pack(const Array<Index>& vertices, IsLeft is_left) {
+    for (Channel& channel : channels_)
+      channel.pack(vertices, is_left);
+  }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
+    for (const Channel& channel : channels_)
+      channel.prefetch(v);
+    if constexpr (!remembers_forms<Cost>)
+      prefetch_value(forms_, v);
+  }
+
+private:
+  // How much an area counts for the cost.
+  static double weight_of_area(double area) {
+    if constexpr (requires { Cost::channel_weight(area); })
+      return Cost::channel_weight(area);
+    else
+      return area;
+  }
+
+  // What that leaves in the texture; where seams are held, a line in the surface as well.
+  void hold_border(Channel& channel, const Array<Index>& labels, const ChartEnd& border) {
+    const Vector<3> along = geometry_.position(border.w) - geometry_.position(border.v);
+    const double area = weight_of_area(squared_length(along));
+    const QuadricForm<3> line =
+        channel.are_seams_held()
+            ? squared_plane(off(border, along), 0, channel.border_weight() * area)
+            : QuadricForm<3>();
+    for (const auto& [end, other] :
+         {std::pair(border.v, border.w), std::pair(border.w, border.v)}) {
+      QuadricForm<3> held = line;
+      channel.hold_border(complex_, labels, border.face, end, other, area, held);
+      form_at(end) += held;
+      traces_[end] += held.trace();
+    }
+  }
+  // The direction in the face that leads off its edge, of length 1, or 0 if it can't be told.
+  Vector<3> off(const ChartEnd& border, const Vector<3>& along) const {
+    const auto& corners = complex_.vertices(border.face);
+    const Vector<3> normal =
+        normal_vector(geometry_.position(corners[0]), geometry_.position(corners[1]),
+                      geometry_.position(corners[2]));
+    const Vector<3> off = cross(along, normal);
+    const double squared = squared_length(off);
+    return squared > 0 ? (1 / std::sqrt(squared)) * off : Vector<3>();
+  }
+
+  QuadricForm<3>& form_at(Index v) {
+    if constexpr (remembers_forms<Cost>)
+      return memories_[v];
+    else
+      return forms_[v];
+  }
+
+  // Of the joins of a pair, which are given where its memory does not hold them.
+  double trace_of_joins(const PairOf<Cost>& pair, Index a, Index b,
+                        const QuadricForm<3>& joins) const {
+    if constexpr (remembers_forms<Cost>)
+      return pair.memory.trace() - memories_[a].trace() - memories_[b].trace();
+    else
+      return joins.trace();
+  }
+
+  // All that the attributes of a pair cost, about its first end.
+  QuadricForm<3> form(const ContractedPair& pair) const {
+    auto form =
+        QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
+    add_joins(form, pair);
+    return form;
+  }
+
+  const TriangleComplex& complex_;
+  const Geometry& geometry_;
+  VertexMemories<Cost>& memories_;
+  std::vector<Channel> channels_;
+  std::vector<std::size_t> back_channels_;
+  Array<QuadricForm<3>> forms_; // of each vertex, where its memory does not hold them
+  Array<double> traces_;        // of what channels have left at each vertex
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_ATTRIBUTES_CHANNELS_H

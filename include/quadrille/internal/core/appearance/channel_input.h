@@ -1,0 +1,80 @@
+#ifndef QUADRILLE_INTERNAL_CORE_APPEARANCE_CHANNEL_INPUT_H
+#define QUADRILLE_INTERNAL_CORE_APPEARANCE_CHANNEL_INPUT_H
+
+#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/memory/array.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A channel as an adapter reads it: values, and which of them each corner of a face has.
+struct ChannelInput {
+  explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
+  /// What options say of a channel of that many components; values and corners are still to come.
+  ChannelInput(const ChannelOptions& options, std::size_t size, Attribute held,
+               Workspace& workspace)
+      : ChannelInput(&workspace) {
+    components = size;
+    weights = options.weights;
+    importance = options.importance;
+    attribute = held;
+    seams = options.seams.value_or(is_texture() ? Seams::held : Seams::priced);
+    border_weight = options.border_weight;
+    if (seams != Seams::held && !border_weight)
+      border_weight = 10;
+    new_values = options.new_values;
+  }
+
+  std::size_t components = 0;
+  Array<double> values; ///< the components of each value, one value after the other
+  /// Of each input face, its values in the order of its corners; empty: a value has the index of
+  /// its vertex.
+  Array<std::array<Index, 3>> corners;
+  std::vector<double> weights; ///< of the components, in the mesh's unit; empty: by default
+  double importance = 1;
+  Seams seams = Seams::priced;
+  Attribute attribute = Attribute::any;
+  std::optional<double> border_weight; ///< see ChannelOptions; none: by the part that seams are
+  NewValues new_values = NewValues::optimal;
+  /// Turns the components of a value into those that the adapter would write, before they are
+  /// rounded to its type. False if it would leave the old ones. as_written(values, has_changed)
+  std::function<bool(std::span<double>, bool)> as_written;
+
+  bool is_texture() const { return attribute == Attribute::texture; }
+  std::size_t size() const { return components == 0 ? 0 : values.size() / components; }
+  double value(Index i, std::size_t component) const { return values[i * components + component]; }
+  /// Of a corner of an input face, which is at an input vertex.
+  Index value_at(Index face, std::size_t corner, Index vertex) const {
+    return corners.empty() ? vertex : corners[face][corner];
+  }
+  bool are_equal(Index i, Index j) const {
+    if (i == j)
+      return true;
+    for (std::size_t c = 0; c < components; ++c)
+      if (value(i, c) != value(j, c))
+        return false;
+    return true;
+  }
+
+  void require_finite() const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i]))
+        throw std::invalid_argument("quadrille::simplify: value " + std::to_string(i / components) +
+                                    " of a channel is not finite");
+  }
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_APPEARANCE_CHANNEL_INPUT_H

@@ -1,0 +1,54 @@
+#ifndef QUADRILLE_INTERNAL_CORE_APPEARANCE_NO_CHANNELS_H
+#define QUADRILLE_INTERNAL_CORE_APPEARANCE_NO_CHANNELS_H
+
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/star.h>
+
+#include <tuple>
+#include <type_traits>
+
+/// \file
+/// What the engine knows of channels. <quadrille/channels.h> brings those that a call has; a call
+/// without them needs no more than what is here.
+
+namespace quadrille::internal {
+
+/// The channels of a surface: see channels.h.
+template <class Cost>
+class Channels;
+/// What they have become: see channels_left.h.
+struct ChannelsLeft;
+
+/// The same of a surface that has none.
+struct NoChannelsLeft {};
+
+/// The seams of channels, of a surface that has none: see ChannelSeams.
+struct NoChannelSeams {
+  bool are_any_kept() const { return false; }
+  bool are_at(Index, Index, Index, Index) const { return false; }
+  bool are_changed_by(const PairStar&, Index, Index) const { return false; }
+};
+
+/// The channels of a surface that has none.
+struct NoChannels {
+  using Left = NoChannelsLeft;
+  using Seams = NoChannelSeams;
+
+  template <class Complex, class Geometry, class Memories>
+  NoChannels(const Complex&, const Geometry&, Memories&) {}
+  bool have_seams() const { return false; }
+  NoChannelSeams seams() const { return {}; }
+  void contract(const auto&) {}
+  NoChannelsLeft take() { return {}; }
+  static auto vertex_columns(auto&) { return std::tuple<>(); }
+};
+
+template <class Policies>
+using ChannelsOf =
+    std::conditional_t<Policies::has_channels, Channels<typename Policies::Cost>, NoChannels>;
+template <class Policies>
+using ChannelsLeftOf = std::conditional_t<Policies::has_channels, ChannelsLeft, NoChannelsLeft>;
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_APPEARANCE_NO_CHANNELS_H

@@ -1,0 +1,20 @@
+#ifndef QUADRILLE_INTERNAL_CORE_BASE_ASSERT_H
+#define QUADRILLE_INTERNAL_CORE_BASE_ASSERT_H
+
+/// \file
+/// QUADRILLE_ASSERT(condition) ends the program, with a message of the C++ library's, where what
+/// always holds does not: a fault of Quadrille's, never of the user's input, which gets exceptions.
+/// It is on where QUADRILLE_ASSERTIONS is defined, as it is in the presets that say so, and costs
+/// nothing elsewhere: not even in a user's debug build, unless the user asks for it.
+
+#ifdef QUADRILLE_ASSERTIONS
+#ifdef NDEBUG
+#error QUADRILLE_ASSERTIONS needs the assert of the C++ library: do not define NDEBUG
+#endif
+#include <cassert>
+#define QUADRILLE_ASSERT(condition) assert(condition)
+#else
+#define QUADRILLE_ASSERT(condition) static_cast<void>(0)
+#endif
+
+#endif // QUADRILLE_INTERNAL_CORE_BASE_ASSERT_H

@@ -1,0 +1,83 @@
+#ifndef QUADRILLE_INTERNAL_CORE_BASE_LANES_H
+#define QUADRILLE_INTERNAL_CORE_BASE_LANES_H
+
+#include <quadrille/internal/core/base/compiler.h>
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+#if QUADRILLE_VECTOR_EXTENSIONS
+
+/// Two doubles that are computed with at once, with what every 64-bit machine has for that.
+using Lanes = double __attribute__((vector_size(16)));
+
+/// What a comparison of Lanes gives.
+using LaneMask = decltype(Lanes{} < Lanes{});
+
+/// In each lane `a` where the condition holds, else `b`.
+inline Lanes select(LaneMask condition, Lanes a, Lanes b) {
+  return condition ? a : b;
+}
+
+#else
+
+/// What a comparison of Lanes gives.
+struct LaneMask {
+  bool first, second;
+
+  friend LaneMask operator&(LaneMask a, LaneMask b) {
+    return {a.first && b.first, a.second && b.second};
+  }
+  friend LaneMask operator|(LaneMask a, LaneMask b) {
+    return {a.first || b.first, a.second || b.second};
+  }
+};
+
+/// Two doubles, one after the other, to the same bits.
+struct Lanes {
+  double first, second;
+
+  double operator[](std::size_t i) const { return i == 0 ? first : second; }
+
+  friend Lanes operator-(Lanes a) { return {-a.first, -a.second}; }
+  friend Lanes operator+(Lanes a, Lanes b) { return {a.first + b.first, a.second + b.second}; }
+  friend Lanes operator-(Lanes a, Lanes b) { return {a.first - b.first, a.second - b.second}; }
+  friend Lanes operator*(Lanes a, Lanes b) { return {a.first * b.first, a.second * b.second}; }
+  friend Lanes operator/(Lanes a, Lanes b) { return {a.first / b.first, a.second / b.second}; }
+  friend Lanes operator+(double a, Lanes b) { return Lanes{a, a} + b; }
+  friend Lanes operator*(double a, Lanes b) { return Lanes{a, a} * b; }
+  friend Lanes operator/(double a, Lanes b) { return Lanes{a, a} / b; }
+  friend Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
+  friend Lanes& operator-=(Lanes& a, Lanes b) { return a = a - b; }
+  friend Lanes& operator*=(Lanes& a, Lanes b) { return a = a * b; }
+
+  friend LaneMask operator>(Lanes a, Lanes b) { return {a.first > b.first, a.second > b.second}; }
+  friend LaneMask operator<=(Lanes a, Lanes b) {
+    return {a.first <= b.first, a.second <= b.second};
+  }
+};
+
+inline Lanes select(LaneMask condition, Lanes a, Lanes b) {
+  return {condition.first ? a.first : b.first, condition.second ? a.second : b.second};
+}
+
+#endif
+
+/// This function of one number, so that one formula serves numbers and lanes.
+inline double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+
+/// Does a condition hold for no number, so that there is nothing to go on with? Of lanes that is
+/// not asked: going on costs less.
+constexpr bool is_nowhere(bool condition) {
+  return !condition;
+}
+constexpr bool is_nowhere(const LaneMask&) {
+  return false;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_BASE_LANES_H

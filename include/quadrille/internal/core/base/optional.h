@@ -1,0 +1,44 @@
+#ifndef QUADRILLE_INTERNAL_CORE_BASE_OPTIONAL_H
+#define QUADRILLE_INTERNAL_CORE_BASE_OPTIONAL_H
+
+#include <concepts>
+#include <optional>
+#include <type_traits>
+
+/// Policies and maps that may be a std::optional: whether they are given is told at run time.
+
+namespace quadrille::internal {
+
+template <class T>
+struct HeldBy : std::type_identity<T> {};
+template <class T>
+struct HeldBy<std::optional<T>> : std::type_identity<T> {};
+
+/// What a std::optional holds, if it holds anything; of any other type, that type.
+template <class T>
+using Held = typename HeldBy<std::remove_cvref_t<T>>::type;
+
+template <class T>
+concept IsOptional = !std::same_as<Held<T>, std::remove_cvref_t<T>>;
+
+/// Calls use(value), unless that is a std::optional which holds nothing.
+template <class T, class Use>
+void if_given(const T& value, Use use) {
+  if constexpr (!IsOptional<T>)
+    use(value);
+  else if (value)
+    use(*value);
+}
+
+/// Returns use(value), or use(Default{}) of a std::optional that holds nothing.
+template <class Default, class T, class Use>
+auto use_or_default(const T& value, Use use) {
+  if constexpr (!IsOptional<T>)
+    return use(value);
+  else
+    return value ? use(*value) : use(Default{});
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_BASE_OPTIONAL_H

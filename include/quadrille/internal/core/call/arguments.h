@@ -1,0 +1,266 @@
+#ifndef QUADRILLE_INTERNAL_CORE_CALL_ARGUMENTS_H
+#define QUADRILLE_INTERNAL_CORE_CALL_ARGUMENTS_H
+
+#include <quadrille/concepts.h>
+#include <quadrille/filters.h>
+#include <quadrille/internal/core/base/optional.h>
+#include <quadrille/internal/core/base/parallel.h>
+#include <quadrille/internal/core/call/argument_kinds.h>
+#include <quadrille/internal/core/call/carried.h>
+#include <quadrille/internal/core/call/named_parameters.h>
+#include <quadrille/internal/core/call/optional_parts.h>
+#include <quadrille/internal/core/policy/built_in_placement.h>
+#include <quadrille/internal/core/policy/engine_policies.h>
+#include <quadrille/internal/core/policy/guard_set.h>
+#include <quadrille/internal/core/policy/mesh_units.h>
+#include <quadrille/internal/core/policy/orders.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/policy/visitor_holder.h>
+#include <quadrille/order.h>
+#include <quadrille/pairs.h>
+#include <quadrille/parameters.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric.h>
+#include <quadrille/recorded.h>
+#include <quadrille/stop.h>
+#include <quadrille/topology.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+/// Recognising the arguments of `simplify` by the concept that each models.
+
+namespace quadrille::internal {
+
+/// In place of a cost or a placement that is no template argument.
+struct NotGiven {};
+template <class Policy, class Default>
+using Given = std::conditional_t<std::same_as<Policy, NotGiven>, Default, Policy>;
+
+/// The cost that a call uses: that among the arguments, or the template argument.
+template <class Cost, class... Arguments>
+struct FirstCost : std::type_identity<Given<Cost, Quadric>> {};
+template <class Cost, class First, class... Rest>
+struct FirstCost<Cost, First, Rest...>
+    : std::conditional_t<LooksLikeCost<First>, std::type_identity<First>,
+                         FirstCost<Cost, Rest...>> {};
+template <class Cost, class... Arguments>
+using CostOf = typename FirstCost<Cost, Arguments...>::type;
+
+template <Kind kind, class Cost, class... Arguments>
+inline constexpr std::size_t count_of = (std::size_t{kind_of<Arguments, Cost>() == kind} + ... + 0);
+
+/// The first argument of a kind, else the default. It may be a std::optional.
+template <Kind kind, class Cost, class Default>
+Default pick() {
+  static_assert(std::default_initializable<Default>,
+                "This policy has no default constructor: pass a value of it to simplify instead of "
+                "a template argument.");
+  return Default{};
+}
+template <Kind kind, class Cost, class Default, class First, class... Rest>
+auto pick(const First& first, const Rest&... rest) {
+  if constexpr (kind_of<First, Cost>() == kind)
+    return first;
+  else
+    return pick<kind, Cost, Default>(rest...);
+}
+
+/// The filters among the arguments.
+template <class Cost, class... Arguments>
+auto pick_filters(const Arguments&... arguments) {
+  const auto given = std::tuple_cat([](const auto& argument) {
+    if constexpr (kind_of<std::remove_cvref_t<decltype(argument)>, Cost>() == Kind::filter)
+      return std::tuple(argument);
+    else
+      return std::tuple();
+  }(arguments)...);
+  return std::apply(
+      [](const auto&... filter) { return FilterList<Cost::dimension>::of(filter...); }, given);
+}
+
+/// The guards among the arguments.
+template <class Cost, class... Arguments>
+auto pick_guards(const Arguments&... arguments) {
+  GuardSet<Cost::dimension> guards;
+  const auto add = [&]<class T>([[maybe_unused]] const T& argument) {
+    if constexpr (kind_of<T, Cost>() == Kind::guard)
+      if_given(argument, [&](const auto& guard) { guards.add(guard); });
+  };
+  (add(arguments), ...);
+  return guards;
+}
+
+/// Can a guard be asked in an order of this type? Where either is told at run time, that is too.
+template <class Guard, class Order>
+inline constexpr bool suits_order =
+    !std::same_as<Order, RelaxedOrder> || !IsGuard<Guard> || works_in_passes<Guard>;
+
+/// An argument of no kind, as compilers name it: `position` counts all arguments of the call
+/// from 1.
+template <std::size_t position, class Argument>
+struct ArgumentIsNoPolicy : std::type_identity<Argument> {};
+
+/// The first argument of no kind, where the policies begin at a position; else NoArgument.
+struct NoArgument {};
+template <std::size_t position, class Cost, class... Arguments>
+struct FirstUnknown : std::type_identity<NoArgument> {};
+template <std::size_t position, class Cost, class First, class... Rest>
+struct FirstUnknown<position, Cost, First, Rest...>
+    : std::conditional_t<kind_of<First, Cost>() == Kind::unknown,
+                         std::type_identity<ArgumentIsNoPolicy<position, First>>,
+                         FirstUnknown<position + 1, Cost, Rest...>> {};
+template <std::size_t position, class Cost, class... Arguments>
+using Unknown = typename FirstUnknown<position, CostOf<Cost, Arguments...>, Arguments...>::type;
+
+/// The placement that a call uses; for OptimalPlacement, of which pick_policies tells more, one
+/// that fits every cost.
+template <class Cost, class Placement, class... Arguments>
+struct PlacementFor {
+  using Picked = decltype(pick<Kind::placement, Cost, Given<Placement, OptimalPlacement>>(
+      std::declval<const Arguments&>()...));
+  using type =
+      std::conditional_t<std::is_same_v<Picked, OptimalPlacement>, MidpointPlacement, Picked>;
+};
+template <class Cost, class Placement, class... Arguments>
+using PlacementOf =
+    typename PlacementFor<CostOf<Cost, Arguments...>, Placement, Arguments...>::type;
+
+template <class UnknownArgument>
+concept AllAreKnown = std::is_same_v<UnknownArgument, NoArgument>;
+
+/// What `simplify` asks of its arguments: there is none that it does not know, and the placement
+/// fits the cost.
+template <class Cost, class Placement, class... Arguments>
+concept Fitting =
+    CostPolicy<CostOf<Cost, Arguments...>> && AllAreKnown<Unknown<0, Cost, Arguments...>> &&
+    PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
+
+/// The recorder of a call, as policies hold it; nothing if there is none.
+template <class Cost, class... Arguments>
+std::optional<RecorderHandle> pick_recorder([[maybe_unused]] const Arguments&... arguments) {
+  std::optional<RecorderHandle> handle;
+  if constexpr (count_of < Kind::recorder, Cost, Arguments... >> 0)
+    if_given(pick<Kind::recorder, Cost, NotGiven, Arguments...>(arguments...),
+             [&](const auto& into) { handle.emplace(*into.recorder); });
+  return handle;
+}
+
+/// The topology of a call, if it is among the arguments.
+template <class Cost, class... Arguments>
+std::optional<Topology> pick_topology([[maybe_unused]] const Arguments&... arguments) {
+  if constexpr (count_of < Kind::topology, Cost, Arguments... >> 0)
+    return pick<Kind::topology, Cost, Topology>(arguments...);
+  else
+    return std::nullopt;
+}
+
+/// Refuses to compile a call with two arguments where one is meant.
+template <class CostArgument, class PlacementArgument, class Cost, class... Arguments>
+constexpr void check_counts() {
+  static_assert(count_of<Kind::cost, Cost, Arguments...> <= 1,
+                "simplify takes one cost: pass only one.");
+  static_assert(count_of<Kind::cost, Cost, Arguments...> == 0 ||
+                    std::same_as<CostArgument, NotGiven>,
+                "simplify takes one cost: pass it as a template argument or as a value, not both.");
+  static_assert(count_of<Kind::placement, Cost, Arguments...> <= 1,
+                "simplify takes one placement: pass only one.");
+  static_assert(count_of<Kind::placement, Cost, Arguments...> == 0 ||
+                    std::same_as<PlacementArgument, NotGiven>,
+                "simplify takes one placement: pass it as a template argument or as a value, not "
+                "both.");
+  static_assert(count_of<Kind::pairs, Cost, Arguments...> <= 1,
+                "simplify takes one pair policy: pass only one.");
+  static_assert(count_of<Kind::stop, Cost, Arguments...> <= 1,
+                "simplify takes one stop policy: combine several with AnyOf or AllOf. A lambda is "
+                "one, asked with a Status; a filter is a class with a member allows(contraction).");
+  static_assert(count_of<Kind::order, Cost, Arguments...> <= 1,
+                "simplify takes one order: pass only one.");
+  static_assert(count_of<Kind::recorder, Cost, Arguments...> <= 1,
+                "simplify takes one recorder: pass record_into only once.");
+  static_assert(count_of<Kind::topology, Cost, Arguments...> <= 1,
+                "simplify takes one Topology: pass only one.");
+  static_assert(count_of<Kind::named_parameters, Cost, Arguments...> <= 1,
+                "simplify takes one chain of named parameters: join them with a dot.");
+}
+
+inline namespace QUADRILLE_THREADING {
+
+template <class Placement, class Cost>
+constexpr void check_placement() {
+  static_assert(PlacementPolicy<Placement, Cost>,
+                "OptimalPlacement needs a cost with a minimizer, and this one has none: use "
+                "MidpointPlacement or EndpointPlacement, as in "
+                "simplify<EdgeLength, MidpointPlacement>(mesh).");
+}
+
+template <class Stop, class Cost>
+constexpr void check_stop() {
+  static_assert(
+      !needs_of<Stop>().cost || has_cost_in_mesh_units<Cost>,
+      "The stop policy needs what contractions cost in the mesh's units, and this ScaleFree "
+      "cost does not tell: give it a member degree(), see <quadrille/concepts.h>.");
+}
+
+template <class Order, class... Arguments>
+constexpr void check_guards() {
+  static_assert((suits_order<Arguments, Order> && ...),
+                "A guard of this call needs GreedyOrder, since the blocks of a pass do not see "
+                "each other: NoSelfIntersection, keep_solid(), or one without works_in_passes. "
+                "Leave RelaxedOrder out.");
+}
+
+/// All policies of a call, checked for fitting together. Cost and placement may be template
+/// arguments, or NotGiven.
+template <class CostArgument, class PlacementArgument, class... Arguments>
+auto pick_policies(const Arguments&... arguments) {
+  using CGAL::parameters::get_parameter;
+  using Cost = CostOf<CostArgument, Arguments...>;
+  check_counts<CostArgument, PlacementArgument, Cost, Arguments...>();
+  const auto placement =
+      pick<Kind::placement, Cost, Given<PlacementArgument, OptimalPlacement>>(arguments...);
+  check_placement<decltype(placement), Cost>();
+  const auto cost = pick<Kind::cost, Cost, Given<CostArgument, Quadric>>(arguments...);
+  const auto pairs = pick<Kind::pairs, Cost, EdgePairs>(arguments...);
+  const auto stop = pick<Kind::stop, Cost, FaceRatio>(arguments...);
+  const auto given_order = pick<Kind::order, Cost, GreedyOrder>(arguments...);
+  check_stop<Held<decltype(stop)>, Cost>();
+  validate_all(cost, placement, pairs, stop);
+  const CallOrder order = call_order(given_order);
+  check_guards<std::remove_const_t<decltype(given_order)>, Arguments...>();
+  const auto guards = pick_guards<Cost>(arguments...);
+  guards.require_greedy_order(order.passes.has_value());
+  const auto carried = pick_carried<Cost>(arguments...);
+  using Policies = internal::Policies<std::remove_const_t<decltype(cost)>,
+                                      EnginePlacement<std::remove_const_t<decltype(placement)>>,
+                                      std::remove_const_t<decltype(carried)>::has_channels>;
+  constexpr bool is_recorded = count_of<Kind::recorder, Cost, Arguments...> == 1;
+  Policies policies{
+      cost,
+      typename Policies::Placement(placement),
+      label_border_weight(carried),
+      use_or_default<EdgePairs>(pairs, [](const auto& given) { return PairSource::of(given); }),
+      use_or_default<FaceRatio>(stop, [](const auto& given) { return StopRule::of(given); }),
+      order,
+      hold_visitor(get_parameter(pick_named(arguments...), CGAL::internal_np::visitor)),
+      threads_here(order.threads()),
+      pick_recorder<Cost>(arguments...),
+      guards.topology_beside(pick_topology<Cost>(arguments...)),
+      pick_filters<Cost>(arguments...),
+      guards,
+      optional_parts<Policies, Held<decltype(stop)>, Held<decltype(given_order)>, is_recorded>()};
+  policies.threads.validate();
+  return policies;
+}
+
+} // namespace QUADRILLE_THREADING
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_CALL_ARGUMENTS_H

@@ -1,0 +1,216 @@
+#ifndef QUADRILLE_INTERNAL_CORE_CALL_DIAGNOSTICS_H
+#define QUADRILLE_INTERNAL_CORE_CALL_DIAGNOSTICS_H
+
+#include <quadrille/concepts.h>
+#include <quadrille/internal/core/base/optional.h>
+#include <quadrille/internal/core/call/arguments.h>
+#include <quadrille/internal/core/call/meshes.h>
+#include <quadrille/report.h>
+
+#include <concepts>
+#include <cstddef>
+#include <ranges>
+#include <type_traits>
+
+/// What a compiler says of a call of `simplify` that is wrong. `simplify` takes arguments of any
+/// type, so that it is told here, in a sentence and before all else, what is wrong with them; and
+/// it is there, but does not compile, for surfaces that cannot be changed and for what is none.
+
+namespace quadrille {
+class Levels;
+}
+
+namespace quadrille::internal {
+
+/// A filter or a stop policy but for a const that it lacks.
+template <class Argument, class Cost>
+concept FilterThatChanges = requires(
+    Argument filter, const typename SeenByFilter<Argument, Cost>::Contraction contraction) {
+  { filter.allows(contraction) } -> std::convertible_to<bool>;
+};
+template <class Argument>
+concept StopThatChanges = requires(Argument stop, const Status status) {
+  { stop(status) } -> std::convertible_to<bool>;
+};
+
+/// A stop predicate of CGAL::Surface_mesh_simplification.
+template <class Argument>
+concept StopOfCgal = requires(const Argument stop, double cost, std::size_t edges) {
+  { stop(cost, 0, edges, edges) } -> std::convertible_to<bool>;
+};
+
+/// Is an argument of a kind but for one thing, or what goes into another one?
+template <class Argument, class Cost>
+concept NearlyKnown = IsOptional<Argument> || std::same_as<Argument, Levels> ||
+    StopOfCgal<Argument> || FilterThatChanges<Argument, Cost> || StopThatChanges<Argument>;
+
+/// Does not compile, for an argument that is NearlyKnown, and says what is missing.
+template <class Argument, class Call>
+void refuse_nearly_known() {
+  constexpr bool is_levels = std::same_as<Argument, Levels>;
+  constexpr bool is_stop_of_cgal = StopOfCgal<Argument>;
+  constexpr bool is_optional = IsOptional<Argument>;
+  static_assert(!is_optional,
+                "A std::optional says at run time whether there is a policy. A cost, a "
+                "placement, a channel and SplitVertices are told by their types: what "
+                "this one holds is one of these, or no policy.");
+  static_assert(!is_levels, "Levels are no policy: write record_into(levels).");
+  static_assert(!is_stop_of_cgal, "A stop predicate of CGAL's is no stop policy here: write "
+                                  "FaceCount{n}, FaceRatio{r} or VertexCount{n}.");
+  static_assert(is_optional || is_levels || is_stop_of_cgal,
+                "A filter or stop policy is asked as a constant: declare its member function "
+                "const, and leave mutable out of a lambda.");
+}
+
+/// Does not compile, since an argument is of no kind, and says what it lacks to be of each.
+template <class Cost, class UnknownArgument, class Call>
+void refuse_argument() {
+  static_assert(
+      AllAreKnown<UnknownArgument>,
+      "An argument of this call is no cost, placement, pairs, stop, order, filter or guard: its "
+      "position and its type are those of ArgumentIsNoPolicy<position, type>.");
+  using Argument = typename UnknownArgument::type;
+  if constexpr (std::is_arithmetic_v<Argument>) {
+    static_assert(!std::is_arithmetic_v<Argument>,
+                  "A number does not tell what it counts: write FaceCount{1000}, FaceRatio{0.1} or "
+                  "ErrorLimit{0.01}.");
+  } else if constexpr (LooksLikeCost<Argument>) {
+    static_assert(CostPolicy<Argument>, "It is no cost.");
+  } else if constexpr (LooksLikePlacement<Argument, Cost>) {
+    static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
+  } else if constexpr (std::is_class_v<Argument>) {
+    static_assert(PlacementPolicy<Argument, Cost>, "It is no placement.");
+    static_assert(PairPolicy<Argument>, "It is no pair policy.");
+    static_assert(StopPolicy<Argument>, "It is no stop policy.");
+    static_assert(FilterPolicy<Argument, Cost>, "It is no filter.");
+    static_assert(is_guard<Argument>,
+                  "It is no guard: that has a member begin(const GuardedSurface&) const.");
+    static_assert(CostPolicy<Argument>, "It is no cost.");
+  }
+}
+
+/// Does not compile, for a surface that cannot be changed; each Call is refused anew. Where a
+/// function is deleted instead, a compiler lists all others of its name.
+template <class... Call>
+Report refuse_constant() {
+  static_assert(sizeof...(Call) == 0,
+                "What is constant or temporary cannot be simplified: simplify changes its surface, "
+                "which has to have a name and no const; simplified makes a new one.");
+  return {};
+}
+
+/// A container, but none of triangles, nor of their numbers one after the other.
+template <class Triangles, class Points>
+concept NoTriangles = std::ranges::random_access_range<Triangles> &&
+    (!TriangleContainer<std::remove_const_t<Triangles>>)&&(!BufferedSoup<Points, Triangles>)&&(
+        !ConstantBuffers<Points, Triangles>);
+
+/// Is the first argument no range, as triangles would be?
+template <class... Arguments>
+inline constexpr bool has_no_range_first = true;
+template <class First, class... Others>
+inline constexpr bool has_no_range_first<First, Others...> = !std::ranges::range<First>;
+
+/// Does not compile, for arguments that are not Fitting. `position` is that of the first policy
+/// among all arguments, counted from 1; each Call is refused anew.
+template <std::size_t position, class Call, class Cost, class Placement, class... Arguments>
+Report refuse() {
+  using UsedCost = CostOf<Cost, Arguments...>;
+  using UnknownArgument = Unknown<position, Cost, Arguments...>;
+  if constexpr (!CostPolicy<UsedCost>) {
+    static_assert(CostPolicy<UsedCost>,
+                  "The cost of this call is no CostPolicy: see <quadrille/concepts.h>.");
+  } else if constexpr (!AllAreKnown<UnknownArgument>) {
+    if constexpr (NearlyKnown<typename UnknownArgument::type, UsedCost>)
+      refuse_nearly_known<typename UnknownArgument::type, Call>();
+    else
+      refuse_argument<UsedCost, UnknownArgument, Call>();
+  } else {
+    static_assert(PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, UsedCost>,
+                  "The placement of this call is no PlacementPolicy for its cost: see "
+                  "<quadrille/concepts.h>.");
+  }
+  return {};
+}
+
+} // namespace quadrille::internal
+
+namespace quadrille {
+
+/// Does not compile, for a mesh that is constant or temporary.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
+          class... Arguments>
+requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&, const Arguments&...) {
+  return internal::refuse_constant<Cost, Placement, Mesh, Arguments...>();
+}
+
+/// Does not compile, for a view of a mesh.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Graph,
+          class... Arguments>
+requires internal::ReadableGraph<Graph> &&
+    (!internal::FaceGraph<Graph>)&&(!std::is_const_v<Graph>)Report
+    simplify(Graph&, const Arguments&...) {
+  static_assert(internal::FaceGraph<Graph>,
+                "This graph can be read only, as a Face_filtered_graph: simplify the mesh that it "
+                "is a view of, with quadrille::parameters::face_is_selected_map for its faces.");
+  return {};
+}
+
+/// Does not compile, for points without triangles.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class... Arguments>
+requires internal::PointContainer<Points> && internal::has_no_range_first<Arguments...>
+    Report simplify(Points&, const Arguments&...) {
+  static_assert(!internal::PointContainer<Points>,
+                "A soup has triangles as well as points: simplify(points, triangles, ...).");
+  return {};
+}
+
+/// Does not compile, for matrices of other numbers than those of points and of triangles.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::MatrixLike<Points> && internal::MatrixLike<Triangles> &&
+    (!internal::BufferedSoup<Points, Triangles>)Report
+    simplify(const Points&, const Triangles&, const Arguments&...) {
+  static_assert(internal::BufferedSoup<Points, Triangles>,
+                "The numbers of these matrices are not those of a soup: points are of float or "
+                "double, triangles of integers, and the points come first.");
+  return {};
+}
+
+/// Does not compile, for points beside a container of something else than triangles.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::PointContainer<Points> && internal::NoTriangles<Triangles, Points>
+    Report simplify(Points&, Triangles&, const Arguments&...) {
+  static_assert(internal::TriangleContainer<Triangles>,
+                "The triangles of a soup are three integers each, by index, as std::array<int, 3>: "
+                "what this container has is none.");
+  return {};
+}
+
+/// The same as for a mesh with arguments, lest it be taken by CGAL::simplify(x).
+template <class Mesh>
+requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&) {
+  return internal::refuse_constant<Mesh>();
+}
+
+/// Does not compile, for a soup that is constant or temporary.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
+    Report simplify(const Points&, const Triangles&, const Arguments&...) {
+  return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
+}
+
+/// The same for buffers.
+template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
+          class Triangles, class... Arguments>
+requires internal::ConstantBuffers<Points, Triangles>
+    Report simplify(const Points&, const Triangles&, const Arguments&...) {
+  return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
+}
+
+} // namespace quadrille
+
+#endif // QUADRILLE_INTERNAL_CORE_CALL_DIAGNOSTICS_H

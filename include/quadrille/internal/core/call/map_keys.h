@@ -1,0 +1,127 @@
+#ifndef QUADRILLE_INTERNAL_CORE_CALL_MAP_KEYS_H
+#define QUADRILLE_INTERNAL_CORE_CALL_MAP_KEYS_H
+
+#include <quadrille/internal/core/adapter/no_channel_maps.h>
+#include <quadrille/internal/core/base/optional.h>
+#include <quadrille/internal/core/call/named_parameters.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// Can a property map be asked for a key of that type, as far as it says what its keys are?
+template <class Map, class Key>
+inline constexpr bool takes_key = true;
+template <class Map, class Key>
+requires requires {
+  typename Map::key_type;
+}
+inline constexpr bool takes_key<Map, Key> = std::convertible_to<Key, typename Map::key_type>;
+
+/// Can all maps of these names be asked for such a key, that are given?
+template <class Key, class NamedParameters, class... Tags>
+constexpr bool take_key(Names<Tags...>) {
+  return (takes_key<Held<decltype(CGAL::parameters::get_parameter(
+                        std::declval<const NamedParameters&>(), Tags{}))>,
+                    Key> &&
+          ...);
+}
+
+/// Refuses to compile a call with a property map over something else than what it is read for, and
+/// tells whether that is so, so that nobody asks the map.
+template <class Vertex, class Face, class Cost, class Carried, class NamedParameters>
+constexpr bool check_keys() {
+  namespace np = CGAL::internal_np;
+  using OfVertices = Names<np::vertex_is_constrained_t, np::vertex_point_t, np::vertex_index_t,
+                           decltype(attribute_name<Cost>()), parameters::vertex_tolerance_t,
+                           parameters::vertex_importance_t, parameters::vertex_is_shared_t,
+                           parameters::vertex_image_t, parameters::vertex_quadric_t>;
+  using OfFaces = Names<parameters::face_is_selected_t, np::face_patch_t>;
+  constexpr bool vertices_fit = take_key<Vertex, NamedParameters>(OfVertices());
+  constexpr bool faces_fit = take_key<Face, NamedParameters>(OfFaces());
+  constexpr bool labels_fit = [] {
+    if constexpr (Carried::has_labels)
+      return takes_key<decltype(Held<typename Carried::Labels>::map), Face>;
+    else
+      return true;
+  }();
+  static_assert(
+      vertices_fit,
+      "A named parameter vertex_..._map is a map over something else: its keys have to be "
+      "the vertices of the mesh, of a soup the indices of points.");
+  static_assert(
+      faces_fit,
+      "face_is_selected_map or face_patch_map is a map over something else: its keys have "
+      "to be the faces of the mesh, of a soup the indices of triangles.");
+  static_assert(labels_fit,
+                "The map of Labels is over something else: its keys have to be the faces of the "
+                "mesh, of a soup the indices of triangles.");
+  return vertices_fit && faces_fit && labels_fit;
+}
+
+/// Is a channel over such keys? `takes` is asked with an object of their type; a list of channels
+/// that are told at run time has none.
+template <class Channel>
+constexpr bool has_keys([[maybe_unused]] auto takes) {
+  if constexpr (requires { typename Channel::Source; })
+    return takes(std::type_identity<typename boost::property_traits<
+                     typename MapOfSource<typename Channel::Source>::type>::key_type>());
+  else
+    return true;
+}
+template <class... Channel>
+constexpr bool have_keys(const std::tuple<Channel...>*, [[maybe_unused]] auto takes) {
+  return (has_keys<Channel>(takes) && ...);
+}
+
+template <class Mesh, class Cost, class Carried, class NamedParameters>
+constexpr bool check_keys_of_mesh() {
+  using Graph = boost::graph_traits<Mesh>;
+  using Vertex = typename Graph::vertex_descriptor;
+  using OfEdges = Names<CGAL::internal_np::edge_is_constrained_t, parameters::edge_is_crease_t,
+                        parameters::edge_is_border_t>;
+  constexpr bool others_fit =
+      check_keys<Vertex, typename Graph::face_descriptor, Cost, Carried, NamedParameters>();
+  constexpr bool edges_fit = take_key<typename Graph::edge_descriptor, NamedParameters>(OfEdges());
+  static_assert(edges_fit,
+                "A named parameter edge_..._map is a map over something else: its keys have to be "
+                "the edges of the mesh.");
+  constexpr auto is_corner = []<class Key>(std::type_identity<Key>) {
+    return std::same_as<Key, Vertex> || std::same_as<Key, typename Graph::halfedge_descriptor>;
+  };
+  constexpr bool channels_fit =
+      have_keys(static_cast<typename Carried::Channels*>(nullptr), is_corner);
+  static_assert(channels_fit,
+                "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
+                "of a mesh are property maps over its vertices or over its halfedges.");
+  return others_fit && edges_fit && channels_fit;
+}
+
+template <class Cost, class Carried, class NamedParameters>
+constexpr bool check_keys_of_soup() {
+  constexpr bool others_fit =
+      check_keys<std::size_t, std::size_t, Cost, Carried, NamedParameters>();
+  constexpr auto is_index = []<class Key>(std::type_identity<Key>) {
+    return std::convertible_to<std::size_t, Key>;
+  };
+  constexpr bool channels_fit =
+      have_keys(static_cast<typename Carried::Channels*>(nullptr), is_index);
+  static_assert(channels_fit,
+                "The map of a channel is over something else: Texture, Normals, Colors, Attributes "
+                "of a soup are property maps over the indices of its points.");
+  return others_fit && channels_fit;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_CALL_MAP_KEYS_H

@@ -1,0 +1,62 @@
+#ifndef QUADRILLE_INTERNAL_CORE_CALL_TELLER_H
+#define QUADRILLE_INTERNAL_CORE_CALL_TELLER_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/call/named_parameters.h>
+#include <quadrille/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// What a call tells of the result by named parameters, while an adapter writes it. What was not
+/// asked for is Param_not_found, and costs nothing.
+template <class QuadricMap, class ImageMap, class Duplicates>
+class Teller {
+public:
+  static constexpr bool asks_for_memories = is_given<QuadricMap>;
+  static constexpr bool asks_for_images = is_given<ImageMap>;
+
+  Teller(QuadricMap quadrics, ImageMap images, Duplicates duplicates)
+      : quadrics_(quadrics), images_(images), duplicates_(duplicates) {}
+
+  /// For each vertex v that is left, with its key in the user's maps.
+  void vertex(const auto& key, Index v, const auto& result) const {
+    if constexpr (is_given<QuadricMap>)
+      put(quadrics_, key, result.mean_quadric(v));
+  }
+
+  /// For each vertex of the input, with what it has become.
+  void image(const auto& key, const auto& of_it) const {
+    if constexpr (is_given<ImageMap>)
+      put(images_, key, of_it);
+  }
+
+  /// For each vertex that has been added.
+  void duplicate(const auto& added, const auto& original) {
+    if constexpr (is_given<Duplicates>)
+      *duplicates_++ = std::pair(added, original);
+  }
+
+private:
+  QUADRILLE_NO_UNIQUE_ADDRESS QuadricMap quadrics_;
+  QUADRILLE_NO_UNIQUE_ADDRESS ImageMap images_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Duplicates duplicates_;
+};
+
+template <class NamedParameters>
+auto teller(const NamedParameters& named) {
+  using CGAL::parameters::get_parameter;
+  return Teller(get_parameter(named, parameters::vertex_quadric),
+                get_parameter(named, parameters::vertex_image),
+                get_parameter(named, parameters::duplicate_output));
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_CALL_TELLER_H

@@ -1,0 +1,179 @@
+#ifndef QUADRILLE_INTERNAL_CORE_COMPLEX_LINK_CONDITION_H
+#define QUADRILLE_INTERNAL_CORE_COMPLEX_LINK_CONDITION_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/base/prefetch.h>
+#include <quadrille/internal/core/base/ranges.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/complex/vertex_classifier.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
+#include <quadrille/internal/core/memory/array.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+
+namespace quadrille::internal {
+
+/// Tells whether a contraction keeps the topology of the surface.
+///
+/// The contraction of an edge ab does, if Lk(a) ∩ Lk(b) = Lk(ab), where the links of boundary edges
+/// are joined to a point at infinity. A line along which three sheets or more meet, as the pages of
+/// a book do at its spine, is contracted along itself; other vertices that are neither inside the
+/// surface nor on its boundary (where such lines meet, or two sheets in a point) are called
+/// singular; for them the test here is stricter than it need be: two of them are never contracted.
+/// Source: Dey, Edelsbrunner, Guha and Nekhayev, Topology preserving edge contraction, 1999.
+class LinkCondition {
+public:
+  LinkCondition() = default;
+
+  /// Classifies every vertex, in linear time. labels_of(worker) are labels for each thread.
+  template <class LabelsOf>
+  LinkCondition(TriangleComplex& complex, LabelsOf labels_of, Threads threads = Threads())
+      : kind_(complex.vertex_capacity(), complex.workspace()) {
+    for_each_range(threads, kind_.size(), [&](const auto& range, std::size_t worker) {
+      VertexClassifier classify;
+      for (Index v = range.begin; v < range.end; ++v)
+        kind_[v] = classify(complex, v, labels_of(worker));
+    });
+    is_closed_ =
+        std::all_of(kind_.begin(), kind_.end(), [](Kind kind) { return kind <= Kind::unoriented; });
+  }
+
+  bool holds(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
+    if (star.shared.empty() || star.may_meet_hub)
+      return false; // not an edge, or one that would join two hubs if they are not joined yet
+    constexpr Index in_first = 0, in_both = 1;
+    labels.clear(2);
+    for (const StarFace& f : star.shared)
+      labels.set(f.other_than(b), in_first);
+    for_each_neighbour(star.first, a, [&](Index v) { labels.set(v, in_first); });
+    std::size_t common = 0;
+    const auto count_common = [&](Index v) {
+      if (labels.has_label(v, in_first)) {
+        labels.set(v, in_both);
+        ++common;
+      }
+    };
+    for_each_neighbour(star.second, b, count_common);
+    for (const StarFace& f : star.shared)
+      count_common(f.other_than(b));
+    if (common != star.shared.size())
+      return false; // a common neighbour that is not opposite to the edge, or a duplicate face
+    for (const StarFace& f : star.first)
+      if (labels.has_label(f.second, in_both) && labels.has_label(f.third, in_both) &&
+          has_link_edge(star.second, f.second, f.third))
+        return false; // a common edge: the two would become a duplicate face
+    return (std::min)(kind_[a], kind_[b]) <= Kind::unoriented || is_along_boundary(star, a, b) ||
+           is_along_spine(star, a, b, labels);
+  }
+
+  /// Does it know of each vertex how its faces lie? Not where topology is free.
+  bool knows_kinds() const { return !kind_.empty(); }
+  /// Is every vertex known to be inside the surface?
+  bool is_closed() const { return is_closed_; }
+
+  /// And are their faces oriented alike?
+  bool is_oriented() const {
+    return is_closed_ && std::all_of(kind_.begin(), kind_.end(),
+                                     [](Kind kind) { return kind == Kind::interior; });
+  }
+
+  /// Is the vertex known to be inside the surface? A condition without a surface knows of none.
+  bool is_interior(Index v) const { return !kind_.empty() && kind_[v] <= Kind::unoriented; }
+  /// And is each neighbour the second vertex of just one of its faces?
+  bool is_oriented(Index v) const { return !kind_.empty() && kind_[v] == Kind::interior; }
+
+  /// Is it known that more than one sheet may meet at the vertex?
+  bool may_be_junction(Index v) const { return !kind_.empty() && kind_[v] > Kind::boundary; }
+
+  static auto vertex_columns(auto& self) { return std::tie(self.kind_); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
+    if (!kind_.empty())
+      internal::prefetch(&kind_[v]);
+  }
+
+  /// A vertex of two kinds is of the one that allows less.
+  void merge(Index kept, Index gone) {
+    if (!kind_.empty())
+      kind_[kept] = (std::max)(kind_[kept], kind_[gone]);
+  }
+
+private:
+  using Kind = VertexKind;
+
+  // Of an oriented vertex, all neighbours but those of its shared faces are second vertices.
+  template <class Visit>
+  void for_each_neighbour(const AppendBuffer<StarFace>& faces, Index v, Visit visit) const {
+    if (kind_[v] == Kind::interior) {
+      for (const StarFace& f : faces)
+        visit(f.second);
+      return;
+    }
+    for (const StarFace& f : faces) {
+      visit(f.second);
+      visit(f.third);
+    }
+  }
+
+  static bool has_link_edge(const AppendBuffer<StarFace>& star, Index p, Index q) {
+    return std::any_of(star.begin(), star.end(), [&](const StarFace& f) {
+      return (f.second == p && f.third == q) || (f.second == q && f.third == p);
+    });
+  }
+
+  // Both ends lie on the boundary (or are singular): so must the edge, and no triangle of boundary
+  // edges may vanish with it.
+  bool is_along_boundary(const PairStar& star, Index a, Index b) const {
+    if (star.shared.size() != 1 || (kind_[a] == Kind::singular && kind_[b] == Kind::singular))
+      return false;
+    const StarFace& f = star.shared.front();
+    const Index opposite = f.other_than(b);
+    return has_vertex(star.first, opposite) || has_vertex(star.second, opposite);
+  }
+
+  // One end lies on a spine, and the other on the same: so must the edge, and nothing may join them
+  // behind it. Of two ends on the spine it is enough to look from one: that of more faces, so that
+  // numbers do not matter, or either where both have as many.
+  bool is_along_spine(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
+    if (star.shared.size() < 3 || (kind_[a] != Kind::spine && kind_[b] != Kind::spine))
+      return false;
+    const bool are_both = kind_[a] == kind_[b];
+    const auto is_seen_from = [&](Index end, Index other, const auto& faces, const auto& others) {
+      const bool is_the_one = star.hub == none ? faces.size() >= others.size() : star.hub == other;
+      return kind_[end] == Kind::spine && (!are_both || is_the_one) &&
+             goes_on_behind(faces, star.shared, labels);
+    };
+    return is_seen_from(a, b, star.first, star.second) ||
+           is_seen_from(b, a, star.second, star.first);
+  }
+
+  // Does the spine go on behind one end of an edge, and not back to it? The next vertex on it is
+  // that of as many faces as the edge has, all of which are among these unless it is opposite to
+  // it.
+  static bool goes_on_behind(const AppendBuffer<StarFace>& faces,
+                             const AppendBuffer<StarFace>& shared, VertexLabels& labels) {
+    const Index pages = static_cast<Index>(shared.size());
+    labels.clear(pages + 1);
+    for (const StarFace& f : faces)
+      for (Index v : {f.second, f.third}) {
+        labels.set(v, labels.is_labelled(v) ? labels[v] + 1 : 1);
+        if (labels[v] == pages)
+          return true;
+      }
+    return false;
+  }
+
+  static bool has_vertex(const AppendBuffer<StarFace>& star, Index v) {
+    return std::any_of(star.begin(), star.end(), [&](const StarFace& f) { return f.has(v); });
+  }
+
+  Array<Kind> kind_;
+  bool is_closed_ = false;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_COMPLEX_LINK_CONDITION_H

@@ -1,0 +1,206 @@
+#ifndef QUADRILLE_INTERNAL_CORE_COMPLEX_STAR_H
+#define QUADRILLE_INTERNAL_CORE_COMPLEX_STAR_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/star_face.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/append_buffer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The face at one of its vertices, in place i of its corners.
+QUADRILLE_ALWAYS_INLINE inline StarFace star_face_at(const TriangleComplex& complex, Index face,
+                                                     Index i) {
+  const auto& v = complex.vertices(face);
+  // From tables in numbers: compilers make jumps of conditions.
+  const Index next = 0b00'10'01u >> 2 * i & 3, previous = 0b01'00'10u >> 2 * i & 3;
+  return {face, v[next], v[previous]};
+}
+
+/// The face at that one of its vertices.
+inline StarFace star_face_from(const TriangleComplex& complex, Index face, Index vertex) {
+  const auto& v = complex.vertices(face);
+  return star_face_at(complex, face, v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
+}
+
+/// The faces around a pair of vertices: those of one end only, which a contraction changes, and
+/// those of both, which it removes.
+///
+/// ```text
+///            l
+///          / | \        a, b   the pair; l, r and all other neighbours of the two are its link
+///     \ 1 /  |  \ 2 /   1      faces of `first`: at a and not at b
+///   1   a  s | s  b  2  2      faces of `second`: at b and not at a
+///     / 1 \  |  / 2 \   s      faces of `shared`: at both; here two, (a, b, l) and (b, a, r)
+///          \ | /
+///            r
+/// ```
+///
+/// Where one end is a hub, to which the other comes, its faces do not change. Only those beside the
+/// other end are here: those that have a vertex in common with its link; of further hubs in the
+/// link, at least one each that is opposite to the pair.
+struct PairStar {
+  AppendBuffer<StarFace> first, second; // the faces of one end only
+  AppendBuffer<StarFace> shared;        // the faces of both, seen from the first end
+  Index hub = none;                     // the end of which faces are left out, if one is
+  bool may_meet_hub = false; // may it be joined to a further hub in the link that is not opposite?
+
+  void gather(TriangleComplex& complex, Index a, Index b) {
+    clear();
+    StarFace* const ours = first.extend(complex.degree_bound(a));
+    StarFace* const both = shared.extend(complex.degree_bound(a));
+    StarFace* const theirs = second.extend(complex.degree_bound(b));
+    std::size_t our_count = 0, both_count = 0, their_count = 0;
+    complex.prune_corners(a, [&](Index face, Index i) { // without a branch: it is hard to guess
+      const StarFace f = star_face_at(complex, face, i);
+      const bool is_shared = (f.second == b) | (f.third == b);
+      ours[our_count].set(f);
+      both[both_count].set(f);
+      both_count += is_shared;
+      our_count += !is_shared;
+    });
+    complex.prune_corners(b, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex, face, i);
+      theirs[their_count].set(f);
+      their_count += (f.second != a) & (f.third != a);
+    });
+    first.add(our_count);
+    shared.add(both_count);
+    second.add(their_count);
+  }
+
+  /// Of a pair of which one end is a hub, in about as many steps as the other end and its
+  /// neighbours have faces.
+  void gather_beside_hub(TriangleComplex& complex, Index a, Index b, Index its_hub);
+
+  /// Calls visit(face) for each face that a contraction changes.
+  template <class Visit>
+  void for_each_changed(Visit visit) const {
+    for (const auto* faces : {&first, &second})
+      for (const StarFace& f : *faces)
+        visit(f);
+  }
+
+private:
+  void clear() {
+    first.clear(), second.clear(), shared.clear();
+    hub = none;
+    may_meet_hub = false;
+  }
+
+  std::vector<Index> link_; // of the end that is no hub
+};
+
+/// The faces of a hub beside another vertex, found from the neighbours of that. Of further hubs
+/// among these only what has to be known is looked for.
+class FacesBesideHub {
+public:
+  /// `link`: the neighbours of the vertex `other` but the hub, in order. What is found goes to
+  /// `faces`.
+  FacesBesideHub(TriangleComplex& complex, Index hub, Index other, const std::vector<Index>& link,
+                 AppendBuffer<StarFace>& faces)
+      : complex_(complex), hub_(hub), other_(other), link_(link), faces_(faces) {}
+
+  /// All that have a vertex of the link which is no hub.
+  void add_at_link() {
+    for (Index v : link_)
+      if (!complex_.hubs().has(v))
+        complex_.for_each_corner(v, [&](Index face, Index i) {
+          const StarFace f = star_face_at(complex_, face, i);
+          if (f.has(hub_) && !f.has(other_) && !is_met_before(f.other_than(hub_), v))
+            add(face);
+        });
+  }
+  bool has_any_at(Index v) const {
+    return std::any_of(faces_.begin(), faces_.end(), [v](const StarFace& f) { return f.has(v); });
+  }
+  /// One that has a further hub.
+  void add_one_at(Index v) {
+    add_first(v, [&](const StarFace& f) { return f.has(v); });
+  }
+  /// That of two further hubs.
+  void add_between(Index v, Index w) {
+    add_first(fewer(v, w), [&](const StarFace& f) { return f.has(v) && f.has(w); });
+  }
+
+private:
+  // Was the face of these two vertices met at v before w had its turn?
+  bool is_met_before(Index v, Index w) const {
+    return v < w && !complex_.hubs().has(v) && std::binary_search(link_.begin(), link_.end(), v);
+  }
+
+  void add(Index face) { faces_.add_if(true, star_face_from(complex_, face, hub_)); }
+
+  // The first at both v and the hub for which is(f) holds, if there is any.
+  template <class Is>
+  void add_first(Index v, Is is) {
+    const Index few = fewer(v, hub_);
+    complex_.prune_first_corners(few);
+    complex_.any_corner(few, [&](Index face, Index) {
+      const auto& corners = complex_.vertices(face);
+      if (std::find(corners.begin(), corners.end(), hub_) == corners.end())
+        return false;
+      const StarFace f = star_face_from(complex_, face, hub_);
+      const bool result = is(f) && !f.has(other_);
+      if (result)
+        add(face);
+      return result;
+    });
+  }
+
+  Index fewer(Index v, Index w) const {
+    return complex_.degree_bound(v) < complex_.degree_bound(w) ? v : w;
+  }
+
+  TriangleComplex& complex_;
+  Index hub_, other_;
+  const std::vector<Index>& link_;
+  AppendBuffer<StarFace>& faces_;
+};
+
+QUADRILLE_NOINLINE inline void PairStar::gather_beside_hub(TriangleComplex& complex, Index a,
+                                                           Index b, Index its_hub) {
+  clear();
+  hub = its_hub;
+  const Index other = hub == a ? b : a;
+  AppendBuffer<StarFace>& of_other = hub == a ? second : first;
+  link_.clear();
+  complex.prune_corners(other, [&](Index face, Index i) {
+    const StarFace f = star_face_at(complex, face, i);
+    if (f.has(hub))
+      shared.add_if(true, star_face_from(complex, face, a));
+    else
+      of_other.add_if(true, f);
+    for (Index v : {f.second, f.third})
+      if (v != hub)
+        link_.push_back(v);
+  });
+  std::sort(link_.begin(), link_.end());
+  link_.erase(std::unique(link_.begin(), link_.end()), link_.end());
+
+  FacesBesideHub beside(complex, hub, other, link_, hub == a ? first : second);
+  beside.add_at_link();
+  const auto is_opposite = [&](Index v) {
+    return std::any_of(shared.begin(), shared.end(),
+                       [&](const StarFace& f) { return f.other_than(b) == v; });
+  };
+  for (Index v : link_)
+    if (complex.hubs().has(v) && !beside.has_any_at(v)) {
+      if (is_opposite(v))
+        beside.add_one_at(v);
+      else
+        may_meet_hub = true;
+    }
+  for (const StarFace& f : of_other)
+    if (complex.hubs().has(f.second) && complex.hubs().has(f.third))
+      beside.add_between(f.second, f.third);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_COMPLEX_STAR_H

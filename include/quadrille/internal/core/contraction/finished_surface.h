@@ -1,0 +1,28 @@
+#ifndef QUADRILLE_INTERNAL_CORE_CONTRACTION_FINISHED_SURFACE_H
+#define QUADRILLE_INTERNAL_CORE_CONTRACTION_FINISHED_SURFACE_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/vector.h>
+
+namespace quadrille::internal {
+
+/// What has become of a surface, in the engine's numbers and units.
+template <class Cost, class ChannelsLeft>
+struct FinishedSurface {
+  Scale<Cost::dimension> scale;
+  bool is_closed; ///< it had no border, and has none
+  TriangleComplex complex;
+  Array<Vector<Cost::dimension>> positions;
+  Array<unsigned char> is_moved;
+  UninitializedArray<typename Cost::Memory> memories; ///< if they were asked for
+  Numbering numbering;
+  QUADRILLE_NO_UNIQUE_ADDRESS ChannelsLeft channels;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_CONTRACTION_FINISHED_SURFACE_H

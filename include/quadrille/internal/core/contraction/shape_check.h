@@ -1,0 +1,194 @@
+#ifndef QUADRILLE_INTERNAL_CORE_CONTRACTION_SHAPE_CHECK_H
+#define QUADRILLE_INTERNAL_CORE_CONTRACTION_SHAPE_CHECK_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/state/contraction.h>
+#include <quadrille/internal/core/state/parts.h>
+#include <quadrille/internal/core/state/recession.h>
+#include <quadrille/internal/core/state/surface_state.h>
+#include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Does a cost tell its error as a distance to the surface? Only such a one can say what spoils a
+/// shape.
+template <class Cost>
+concept knows_errors = requires(const Cost& cost, const PairOf<Cost>& pair) {
+  cost.squared_error(pair, 0.0);
+};
+
+/// Of each face, one that stands for the region in which it is: faces of one label that vertices
+/// connect.
+inline std::vector<Index> regions_of(const TriangleComplex& complex, const Array<Index>& labels) {
+  std::vector<Index> parent(complex.face_capacity());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index face) {
+    while (parent[face] != face)
+      face = parent[face] = parent[parent[face]];
+    return face;
+  };
+  std::vector<Index> seen; // at a vertex, one face of each label
+  for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+    seen.clear();
+    complex.for_each_corner(v, [&](Index face, Index) {
+      const auto like = std::find_if(seen.begin(), seen.end(),
+                                     [&](Index other) { return labels[other] == labels[face]; });
+      if (like == seen.end())
+        seen.push_back(face);
+      else
+        parent[root(face)] = root(*like);
+    });
+  }
+  for (Index face = 0; face < parent.size(); ++face)
+    parent[face] = root(face);
+  return parent;
+}
+
+/// Measures what contractions of great error do to the shape of large parts of a surface, and of
+/// large regions of labels: those from a twentieth of its diagonal.
+template <class Policies>
+class ShapeCheck {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Contraction = internal::Contraction<Cost>;
+
+  explicit ShapeCheck(const SurfaceState<Policies>& state) : state_(state) {}
+
+  /// From which error on it pays to look. Of parts below a fifth of the diagonal some contractions
+  /// of lesser errors would be found to spoil, if they were measured.
+  double least_error() const {
+    return spoiling_part * Parts<dimension>::least_large * state_.scale.diagonal();
+  }
+
+  /// Is there anything that a contraction could spoil? Parts have to be measured before.
+  bool has_any() const { return state_.parts.size() > 1 || !state_.labels().empty(); }
+
+  /// How far the contraction goes beyond what a large part or region bears: more than 1 if it
+  /// spoils the shape of one. A part is looked at where there are several, by the error and by what
+  /// is measured; a region of labels by the error.
+  double strain(const Contraction& contraction) {
+    return (std::max)(strain_of_part(contraction), strain_of_region(contraction));
+  }
+  /// The same of a part that vanishes, beside the whole surface. It spoils that if it lies apart.
+  double strain(const Part<dimension>& part) const {
+    return knows_errors<Cost> && part.isolation > apart
+               ? part.isolation * part.radius / (spoiling_part * state_.scale.diagonal())
+               : 0;
+  }
+  /// The key of what spoils a shape: behind all that spoils nothing, of which keys are at most
+  /// about 2^80 (see Scale), and in the order of cost and fourth power of the strain.
+  static float dearer(double cost, double strain) { return behind(0x1p85, cost, strain); }
+  /// The same of a contraction: what melts a large part comes behind all parts that may vanish,
+  /// too.
+  static float dearer(const Contraction& contraction, double strain) {
+    return behind(strain > melting ? 0x1p100 : 0x1p85, contraction.key(), strain);
+  }
+  bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
+  /// The same of parts alone, which several threads may ask for.
+  bool spoils_part(const Contraction& contraction) const { return strain_of_part(contraction) > 1; }
+
+  /// How many times further than its error says a contraction moves the surface, as measured where
+  /// the error is great beside the whole; else 1.
+  double excess(const Contraction& contraction) const {
+    if constexpr (knows_errors<Cost>)
+      if (is_measured(contraction, state_.scale)) [[unlikely]]
+        return (std::max)(1., deviation(contraction) / contraction.error());
+    return 1;
+  }
+
+private:
+  // An eighth root keeps the order, and floats hold all that there is beside the factor.
+  static float behind(double factor, double cost, double strain) {
+    const double root = std::sqrt(std::sqrt(std::sqrt(cost))) * std::sqrt(strain);
+    return static_cast<float>((std::min)(factor * root, 1e37));
+  }
+
+  double deviation(const Contraction& contraction) const {
+    return state_.scale.length_of_mesh(deviation_of(contraction, state_.geometry));
+  }
+
+  double strain_of_part(const Contraction& contraction) const {
+    if constexpr (knows_errors<Cost>) {
+      const Part<dimension>* const part = large_part(contraction);
+      if (!part)
+        return 0;
+      const double limit = spoiling_part * part->size, error = contraction.error();
+      return (error > measured * limit ? (std::max)(error, deviation(contraction)) : error) / limit;
+    } else {
+      return 0;
+    }
+  }
+
+  double strain_of_region(const Contraction& contraction) {
+    if constexpr (knows_errors<Cost>)
+      return state_.labels().empty() ? 0 : contraction.error() / limit_of_regions(contraction);
+    else
+      return 0;
+  }
+
+  // In which both ends lie; to join parts spoils none.
+  const Part<dimension>* large_part(const Contraction& contraction) const {
+    if (state_.parts.size() < 2)
+      return nullptr;
+    const Index part = state_.parts.of(contraction.first());
+    return part == state_.parts.of(contraction.second()) && state_.parts[part].is_large
+               ? &state_.parts[part]
+               : nullptr;
+  }
+
+  double limit_of_regions(const Contraction& contraction) {
+    if (regions_.empty())
+      measure_regions();
+    double size = std::numeric_limits<double>::infinity();
+    const PairStar& star = contraction.star();
+    for (const auto* faces : {&star.first, &star.second, &star.shared})
+      for (const StarFace& f : *faces)
+        size = (std::min)(size, sizes_of_regions_[regions_[f.face]]);
+    return spoiling_region * size;
+  }
+
+  // Once. That of a small region is infinite.
+  QUADRILLE_NOINLINE void measure_regions() {
+    regions_ = regions_of(state_.complex, state_.labels());
+    std::vector<Box<3>> boxes(regions_.size(), Box<3>::none());
+    for (Index face = 0; face < state_.complex.face_capacity(); ++face)
+      if (!state_.complex.is_removed(face))
+        for (Index v : state_.complex.vertices(face))
+          boxes[regions_[face]].add(space(state_.geometry.position(v)));
+    for (const Box<3>& box : boxes) {
+      const double size = state_.scale.length_of_mesh(box.diagonal());
+      sizes_of_regions_.push_back(size >= Parts<dimension>::least_large * state_.scale.diagonal()
+                                      ? size
+                                      : std::numeric_limits<double>::infinity());
+    }
+  }
+
+  static constexpr double spoiling_part = 1. / 100;  // of the size of a part
+  static constexpr double spoiling_region = 1. / 16; // of that of a region of labels
+  static constexpr double melting = 2;               // times as much as spoils
+  static constexpr double apart = 2;                 // of its radii away
+  static constexpr double measured = 1. / 4;         // of an error that spoils
+
+  const SurfaceState<Policies>& state_;
+  std::vector<Index> regions_; // of each face
+  std::vector<double> sizes_of_regions_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_CONTRACTION_SHAPE_CHECK_H

@@ -1,0 +1,260 @@
+#ifndef QUADRILLE_INTERNAL_CORE_COST_VERTEX_MEMORIES_H
+#define QUADRILLE_INTERNAL_CORE_COST_VERTEX_MEMORIES_H
+
+#include <quadrille/internal/core/base/ranges.h>
+#include <quadrille/internal/core/complex/edge_star.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/internal/core/surface/shared_vertices.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What each vertex remembers at the beginning: its faces, itself, its boundary edges, its creases.
+template <class Cost>
+class InitialMemories {
+public:
+  using Memory = typename Cost::Memory;
+  using Position = Vector<Cost::dimension>;
+  using Edge = std::array<Index, 2>;
+
+  /// is_interior(v) tells of vertices that have no boundary edge for certain.
+  template <class IsInterior>
+  static void compute(UninitializedArray<Memory>& result, const Cost& cost,
+                      const Array<Position>& positions, TriangleComplex& complex,
+                      VertexLabels& labels, const std::vector<Edge>& creases,
+                      const SharedVertices& shared, IsInterior is_interior, Threads threads) {
+    result.resize(positions.size());
+    InitialMemories memories(cost, positions, complex, result);
+    for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
+      std::fill(result.begin() + range.begin, result.begin() + range.end, Memory{});
+      memories.add_faces(range);
+      memories.add_vertices(range);
+    });
+    if constexpr (has_boundaries || has_creases)
+      memories.add_edges(labels, shared, is_interior);
+    add_creases(result, cost, positions, complex, creases);
+  }
+
+  /// Adds what creases leave, for a cost that knows them.
+  static void add_creases(UninitializedArray<Memory>& result, const Cost& cost,
+                          const Array<Position>& positions, TriangleComplex& complex,
+                          const std::vector<Edge>& creases) {
+    InitialMemories memories(cost, positions, complex, result);
+    if constexpr (has_creases)
+      for (const auto& [v, w] : creases)
+        memories.add_crease(v, w);
+  }
+
+private:
+  static constexpr bool has_boundaries = requires(const Cost c, Position p) {
+    c.boundary(p, p, p);
+  };
+  static constexpr bool has_creases = requires(const Cost c, Position p) {
+    c.crease(p, p, p);
+    c.crease_degrees;
+  };
+  static constexpr bool may_have_vertex_terms = requires(const Cost c, const Memory m) {
+    c.vertex(m, Vector<3>{});
+    { c.has_vertex_terms() } -> std::convertible_to<bool>;
+  };
+
+  InitialMemories(const Cost& cost, const Array<Position>& positions, TriangleComplex& complex,
+                  UninitializedArray<Memory>& memories)
+      : cost_(cost), positions_(positions), complex_(complex), memories_(memories) {}
+
+  // To the vertices of a range.
+  template <class R>
+  void add_faces(const R& range) {
+    complex_.for_each_face_at(
+        range, [&](const TriangleComplex::Triangle& corners) { this->add_face(corners, range); });
+  }
+
+  template <class R>
+  void add_face(const TriangleComplex::Triangle& corners, const R& range) {
+    const auto [p, q, r] = corners;
+    if constexpr (requires { requires Cost::face_is_alike_at_corners; }) {
+      const Memory memory = cost_.face(positions_[p], positions_[q], positions_[r]);
+      for (Index v : corners)
+        if (range.contains(v))
+          memories_[v] += memory;
+    } else {
+      if (range.contains(p))
+        memories_[p] += cost_.face(positions_[p], positions_[q], positions_[r]);
+      if (range.contains(q))
+        memories_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
+      if (range.contains(r))
+        memories_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
+    }
+  }
+
+  // What vertices of a range leave themselves.
+  template <class R>
+  void add_vertices([[maybe_unused]] const R& range) {
+    if constexpr (may_have_vertex_terms) {
+      if (!cost_.has_vertex_terms())
+        return;
+      std::vector<Vector<3>> normals(range.end - range.begin);
+      complex_.for_each_face_at(range, [&](const TriangleComplex::Triangle& corners) {
+        const auto at = [&](std::size_t i) { return space(positions_[corners[i]]); };
+        const Vector<3> normal = normal_vector(at(0), at(1), at(2));
+        for (Index v : corners)
+          if (range.contains(v))
+            normals[v - range.begin] += normal;
+      });
+      for (Index v = range.begin; v < range.end; ++v)
+        memories_[v] += cost_.vertex(memories_[v], normals[v - range.begin]);
+    }
+  }
+
+  // Each end of a boundary edge meets it once; of a crease, the lower end takes care.
+  template <class IsInterior>
+  void add_edges(VertexLabels& labels, const SharedVertices& shared, IsInterior is_interior) {
+    EdgeStar star;
+    for (Index v = 0; v < positions_.size(); ++v) {
+      if (!finds_creases() && is_interior(v))
+        continue;
+      for (const EdgeAt& edge : star.gather(complex_, v, labels)) {
+        if constexpr (has_boundaries)
+          if (edge.faces == 1 && !shared.is_seam(v, edge.other))
+            memories_[v] +=
+                cost_.boundary(positions_[v], positions_[edge.other], positions_[edge.opposite[0]]);
+        if constexpr (has_creases)
+          if (edge.faces == 2 && v < edge.other && is_crease(v, edge))
+            add_crease(v, edge.other);
+      }
+    }
+  }
+
+  bool finds_creases() const {
+    if constexpr (has_creases)
+      return cost_.crease_degrees < 180;
+    else
+      return false;
+  }
+
+  bool is_crease(Index v, const EdgeAt& edge) const {
+    if (!finds_creases())
+      return false;
+    const Vector<3> p = space(positions_[v]), q = space(positions_[edge.other]);
+    const Vector<3> m = double_area_vector(p, q, space(positions_[edge.opposite[0]]));
+    const Vector<3> n = double_area_vector(q, p, space(positions_[edge.opposite[1]]));
+    const double lengths = std::sqrt(squared_length(m) * squared_length(n));
+    return dot(m, n) < std::cos(cost_.crease_degrees * std::numbers::pi / 180) * lengths;
+  }
+
+  // Each face of a crease leaves a plane, at both of its ends.
+  void add_crease(Index v, Index w) {
+    complex_.prune_corners(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex_, face, i);
+      if (!f.has(w))
+        return;
+      const Index opposite = f.other_than(w);
+      memories_[v] += cost_.crease(positions_[v], positions_[w], positions_[opposite]);
+      memories_[w] += cost_.crease(positions_[w], positions_[v], positions_[opposite]);
+    });
+  }
+
+  const Cost& cost_;
+  const Array<Position>& positions_;
+  TriangleComplex& complex_;
+  UninitializedArray<Memory>& memories_;
+};
+
+/// What vertices remember at the beginning, by input indices, instead of what their faces leave: in
+/// the engine's units, about the vertex.
+template <class Memory>
+struct GivenMemories {
+  std::vector<Memory> memories;
+  std::vector<bool> is_given; ///< of each; empty: all are
+
+  bool has(std::size_t vertex) const {
+    return !memories.empty() && (is_given.empty() || is_given[vertex]);
+  }
+};
+
+/// What each vertex remembers of the surface: for a quadric, the sum over its planes.
+template <class Cost>
+class VertexMemories {
+public:
+  using Memory = typename Cost::Memory;
+  using Positions = Array<Vector<Cost::dimension>>;
+
+  explicit VertexMemories(Workspace* workspace) : memories_(workspace) {}
+
+  const Memory& operator[](Index v) const { return memories_[v]; }
+  Memory& operator[](Index v) { return memories_[v]; }
+
+  /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
+  /// boundary edge for certain.
+  template <class IsInterior>
+  void remember(const Cost& cost, const Positions& positions, TriangleComplex& complex,
+                VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
+                const SharedVertices& shared, IsInterior is_interior, Threads threads) {
+    InitialMemories<Cost>::compute(memories_, cost, positions, complex, labels, creases, shared,
+                                   is_interior, threads);
+  }
+
+  /// Adds what vertices of the input leave that the cost knows by their indices, for a cost that
+  /// does: of all that a vertex stands for.
+  void remember_input([[maybe_unused]] const Cost& cost,
+                      [[maybe_unused]] const Numbering& numbering) {
+    if constexpr (RemembersByIndex<Cost>) {
+      const InputIndices numbers = numbering.vertices.inverse();
+      for (Index input = 0; input < numbering.vertices.input_count(); ++input)
+        if (const Index v = numbers[numbering.image(input)]; v != none)
+          memories_[v] += cost.input_vertex(input);
+    }
+  }
+
+  /// Adds what further creases leave, with a weight of their own.
+  void remember_creases(Cost cost, double weight, const Positions& positions,
+                        TriangleComplex& complex,
+                        const std::vector<std::array<Index, 2>>& creases) {
+    if constexpr (requires { cost.crease_weight; })
+      cost.crease_weight = weight;
+    InitialMemories<Cost>::add_creases(memories_, cost, positions, complex, creases);
+  }
+
+  /// Those vertices to which memories are given remember these and nothing else.
+  void take_given(const GivenMemories<Memory>& given, const InputIndices& input_vertices) {
+    for (Index v = 0; v < memories_.size(); ++v)
+      if (const Index input = input_vertices[v]; given.has(input))
+        memories_[v] = given.memories[input];
+  }
+
+  static auto vertex_columns(auto& self) { return std::tie(self.memories_); }
+
+  /// The vertex that a contraction has left remembers what both of its ends did.
+  template <class Event>
+  void contract(const Event& event) {
+    const auto& pair = event.contraction.pair();
+    Memory& memory = memories_[event.kept];
+    memory = pair.memory;
+    move_origin(memory, event.contraction.target() - pair.first);
+  }
+
+  /// All of it, which is no longer here then.
+  UninitializedArray<Memory> take() { return std::move(memories_); }
+
+private:
+  UninitializedArray<Memory> memories_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_COST_VERTEX_MEMORIES_H

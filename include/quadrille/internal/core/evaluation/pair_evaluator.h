@@ -1,0 +1,272 @@
+#ifndef QUADRILLE_INTERNAL_CORE_EVALUATION_PAIR_EVALUATOR_H
+#define QUADRILLE_INTERNAL_CORE_EVALUATION_PAIR_EVALUATOR_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/power_of_two.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
+#include <quadrille/internal/core/cost/no_local_terms.h>
+#include <quadrille/internal/core/evaluation/cost_units.h>
+#include <quadrille/internal/core/evaluation/pair_names.h>
+#include <quadrille/internal/core/evaluation/two_lanes.h>
+#include <quadrille/internal/core/memory/append_buffer.h>
+#include <quadrille/internal/core/memory/columns.h>
+#include <quadrille/internal/core/pairs/candidate.h>
+#include <quadrille/internal/core/policy/mesh_units.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/policy/star_view.h>
+#include <quadrille/internal/core/state/surface_state.h>
+#include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace quadrille::internal {
+
+/// What contracting a pair of vertices costs, and where the vertex goes.
+template <class Policies>
+class PairEvaluator {
+public:
+  using Cost = typename Policies::Cost;
+  using Placement = typename Policies::Placement;
+  using Position = Vector<Cost::dimension>;
+  using Candidate = internal::Candidate<Cost>;
+  using Pair = PairOf<Cost>;
+  using Geometry = internal::Geometry<Cost::dimension>;
+  using State = SurfaceState<Policies>;
+  using Terms = typename LocalTermsOf<Cost>::type;
+  static constexpr bool counts_channels = Policies::has_channels;
+
+  explicit PairEvaluator(State& state)
+      : state_(state),
+        terms_(policies().cost, state.geometry, state.complex, state.link_condition, state.shared),
+        names_(state.numbering), cost_of_key_(cost_of_key(policies().cost, state.scale)) {}
+
+  const State& state() const { return state_; }
+  const Cost& cost() const { return policies().cost; }
+  const Terms& terms() const { return terms_; }
+  const PairNames<Policies>& names() const { return names_; }
+
+  /// Local terms are summed up anew; of one vertex only, that is a hub or was one.
+  void sum_up(VertexLabels& labels) { terms_.sum_up(labels); }
+  void sum_up(Index hub, VertexLabels& labels) { terms_.sum_up(hub, labels); }
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
+    if constexpr (has_local_terms<Cost>)
+      terms_.before(event);
+  }
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
+    if constexpr (has_local_terms<Cost>)
+      terms_.after(event);
+  }
+  static constexpr bool is_made_anew = true; // see sum_up()
+  static auto vertex_columns(auto& self) { return Terms::vertex_columns(self.terms_); }
+
+  /// Asks for what costs of pairs read of a vertex.
+  QUADRILLE_ALWAYS_INLINE void prefetch_pair(Index v) const {
+    geometry().prefetch(v);
+    prefetch_columns(state_.memories, v);
+    prefetch_columns(terms_, v);
+    if constexpr (counts_channels)
+      state_.channels().prefetch(v);
+  }
+
+  /// Where the pair goes and what that costs, but for settle(); `first` is below `second`.
+  Candidate evaluate(Index first, Index second) const {
+    Candidate candidate{first, second, view(first, second)};
+    if constexpr (!looks_at_star<Placement>) {
+      candidate.target = target(first, second, candidate.pair);
+      set_cost(candidate);
+    }
+    return candidate;
+  }
+
+  /// Where a placement that looks at the star of the pair puts it. False if nowhere.
+  bool settle(Candidate& candidate, const PairStar& star) const {
+    if constexpr (looks_at_star<Placement>) {
+      static_assert(is_scale_free<Placement>,
+                    "A placement that looks at the star has to be scale-free: see CostPolicy and "
+                    "PlacementPolicy in <quadrille/concepts.h>.");
+      const Index a = candidate.first, b = candidate.second;
+      if (is_settled(a, b)) {
+        candidate.target = target(a, b, candidate.pair);
+      } else {
+        const auto x = policies().placement.settle(
+            policies().cost, names_.for_placement(candidate.pair, a, b), star_view(a, b, star));
+        if (!x)
+          return false;
+        candidate.target = *x;
+      }
+      set_cost(candidate);
+    }
+    return true;
+  }
+
+  /// What such a placement sees of it.
+  auto star_view(Index first, Index second, const PairStar& star) const {
+    return StarView<Cost::dimension>(star, first, second, geometry().positions().data(),
+                                     state_.scale);
+  }
+
+  /// Of the candidate's target, which may be another one than before.
+  QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
+    candidate.cost = policies().cost(candidate.pair, candidate.target);
+    candidate.key = key(candidate.pair, candidate.target, candidate.cost);
+    double squared = squared_error(policies().cost, candidate.pair, candidate.cost);
+    if constexpr (counts_channels)
+      squared *= state_.channels().error_factor(candidate.pair, candidate.first, candidate.second);
+    candidate.error = state_.scale.length_of_mesh(std::sqrt((std::max)(0.0, squared)));
+    if (state_.importance.is_any_given()) [[unlikely]]
+      weigh(candidate);
+  }
+
+  /// Contractions of the same pair to its ends, the cheaper one first.
+  std::array<Candidate, 2> at_ends(const Candidate& candidate) const {
+    std::array<Candidate, 2> ends{candidate, candidate};
+    ends[0].target = candidate.pair.first;
+    ends[1].target = candidate.pair.second;
+    for (Candidate& end : ends)
+      set_cost(end);
+    if (ends[1].key < ends[0].key)
+      std::swap(ends[0], ends[1]);
+    return ends;
+  }
+
+  /// The keys of many pairs, in their order; a negative or NaN key becomes 0. `labels` may be
+  /// written to.
+  void evaluate_all(const AppendBuffer<VertexPair>& pairs, AppendBuffer<float>& keys,
+                    VertexLabels& labels) const {
+    keys.clear();
+    float* const values = keys.extend(pairs.size() + 1); // two at a time
+    keys.add(pairs.size());
+    evaluate_alike(pairs, values, labels);
+    if (state_.importance.is_any_given()) [[unlikely]]
+      weigh(pairs, values);
+  }
+
+  /// The key of a pair, as a float.
+  float key_of(const VertexPair& p) const {
+    const float key = key_alike(p);
+    return state_.importance.is_any_given() ? key * state_.importance.of_pair(p.first, p.second)
+                                            : key;
+  }
+  /// The same where all vertices are of the same importance.
+  float key_alike(const VertexPair& p) const {
+    const auto [a, b] = std::minmax(p.first, p.second);
+    const Pair pair = view(a, b);
+    const Position x = target(a, b, pair);
+    return as_key(key(pair, x, policies().cost(pair, x)));
+  }
+  static float as_key(double cost) {
+    if constexpr (rise_of_guess<Placement> != 1)
+      cost *= rise_of_guess<Placement>;
+    return (std::max)(0.0f, static_cast<float>(cost));
+  }
+
+  /// What a cost is compared by. One in the mesh's units, of which nobody knows whether it is a
+  /// length, its square or its fourth power, is taken to where floats hold it in each of these
+  /// cases.
+  double key_of_cost(double cost) const {
+    if constexpr (is_scale_free<Cost>)
+      return cost;
+    else
+      return (std::min)(PowerOfTwo(2 * state_.scale.exponent())(cost),
+                        static_cast<double>((std::numeric_limits<float>::max)()));
+  }
+
+  /// A key as a cost in the mesh's units, for stop policies that ask for it.
+  double cost_of_mesh(double key) const { return key * cost_of_key_; }
+
+private:
+  QUADRILLE_NOINLINE void weigh(Candidate& candidate) const {
+    const double factor =
+        static_cast<double>(state_.importance.of_pair(candidate.first, candidate.second));
+    candidate.cost *= factor;
+    candidate.key *= factor;
+  }
+  QUADRILLE_NOINLINE void weigh(const AppendBuffer<VertexPair>& pairs, float* keys) const {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      keys[i] *= state_.importance.of_pair(pairs[i].first, pairs[i].second);
+  }
+
+  // Of which importance they are does not count yet.
+  QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
+                                              VertexLabels& labels) const {
+    if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type>)
+      if (is_optimal(policies().placement)) {
+        TwoLanes(*this).evaluate_all(pairs, values, labels);
+        if (hubs().any())
+          evaluate_at_hubs(pairs, values);
+        return;
+      }
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      values[i] = key_alike(pairs[i]);
+  }
+
+  // Is it known where the pair goes, whatever it costs there? To what is fixed, or to a hub.
+  bool is_settled(Index a, Index b) const {
+    return geometry().is_fixed(a) || geometry().is_fixed(b) || hubs().of_pair(a, b) != none;
+  }
+
+  QUADRILLE_NOINLINE void evaluate_at_hubs(const AppendBuffer<VertexPair>& pairs,
+                                           float* keys) const {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (hubs().of_pair(pairs[i].first, pairs[i].second) != none)
+        keys[i] = key_alike(pairs[i]);
+  }
+
+  // The pair as cost and placement see it.
+  Pair view(Index a, Index b) const {
+    const Position &p = geometry().position(a), &q = geometry().position(b);
+    Pair pair{
+        names_.of_cost(a, b), p, q, sum_about_first(state_.memories[a], state_.memories[b], q - p),
+        static_cast<double>((std::max)(geometry().squared_reach(a), geometry().squared_reach(b)))};
+    if constexpr (has_local_terms<Cost>)
+      pair.current =
+          policies().cost.join(terms_[a], terms_[b], terms_.shared(a, b), pair.second - pair.first);
+    if constexpr (counts_channels)
+      state_.channels().add_to(pair, a, b);
+    return pair;
+  }
+
+  Position target(Index a, Index b, const Pair& pair) const {
+    if (geometry().is_fixed(a) || geometry().is_fixed(b))
+      return geometry().is_fixed(a) ? pair.first : pair.second;
+    if (const Index hub = hubs().of_pair(a, b); hub != none)
+      return hub == a ? pair.first : pair.second;
+    if constexpr (is_scale_free<Placement>)
+      return policies().placement(policies().cost, names_.for_placement(pair, a, b));
+    else
+      return target_in_mesh_units(pair, a, b);
+  }
+
+  QUADRILLE_NOINLINE Position target_in_mesh_units(const Pair& pair, Index a, Index b) const {
+    const CostInMeshUnits<Cost> cost(policies().cost, state_.scale);
+    const PairInMeshUnits<Cost> seen(pair, state_.scale);
+    return seen.position_from_mesh(policies().placement(cost, names_.for_placement(seen, a, b)),
+                                   state_.scale);
+  }
+
+  double key(const Pair& pair, const Position& target, double cost) const {
+    return key_of_cost(cost + tie_break(policies().cost, pair, target));
+  }
+
+  const Policies& policies() const { return state_.policies; }
+  const Geometry& geometry() const { return state_.geometry; }
+  const Hubs& hubs() const { return state_.complex.hubs(); }
+
+  const State& state_;
+  QUADRILLE_NO_UNIQUE_ADDRESS Terms terms_;
+  QUADRILLE_NO_UNIQUE_ADDRESS PairNames<Policies> names_;
+  double cost_of_key_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_EVALUATION_PAIR_EVALUATOR_H

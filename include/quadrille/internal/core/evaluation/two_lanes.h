@@ -1,0 +1,186 @@
+#ifndef QUADRILLE_INTERNAL_CORE_EVALUATION_TWO_LANES_H
+#define QUADRILLE_INTERNAL_CORE_EVALUATION_TWO_LANES_H
+
+#include <quadrille/internal/core/appearance/no_channels.h>
+#include <quadrille/internal/core/base/lanes.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
+#include <quadrille/internal/core/cost/local_star.h>
+#include <quadrille/internal/core/evaluation/two_quadrics.h>
+#include <quadrille/internal/core/memory/append_buffer.h>
+#include <quadrille/internal/core/pairs/candidate.h>
+#include <quadrille/internal/core/policy/built_in_placement.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/placement.h>
+#include <quadrille/quadric_form.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+namespace quadrille::internal {
+
+/// Does a class say of itself that pairs may be costed two at a time? See CostPolicy.
+template <class Cost>
+inline constexpr bool says_two_lanes = requires {
+  requires std::same_as<typename Cost::TwoLanes, std::remove_const_t<Cost>>;
+};
+
+/// Is there a kernel that costs two pairs at the price of one, for this cost and placement?
+template <class Cost, class Placement>
+inline constexpr bool
+    has_two_lanes = (std::same_as<Placement, OptimalPlacement> ||
+                     std::same_as<Placement, BuiltInPlacement>)&&says_two_lanes<Cost>;
+
+/// Does a cost of that kind count losses of remembered planes, as ThinFeatureQuadric does?
+template <class Cost>
+concept CountsLosses = requires(const Cost& cost, const typename Cost::Memory& memory,
+                                const Lanes& lanes) {
+  { memory.planes } -> std::convertible_to<const QuadricForm<3>&>;
+  { cost.loss(lanes, lanes) } -> std::convertible_to<Lanes>;
+};
+
+/// Does a placement of those, or one whose guess is of those, take the position of least cost?
+template <class Placement>
+bool is_optimal(const Placement& placement) {
+  if constexpr (requires { placement.is_optimal(); })
+    return placement.is_optimal();
+  else
+    return true;
+}
+
+/// What channels add to two pairs: see two_channel_forms.h, which calls include that have some.
+template <class Cost>
+auto two_channel_forms(const Channels<Cost>& channels, const TwoPairs& two,
+                       const std::array<Vector<3>, 2>& to_seconds);
+
+/// Costs pairs two at a time. What the kernel cannot solve is left to the
+/// evaluator, which gives the same to the rounding of a float.
+template <class Evaluator>
+class TwoLanes {
+public:
+  using Cost = typename Evaluator::Cost;
+  static_assert(is_scale_free<Cost>,
+                "A cost that says TwoLanes has to be scale-free: see CostPolicy in "
+                "<quadrille/concepts.h>.");
+
+  explicit TwoLanes(const Evaluator& evaluator) : evaluator_(evaluator) {}
+
+  /// The last pair is taken alone twice, if need be: there is room for one key more.
+  void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
+    const auto& memories = evaluator_.state().memories;
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+      const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
+      const auto& [p, q] = two;
+      const std::array<Vector<3>, 2> to_seconds = ways(two);
+      const Lanes values = least_values({&memories[p.first], &memories[q.first]},
+                                        {&memories[p.second], &memories[q.second]}, to_seconds,
+                                        squared_reaches(two), channel_forms(two, to_seconds));
+      write(two, values, keys + i);
+    }
+    rewrite_fixed(pairs, keys);
+  }
+
+  /// One vertex after the other, since its pairs share what its faces say.
+  void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys,
+                    VertexLabels& labels) const requires has_local_terms<Cost> {
+    const auto& terms = evaluator_.terms();
+    const auto& complex = evaluator_.state().complex;
+    for (std::size_t i = 0, end = 0; i < pairs.size(); i = end) {
+      const Index v = pairs[i].first;
+      while (end < pairs.size() && pairs[end].first == v)
+        ++end;
+      if (terms.last_star().vertex() == v)
+        evaluate_around(terms.last_star(), pairs, i, end, keys);
+      else if (complex.degree_bound(v) <= LocalStar<Cost>::most_faces)
+        evaluate_around(LocalStar<Cost>(v, evaluator_.cost(), positions(), complex), pairs, i, end,
+                        keys);
+      else
+        evaluate_around(LocalHub<Cost>(v, evaluator_.cost(), positions(), complex, labels), pairs,
+                        i, end, keys);
+    }
+    rewrite_fixed(pairs, keys);
+  }
+
+private:
+  const auto& positions() const { return evaluator_.state().geometry.positions(); }
+
+  // What channels add to what each pair remembers, or to what it sees.
+  auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& ways) const {
+    if constexpr (Evaluator::counts_channels)
+      return two_channel_forms(evaluator_.state().channels(), two, ways);
+    else
+      return NothingAdded{};
+  }
+
+  template <class Star>
+  void evaluate_around(const Star& star, const AppendBuffer<VertexPair>& pairs, std::size_t i,
+                       std::size_t end, float* keys) const {
+    const auto& terms = evaluator_.terms();
+    for (; i < end; i += 2) {
+      const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, end - 1)]};
+      const auto& [p, q] = two;
+      const std::array<Vector<3>, 2> to_seconds = ways(two);
+      auto [values, minimizers] =
+          minima(terms[p.first], {&terms[p.second], &terms[q.second]},
+                 {star.shared_with(p.second, evaluator_.cost(), positions()),
+                  star.shared_with(q.second, evaluator_.cost(), positions())},
+                 to_seconds, squared_reaches(two), channel_forms(two, to_seconds));
+      if constexpr (CountsLosses<Cost>)
+        values += losses(two, minimizers);
+      write(two, values, keys + i);
+    }
+  }
+
+  // Both pairs have their first vertex in common.
+  Lanes losses(const TwoPairs& two, const LaneVector& minimizers) const {
+    const auto& [p, q] = two;
+    const auto planes = [&](Index v) -> const auto& {
+      return evaluator_.state().memories[v].planes;
+    };
+    const Lanes trace =
+        planes(p.first).trace() + Lanes{planes(p.second).trace(), planes(q.second).trace()};
+    return evaluator_.cost().loss(
+        growth(planes(p.first), {&planes(p.second), &planes(q.second)}, ways(two), minimizers),
+        trace);
+  }
+
+  void write(const TwoPairs& two, Lanes values, float* keys) const {
+    for (std::size_t k = 0; k < 2; ++k)
+      keys[k] = std::isnan(values[k]) ? evaluator_.key_alike(two[k]) : Evaluator::as_key(values[k]);
+  }
+
+  // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has
+  // costed as if they were free.
+  void rewrite_fixed(const AppendBuffer<VertexPair>& pairs, float* keys) const {
+    const auto& geometry = evaluator_.state().geometry;
+    if (!geometry.is_any_fixed())
+      return;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (geometry.is_fixed(pairs[i].first) || geometry.is_fixed(pairs[i].second))
+        keys[i] = evaluator_.key_alike(pairs[i]);
+  }
+
+  std::array<Vector<3>, 2> ways(const TwoPairs& two) const {
+    const auto& [p, q] = two;
+    const auto& at = positions();
+    return {at[p.second] - at[p.first], at[q.second] - at[q.first]};
+  }
+  Lanes squared_reaches(const TwoPairs& two) const {
+    const auto reach = [&](const VertexPair& p) {
+      const auto& geometry = evaluator_.state().geometry;
+      return static_cast<double>(
+          (std::max)(geometry.squared_reach(p.first), geometry.squared_reach(p.second)));
+    };
+    return Lanes{reach(two[0]), reach(two[1])};
+  }
+
+  const Evaluator& evaluator_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_EVALUATION_TWO_LANES_H

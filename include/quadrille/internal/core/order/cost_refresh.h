@@ -1,0 +1,170 @@
+#ifndef QUADRILLE_INTERNAL_CORE_ORDER_COST_REFRESH_H
+#define QUADRILLE_INTERNAL_CORE_ORDER_COST_REFRESH_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/contraction/working_surface.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/order/stamped_queue.h>
+#include <quadrille/internal/core/order/waiting_pairs.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/order.h>
+
+#include <cstddef>
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The vertices around which the surface has become flatter than when their pairs were last costed:
+/// these have become cheaper than the queue knows. They are gathered until there are enough to cost
+/// their pairs together, which spares most of the waiting for memory.
+class FlattenedVertices {
+public:
+  static constexpr std::size_t many = 64;
+
+  /// A vertex is one of them when its unevenness has fallen by more than a factor `fall`.
+  FlattenedVertices(std::size_t vertices, float fall, Workspace* workspace = nullptr)
+      : unevenness_(vertices, 0, workspace), fall_(fall) {
+    found_.reserve(2 * many);
+  }
+
+  /// The pairs of a vertex cost now what the queue says.
+  void note(Index v, double unevenness) { unevenness_[v] = static_cast<float>(unevenness); }
+  /// The faces around a vertex may have changed.
+  void look_at(Index v, double unevenness) {
+    if (!(unevenness < static_cast<double>(fall_ * unevenness_[v])))
+      return;
+    unevenness_[v] = found;
+    found_.push_back(v);
+  }
+
+  bool are_many() const { return found_.size() >= many; }
+  /// Calls visit(v) for each of them that has not been noted since, and forgets them all.
+  template <class Visit>
+  void take(Visit visit) {
+    for (Index v : found_)
+      if (unevenness_[v] == found)
+        visit(v);
+    found_.clear();
+  }
+
+private:
+  static constexpr float found = -std::numeric_limits<float>::infinity(); // nothing is below it
+
+  Array<float> unevenness_; // of each vertex, when its pairs were last costed
+  std::vector<Index> found_;
+  float fall_;
+};
+
+/// Which pairs are costed anew because a contraction beside them has changed what they cost, for a
+/// cost that looks at the surface as it is: see GreedyOrder::eager and FlattenedVertices.
+template <class Policies>
+class CostRefresh {
+public:
+  using Cost = typename Policies::Cost;
+
+  CostRefresh(WorkingSurface<Policies>& surface, PairStamps& stamps)
+      : surface_(surface), stamps_(stamps),
+        flattened_(looks_for_flattened() ? stamps.size() : 0, tolerated_fall<Cost>,
+                   surface.complex().workspace()) {
+    for (Index v = 0; v < stamps.size(); ++v)
+      note(v);
+  }
+
+  /// The pairs of a vertex have just been costed.
+  void note(Index v) {
+    if (looks_for_flattened())
+      flattened_.note(v, surface_.evaluator().terms().unevenness(v));
+  }
+  /// The faces around a vertex have changed.
+  void look_at(Index v) {
+    if (looks_for_flattened())
+      flattened_.look_at(v, surface_.evaluator().terms().unevenness(v));
+  }
+
+  /// Calls push(v, w, key) for the pairs that are to be costed anew now that a contraction has left
+  /// the vertex `kept`, each once.
+  template <class Push>
+  void run(Index kept, Push push) {
+    if (is_eager())
+      push_around(kept, push);
+    else if (flattened_.are_many())
+      push_flattened(push);
+  }
+
+  /// The same, where a vertex has come to a hub, of which only these neighbours have been touched.
+  template <class Push>
+  void run_at_hub(const std::vector<Index>& neighbours, Push push) {
+    if (is_eager()) {
+      ring_.clear();
+      for (Index w : neighbours)
+        add_to_ring(w);
+      push_pairs_of_ring([](Index) { return true; }, push);
+    } else if (flattened_.are_many()) {
+      push_flattened(push);
+    }
+  }
+
+private:
+  // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
+  bool is_eager() const { return has_local_terms<Cost> && surface_.policies().order.greedy.eager; }
+  // Where a cost tells how uneven they are. Eager order costs their pairs anyway.
+  bool looks_for_flattened() const { return tells_unevenness<Cost> && !is_eager(); }
+
+  // The pairs of the neighbours of a vertex that has just been contracted, but its own.
+  template <class Push>
+  void push_around(Index v, Push push) {
+    ring_.clear();
+    const TriangleComplex& complex = surface_.complex();
+    surface_.complex().prune_corners(v, [&](Index face, Index i) {
+      const StarFace f = star_face_at(complex, face, i);
+      add_to_ring(f.second);
+      add_to_ring(f.third);
+    });
+    push_pairs_of_ring([v](Index x) { return x != v; }, push);
+  }
+
+  void add_to_ring(Index w) {
+    if (!stamps_.is_new(w) && surface_.complex().degree_bound(w) <= WaitingPairs::few_faces) {
+      stamps_.renew(w);
+      ring_.push_back(w);
+    }
+  }
+
+  template <class Push>
+  QUADRILLE_NOINLINE void push_flattened(Push push) {
+    ring_.clear();
+    stamps_.advance(); // so that what was pushed before is outdated
+    flattened_.take([this](Index v) {
+      if (stamps_.is_retired(v) || !surface_.complex().has_faces(v))
+        return;
+      note(v);
+      if (surface_.complex().degree_bound(v) > WaitingPairs::few_faces)
+        return;
+      stamps_.renew(v);
+      ring_.push_back(v);
+    });
+    push_pairs_of_ring([](Index) { return true; }, push);
+  }
+
+  // With the vertices x for which is_wanted(x) holds.
+  template <class IsWanted, class Push>
+  void push_pairs_of_ring(IsWanted is_wanted, Push push) {
+    surface_.pairs().for_each_of(
+        surface_.scratch(), ring_,
+        [&](Index w, Index x) { return is_wanted(x) && (!stamps_.is_new(x) | (w < x)); }, push);
+  }
+
+  WorkingSurface<Policies>& surface_;
+  PairStamps& stamps_;
+  FlattenedVertices flattened_;
+  std::vector<Index> ring_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_ORDER_COST_REFRESH_H

@@ -1,0 +1,76 @@
+#ifndef QUADRILLE_INTERNAL_CORE_ORDER_DISTANCE_STOP_H
+#define QUADRILLE_INTERNAL_CORE_ORDER_DISTANCE_STOP_H
+
+#include <quadrille/internal/core/contraction/working_surface.h>
+#include <quadrille/internal/core/pairs/candidate.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/state/contraction.h>
+#include <quadrille/report.h>
+
+#include <limits>
+
+namespace quadrille::internal {
+
+/// Does the stop policy stop at a distance, and at nothing else? Never, where it does not ask for
+/// distances. What it was asked about is announced as what comes next.
+template <class Policies>
+class DistanceStop {
+public:
+  using Cost = typename Policies::Cost;
+
+  explicit DistanceStop(WorkingSurface<Policies>& surface)
+      : surface_(surface), is_asking_(surface.policies().stop.needs().distance),
+        none_(surface.policies().stop.needs().distance_back ? 0 : infinity),
+        unused_(surface.policies().stop.needs().tolerance ? 0 : infinity) {}
+
+  bool is_asking() const { return is_asking_; }
+  /// The contraction may get another target.
+  bool is_too_far(Contraction<Cost>& contraction) {
+    if (!is_asking_ || is_enough_without())
+      return false;
+    Status status = surface_.status();
+    const bool result = surface_.distances()->is_too_far(contraction, status);
+    announce(status.next_distance, status.next_distance_back, status.next_tolerance);
+    surface_.progress().announce(contraction.error());
+    return result;
+  }
+  /// The same, if it is seen at a glance, of a candidate whose place is settled.
+  bool is_beyond_hub(const Candidate<Cost>& candidate) {
+    if constexpr (!looks_at_star<typename Policies::Placement>)
+      return is_asking_ && !is_enough_without() &&
+             surface_.distances()->is_beyond_hub(candidate, surface_.scratch(), surface_.status());
+    else
+      return false;
+  }
+  /// Of a part that would vanish: a distance in the mesh's unit. No point of it has a place then.
+  bool is_too_far(double distance) {
+    if (!is_asking_ || is_enough_without())
+      return false;
+    announce(distance, infinity, infinity);
+    return surface_.progress().is_enough();
+  }
+  /// At a distance of 0, if it asks for any.
+  bool is_enough_without() {
+    if (is_asking_)
+      announce(0, none_, unused_);
+    return surface_.progress().is_enough();
+  }
+
+private:
+  void announce(double distance, double back, double tolerance) {
+    surface_.progress().announce_distance(distance);
+    surface_.progress().announce_distance_back(back);
+    surface_.progress().announce_tolerance(tolerance);
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  WorkingSurface<Policies>& surface_;
+  const bool is_asking_;
+  const double none_;   // the distance back where it does not count or has not been looked for
+  const double unused_; // the same of tolerances
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_ORDER_DISTANCE_STOP_H

@@ -1,0 +1,213 @@
+#ifndef QUADRILLE_INTERNAL_CORE_ORDER_VANISHING_PARTS_H
+#define QUADRILLE_INTERNAL_CORE_ORDER_VANISHING_PARTS_H
+
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/contraction/working_surface.h>
+#include <quadrille/internal/core/evaluation/part_price.h>
+#include <quadrille/internal/core/order/cost_stop.h>
+#include <quadrille/internal/core/order/deferred_pairs.h>
+#include <quadrille/internal/core/order/distance_stop.h>
+#include <quadrille/internal/core/order/end_of_run.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/state/part_event.h>
+#include <quadrille/internal/core/state/parts.h>
+#include <quadrille/report.h>
+#include <quadrille/topology.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The vertices of each part of a surface.
+class PartLists {
+public:
+  PartLists() = default;
+  /// In linear time.
+  template <std::size_t N>
+  PartLists(const TriangleComplex& complex, const Parts<N>& parts)
+      : begin_(parts.size() + 1, 0), size_(parts.size(), 0) {
+    for (Index v = 0; v < complex.vertex_capacity(); ++v)
+      if (complex.has_faces(v))
+        ++size_[parts.of(v)];
+    std::partial_sum(size_.begin(), size_.end(), begin_.begin() + 1);
+    left_ = static_cast<std::size_t>(
+        std::count_if(size_.begin(), size_.end(), [](Index size) { return size > 0; }));
+    vertices_.resize(begin_.back());
+    std::fill(size_.begin(), size_.end(), 0);
+    for (Index v = 0; v < complex.vertex_capacity(); ++v)
+      if (complex.has_faces(v))
+        vertices_[begin_[parts.of(v)] + size_[parts.of(v)]++] = v;
+  }
+
+  /// How many have not vanished.
+  std::size_t left() const { return left_; }
+  /// What is left of the vertices of a part. Later calls for the same part make it shorter.
+  std::span<const Index> vertices(const TriangleComplex& complex, Index part) {
+    const auto first = vertices_.begin() + begin_[part];
+    const auto last =
+        std::remove_if(first, first + size_[part], [&](Index v) { return !complex.has_faces(v); });
+    size_[part] = static_cast<Index>(last - first);
+    return {vertices_.data() + begin_[part], size_[part]};
+  }
+  void count_vanished() { --left_; }
+
+private:
+  std::vector<Index> vertices_;     // part after part
+  std::vector<Index> begin_, size_; // of each part
+  std::size_t left_ = 0;            // parts
+};
+
+/// The parts of a surface that may vanish whole, the cheapest first: see
+/// Topology::parts_may_vanish. Nothing where they may not.
+///
+/// A part remembers as much after its contractions as before, so what it costs stays the same; but
+/// for costs that look at the surface as it is, by which it becomes more costly while its faces
+/// become larger. Such a part goes back.
+template <class Policies>
+class VanishingParts {
+public:
+  /// In linear time.
+  explicit VanishingParts(WorkingSurface<Policies>& surface)
+      : surface_(surface), price_(surface.evaluator()), distance_stop_(surface),
+        cost_stop_(surface) {
+    if (surface.policies().topology != Topology::parts_may_vanish || parts().size() < 2)
+      return;
+    has_count_ = stops_at_a_count(surface);
+    lists_ = PartLists(surface.complex(), parts());
+    for (Index part = 0; part < parts().size(); ++part)
+      if (!parts().stays(parts()[part]) && !vertices(part).empty())
+        heap_.push_back({price(part), part});
+    std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
+  }
+
+  /// Does the cheapest cost less than `limit`, and leave the surface at the target or before it? If
+  /// it would go beyond, it has to wait, with all that are more costly, for the last resort.
+  bool has_below(double limit, bool is_last_resort) {
+    return !heap_.empty() && has_cheap(static_cast<float>(limit), is_last_resort);
+  }
+  /// Is that more than meeting the target exactly is worth, where a part has to wait?
+  bool is_too_dear(double cost) const {
+    return waiting_price_ &&
+           cost > DeferredPairs::dearest_exact * static_cast<double>(*waiting_price_);
+  }
+
+  /// Lets the part that has_below() has found vanish, unless it is refused, and calls gone(v) for
+  /// each of its vertices. It is refused, too, if it spoils the shape of the whole and is_end().
+  /// False if the stop policy is satisfied without.
+  template <class Gone, class IsEnd>
+  bool vanish_next(Gone gone, IsEnd is_end) {
+    cost_stop_.announce(static_cast<double>(heap_.front().first));
+    const Index part = take();
+    waiting_price_.reset();
+    surface_.progress().announce(parts()[part].radius);
+    if (distance_stop_.is_too_far(2 * parts()[part].radius)) {
+      refuse(Rejection::distance);
+      return true;
+    }
+    if (surface_.progress().is_enough())
+      return false;
+    if (strain(parts()[part]) > 1 && is_end()) {
+      refuse(Rejection::destruction);
+      return true;
+    }
+    const std::span<const Index> vertices = this->vertices(part);
+    surface_.remove_part(part, vertices);
+    std::for_each(vertices.begin(), vertices.end(), gone);
+    lists_.count_vanished();
+    surface_.progress().count(surface_.scratch().tally);
+    return true;
+  }
+
+  bool has_met_distance() const { return has_met_distance_; }
+  bool has_met_destruction() const { return has_met_destruction_; }
+
+private:
+  using Cost = typename Policies::Cost;
+  using Entry = std::pair<float, Index>; // price and part
+
+  const Parts<Cost::dimension>& parts() const { return surface_.state().parts; }
+  std::span<const Index> vertices(Index part) { return lists_.vertices(surface_.complex(), part); }
+  float price(Index part) {
+    const Part<Cost::dimension>& shape = parts()[part];
+    const double distance = shape.isolation * shape.isolation * shape.squared_radius;
+    const float price = price_(vertices(part), shape.centre, distance);
+    const double strain = this->strain(shape);
+    return strain > 1 ? ShapeCheck<Policies>::dearer(static_cast<double>(price), strain) : price;
+  }
+  double strain(const Part<Cost::dimension>& shape) const {
+    return has_count_ ? surface_.shape_check().strain(shape) : 0;
+  }
+
+  bool has_cheap(float limit, bool is_last_resort) {
+    while (!heap_.empty() && heap_.front().first < limit) {
+      const Index part = heap_.front().second;
+      if (lists_.left() < 2)
+        take(); // for good
+      else if (!has_become_dearer())
+        return is_last_resort || !has_to_wait(part);
+    }
+    return false;
+  }
+
+  // The cheapest, which goes back if it has.
+  bool has_become_dearer() {
+    if constexpr (has_local_terms<Cost>) {
+      const Entry cheapest = heap_.front();
+      if (const float now = price(cheapest.second); now > tolerated_rise * cheapest.first) {
+        take();
+        heap_.push_back({now, cheapest.second});
+        std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool has_to_wait(Index part) {
+    if (!waiting_price_) {
+      const std::span<const Index> vertices = this->vertices(part);
+      const Loss loss{faces_of(surface_.complex(), vertices).size(), vertices.size()};
+      if (surface_.run().target_rules().is_passed_without(loss, surface_.status()))
+        waiting_price_ = heap_.front().first;
+    }
+    return waiting_price_.has_value();
+  }
+
+  // The cheapest, which is no longer here then.
+  Index take() {
+    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+    const Index part = heap_.back().second;
+    heap_.pop_back();
+    return part;
+  }
+
+  void refuse(Rejection cause) {
+    surface_.run().refuse({none, none}, cause);
+    has_met_distance_ |= cause == Rejection::distance;
+    has_met_destruction_ |= cause == Rejection::destruction;
+  }
+
+  static constexpr float tolerated_rise = 1.1f; // a part is looked at a few times only
+
+  WorkingSurface<Policies>& surface_;
+  PartPrice<Policies> price_;
+  DistanceStop<Policies> distance_stop_;
+  CostStop<Policies> cost_stop_;
+  bool has_count_ = false;
+  PartLists lists_;
+  std::vector<Entry> heap_;
+  std::optional<float> waiting_price_; // of a part that would go beyond the target
+  bool has_met_distance_ = false, has_met_destruction_ = false;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_ORDER_VANISHING_PARTS_H

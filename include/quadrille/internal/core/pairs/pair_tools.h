@@ -1,0 +1,24 @@
+#ifndef QUADRILLE_INTERNAL_CORE_PAIRS_PAIR_TOOLS_H
+#define QUADRILLE_INTERNAL_CORE_PAIRS_PAIR_TOOLS_H
+
+#include <quadrille/internal/core/complex/vertex_labels.h>
+#include <quadrille/internal/core/memory/append_buffer.h>
+#include <quadrille/internal/core/pairs/candidate.h>
+
+#include <cstddef>
+
+namespace quadrille::internal {
+
+/// What a search for pairs needs beside the surface, and writes its findings to.
+struct PairTools {
+  explicit PairTools(std::size_t vertices, Workspace* workspace = nullptr)
+      : labels(vertices, workspace) {}
+
+  VertexLabels labels;
+  AppendBuffer<VertexPair> pairs;
+  AppendBuffer<float> keys; // of these
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_PAIRS_PAIR_TOOLS_H

@@ -1,0 +1,47 @@
+#ifndef QUADRILLE_INTERNAL_CORE_POLICY_VISITOR_HOLDER_H
+#define QUADRILLE_INTERNAL_CORE_POLICY_VISITOR_HOLDER_H
+
+#include <quadrille/report.h>
+#include <quadrille/visitor.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <optional>
+
+/// The visitor of a call, as policies hold it: a function of no target where there is none.
+
+namespace quadrille::internal {
+
+using HeldVisitor = std::function<bool(const Status&)>;
+
+inline HeldVisitor hold_visitor(CGAL::internal_np::Param_not_found) {
+  return {};
+}
+/// One that was given by value: policies are constant, a visitor need not be.
+template <class V>
+HeldVisitor hold_visitor(const V& visitor) {
+  static_assert(VisitorPolicy<V>,
+                "A visitor has a member function bool proceed(const quadrille::Status&): derive it "
+                "from quadrille::Visitor.");
+  return [held = visitor](const Status& status) mutable -> bool { return held.proceed(status); };
+}
+/// One that the user keeps.
+template <class V>
+HeldVisitor hold_visitor(const std::reference_wrapper<V>& visitor) {
+  static_assert(VisitorPolicy<V>,
+                "A visitor has a member function bool proceed(const quadrille::Status&), which is "
+                "const if the visitor is: derive it from quadrille::Visitor, and pass std::ref of "
+                "one that changes.");
+  return [visitor](const Status& status) -> bool { return visitor.get().proceed(status); };
+}
+
+/// One that may be given.
+template <class V>
+HeldVisitor hold_visitor(const std::optional<V>& visitor) {
+  return visitor ? hold_visitor(*visitor) : HeldVisitor();
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_POLICY_VISITOR_HOLDER_H

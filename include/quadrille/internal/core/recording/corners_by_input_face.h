@@ -1,0 +1,35 @@
+#ifndef QUADRILLE_INTERNAL_CORE_RECORDING_CORNERS_BY_INPUT_FACE_H
+#define QUADRILLE_INTERNAL_CORE_RECORDING_CORNERS_BY_INPUT_FACE_H
+
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/surface/numbering.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What at(face, corner, is_back) tells of each corner of each input face; a back is told of by its
+/// front and the corner of that. `none` for faces that are not there.
+template <class At>
+std::vector<std::array<Index, 3>> corners_by_input_face(const TriangleComplex& complex,
+                                                        const InputIndices& faces, At at) {
+  std::vector<std::array<Index, 3>> corners(faces.input_count(), {none, none, none});
+  const Backs& backs = complex.backs();
+  for (Index face = 0; face < complex.face_capacity(); ++face) {
+    if (complex.is_removed(face))
+      continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[faces[face]][i] = at(face, i, false);
+      if (backs.has(face))
+        corners[backs.input_face(face)][i] = at(face, backs.opposite(face, i), true);
+    }
+  }
+  return corners;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_RECORDING_CORNERS_BY_INPUT_FACE_H

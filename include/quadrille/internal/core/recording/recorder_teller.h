@@ -1,0 +1,210 @@
+#ifndef QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
+#define QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
+
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/contraction/recording.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/recording/corners_by_input_face.h>
+#include <quadrille/internal/core/recording/record_buffer.h>
+#include <quadrille/internal/core/recording/record_order.h>
+#include <quadrille/internal/core/state/contraction.h>
+#include <quadrille/internal/core/state/part_event.h>
+#include <quadrille/internal/core/state/scratch.h>
+#include <quadrille/internal/core/state/surface_state.h>
+#include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/recorded.h>
+#include <quadrille/report.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Tells a recorder what becomes of channels: see channel_teller.h.
+template <class Policies>
+class ChannelTeller;
+/// The same of a surface without channels.
+struct NoChannelTeller {
+  template <class Policies>
+  explicit NoChannelTeller(const RecordingNeeds<Policies>&) {}
+  std::size_t begin() { return 0; }
+  std::vector<RecordedChannel> recorded() const { return {}; }
+  void append_values_of(Index, std::vector<double>&) const {}
+  template <class Contraction>
+  void before(const Contraction&, RecordBuffer&) {}
+  void after(Index, RecordBuffer&) {}
+};
+
+/// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
+template <class Policies>
+class RecorderTeller : public Recording<Policies> {
+public:
+  using Cost = typename Policies::Cost;
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Contraction = internal::Contraction<Cost>;
+  using Channels =
+      std::conditional_t<Policies::has_channels, ChannelTeller<Policies>, NoChannelTeller>;
+
+  explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
+      : state_(needs.state), channels_(needs), distances_(needs.distances),
+        scratches_(needs.state.policies.threads) {}
+
+  void begin() override {
+    const std::size_t vertices = state_.numbering.vertices.input_count();
+    width_ = dimension + channels_.begin();
+    RecordedSurface surface{dimension,
+                            width_,
+                            std::vector<double>(width_ * vertices),
+                            {},
+                            {},
+                            state_.policies.stop.needs().distance,
+                            state_.policies.stop.needs().distance_back};
+    std::vector<double> memory;
+    for (Index v = 0; v < state_.complex.vertex_capacity(); ++v) {
+      const Vector<dimension> position = state_.scale.position_of_mesh(state_.geometry.position(v));
+      const std::span<const double> of_vertex = values_of(v, position, memory);
+      std::copy(of_vertex.begin(), of_vertex.end(),
+                surface.values.begin() +
+                    static_cast<std::ptrdiff_t>(width_ * state_.numbering.vertices[v]));
+    }
+    surface.triangles = corners_by_input_face(
+        state_.complex, state_.numbering.faces, [this](Index face, std::size_t i, bool) {
+          return state_.numbering.vertices[state_.complex.vertices(face)[i]];
+        });
+    surface.channels = channels_.recorded();
+    state_.policies.recorder->begin(std::move(surface));
+    for (RecordScratch& scratch : scratches_)
+      scratch.contractions.list = empty_list();
+  }
+
+  void before(const Contraction& contraction) override {
+    channels_.before(contraction, scratches_[contraction.scratch().number].contractions);
+  }
+
+  void after(const Contraction& contraction, Index kept, Index gone, double error,
+             bool is_in_pass) override {
+    Scratch& scratch = contraction.scratch();
+    RecordBuffer& buffer = scratches_[scratch.number].contractions;
+    const Vector<dimension> position = state_.scale.position_of_mesh(contraction.target());
+    buffer.faces.clear();
+    for (const StarFace& f : scratch.star.shared)
+      add_inputs(f.face, buffer.faces);
+    for (Index face : scratch.duplicates)
+      add_inputs(face, buffer.faces);
+    channels_.after(kept, buffer);
+    const RecordedContraction recorded{state_.numbering.vertices[kept],
+                                       state_.numbering.vertices[gone],
+                                       values_of(kept, position, buffer.values),
+                                       error,
+                                       distance_bound(contraction),
+                                       buffer.faces,
+                                       buffer.views};
+    if (is_in_pass)
+      buffer.add(recorded, contraction.cost());
+    else
+      state_.policies.recorder->record(recorded);
+  }
+
+  void vanished(const PartEvent& event) override {
+    std::vector<Index> faces;
+    for (Index face : event.faces)
+      add_inputs(face, faces);
+    RecordedContraction removal;
+    removal.error = event.radius;
+    if (state_.policies.stop.needs().distance_back) // its points have no place left
+      removal.distance_bound = std::numeric_limits<double>::infinity();
+    removal.removed_faces = faces;
+    state_.policies.recorder->record(removal);
+  }
+
+  void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) override {
+    if (state_.policies.recorder->hears_refusals())
+      state_.policies.recorder->refuse(refusal(ends, cause, error));
+  }
+  void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
+                      Scratch& scratch) override {
+    if (state_.policies.recorder->hears_refusals())
+      scratches_[scratch.number].refusals.add(refusal(ends, cause, error));
+  }
+
+  void begin_block(std::size_t number, Scratch& scratch) override {
+    scratches_[scratch.number].contractions.begin_block(number);
+    scratches_[scratch.number].refusals.begin_block(number);
+  }
+  void end_stage() override {
+    std::vector<RecordedWedge> wedges;
+    for (const RecordPlace& place : places_in_order_of_cost(scratches_))
+      state_.policies.recorder->record(
+          scratches_[place.thread].contractions.list.contraction(place.number, wedges));
+    tell_refusals(*state_.policies.recorder, scratches_);
+    for (RecordScratch& scratch : scratches_) {
+      scratch.contractions.list = empty_list();
+      scratch.contractions.costs.clear();
+      scratch.contractions.blocks.clear();
+    }
+  }
+
+  void end(StopReason reason) override { state_.policies.recorder->end(reason); }
+
+private:
+  // By input indices.
+  RecordedRefusal refusal(const std::array<Index, 2>& ends, Rejection cause, double error) const {
+    return {input_vertex(ends[0]), input_vertex(ends[1]), cause, error};
+  }
+  Index input_vertex(Index v) const { return v == none ? none : state_.numbering.vertices[v]; }
+
+  RecordList empty_list() const {
+    return {width_, state_.policies.stop.needs().distance,
+            state_.policies.stop.needs().distance_back};
+  }
+
+  // The numbers of a vertex at a position; in a memory, if there are more than the position's.
+  std::span<const double> values_of(Index v, const Vector<dimension>& position,
+                                    std::vector<double>& memory) {
+    if (width_ == dimension)
+      return position.coordinates;
+    memory.assign(position.coordinates.begin(), position.coordinates.end());
+    channels_.append_values_of(v, memory);
+    return memory;
+  }
+
+  // The input index of a face, and that of its back.
+  void add_inputs(Index face, auto& faces) const {
+    faces.push_back(state_.numbering.faces[face]);
+    if (state_.complex.backs().has(face))
+      faces.push_back(state_.complex.backs().input_face(face));
+  }
+
+  double distance_bound(const Contraction& contraction) const {
+    if (!state_.policies.stop.needs().distance)
+      return 0;
+    return distances_->bound_of(contraction);
+  }
+
+  const SurfaceState<Policies>& state_;
+  Channels channels_;
+  const OptionalDistances<Policies>& distances_;
+  std::vector<RecordScratch> scratches_; // one for each thread
+  std::size_t width_ = dimension;        // how many numbers a vertex has
+};
+
+/// For OptionalParts.
+template <class Policies>
+std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs) {
+  return std::make_unique<RecorderTeller<Policies>>(needs);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H

@@ -1,0 +1,57 @@
+#ifndef QUADRILLE_INTERNAL_CORE_STATE_PART_EVENT_H
+#define QUADRILLE_INTERNAL_CORE_STATE_PART_EVENT_H
+
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// What observers that have a function vanished(event) are told before a part of the surface goes
+/// whole: all vertices that are left of it, and all their faces.
+struct PartEvent {
+  std::span<const Index> vertices, faces;
+  double radius, size; // of the part as it was in the input, in the mesh's unit: see Part
+};
+
+template <class Observer>
+void tell_vanished(Observer& observer, const PartEvent& event) {
+  if constexpr (requires { observer.vanished(event); })
+    observer.vanished(event);
+}
+
+/// All faces of the vertices of a part, each once.
+inline std::vector<Index> faces_of(const TriangleComplex& complex,
+                                   std::span<const Index> vertices) {
+  std::vector<Index> faces;
+  for (Index v : vertices)
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      if (i == 0)
+        faces.push_back(face);
+    });
+  return faces;
+}
+
+/// Removes a part whole, of which these vertices are left, tells observers before, and tallies it.
+template <class Part, class... Observer, class Tally>
+void remove_part(TriangleComplex& complex, std::span<const Index> vertices, const Part& part,
+                 const std::tuple<Observer&...>& observers, Tally& tally) {
+  const std::vector<Index> faces = faces_of(complex, vertices);
+  const PartEvent event{vertices, faces, part.radius, part.size};
+  std::apply([&](auto&... observer) { (tell_vanished(observer, event), ...); }, observers);
+  std::size_t count = 0; // with backs
+  for (Index face : faces) {
+    count += complex.backs().count(face);
+    complex.remove_face(face);
+  }
+  for (Index v : vertices)
+    complex.prune_corners(v);
+  tally.count_part(event, count);
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_STATE_PART_EVENT_H

@@ -1,0 +1,133 @@
+#ifndef QUADRILLE_INTERNAL_CORE_STATE_RECESSION_H
+#define QUADRILLE_INTERNAL_CORE_STATE_RECESSION_H
+
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/state/contraction.h>
+#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/core/surface/geometry.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace quadrille::internal {
+
+/// How much of a surface a contraction moves, times the square of how far, as a part of the fourth
+/// power of the diagonal: its error² · reach², or its cost where that is less, as it is of narrow
+/// faces. (Lines along boundaries weigh much in a cost, so it is no measure by itself.) A whole
+/// number, so that the sum of many does not depend on their order, and threads may add them up in
+/// any.
+class Displacement {
+public:
+  /// `diagonal` of the surface in the mesh's unit, `length` the same in the engine's.
+  Displacement(double diagonal, double length)
+      : to_engine_(diagonal > 0 ? length / diagonal : 0),
+        factor_(length > 0 ? one / length / length / length / length : 0) {}
+
+  /// `error` in the mesh's unit, the others in the engine's.
+  std::uint64_t operator()(double error, double squared_reach, double cost) const {
+    const double way = to_engine_ * error;
+    const double part = factor_ * (std::min)(cost, way * way * squared_reach);
+    return part > 0 && part < most ? static_cast<std::uint64_t>(part) : 0; // else it is no distance
+  }
+
+  /// A sum of them as a part of the fourth power of the diagonal.
+  static double part(std::uint64_t sum) { return static_cast<double>(sum) / one; }
+
+private:
+  static constexpr double one = 0x1p52, most = 4 * one;
+
+  double to_engine_, factor_;
+};
+
+inline constexpr double coarse_error = 1. / 50; // of the diagonal: see is_measured()
+
+/// From a place that an end of a contraction leaves to the nearest face around it; to the target
+/// where there is none.
+template <class Cost>
+double distance_left_behind(const Vector<3>& place, const Contraction<Cost>& contraction,
+                            const Geometry<Cost::dimension>& geometry) {
+  const Vector<3> target = space(contraction.target());
+  const auto at = [&](Index v) { return space(geometry.position(v)); };
+  double squared = squared_distance(place, target);
+  contraction.star().for_each_changed([&](const StarFace& f) {
+    squared =
+        (std::min)(squared, squared_distance_to_triangle(place, target, at(f.second), at(f.third)));
+  });
+  return std::sqrt(squared);
+}
+
+template <class Cost>
+QUADRILLE_NOINLINE double way_where_thin(const Contraction<Cost>& contraction,
+                                         const Geometry<Cost::dimension>& geometry) {
+  const auto of_end = [&](Index end, const auto& place) {
+    return geometry.recession(end) + distance_left_behind(space(place), contraction, geometry);
+  };
+  return (std::max)(of_end(contraction.first(), contraction.pair().first),
+                    of_end(contraction.second(), contraction.pair().second));
+}
+
+/// How far the faces that a contraction leaves lie from those that it changes: measured in the
+/// middles of the faces and of their edges. The planes that a vertex remembers say nothing of faces
+/// that come to span a hole.
+template <class Cost>
+QUADRILLE_NOINLINE double deviation_of(const Contraction<Cost>& contraction,
+                                       const Geometry<Cost::dimension>& geometry) {
+  const Vector<3> target = space(contraction.target());
+  const PairStar& star = contraction.star();
+  const auto at = [&](Index v) { return space(geometry.position(v)); };
+  const auto squared_from_star = [&](const Vector<3>& place) {
+    double squared = std::numeric_limits<double>::infinity();
+    const auto look_at = [&](const AppendBuffer<StarFace>& faces, Index end) {
+      for (const StarFace& f : faces)
+        squared = (std::min)(
+            squared, squared_distance_to_triangle(place, at(end), at(f.second), at(f.third)));
+    };
+    look_at(star.first, contraction.first());
+    look_at(star.shared, contraction.first());
+    look_at(star.second, contraction.second());
+    return squared;
+  };
+  double greatest = squared_from_star(target);
+  star.for_each_changed([&](const StarFace& f) {
+    const Vector<3> second = at(f.second), third = at(f.third);
+    for (const Vector<3>& place :
+         {0.5 * (target + second), 0.5 * (target + third), 1. / 3 * (target + second + third)})
+      greatest = (std::max)(greatest, squared_from_star(place));
+  });
+  return std::sqrt(greatest);
+}
+
+/// Is the error of a contraction so great, beside the whole surface, that it is measured what it
+/// does? A mean over planes is no measure of such coarse faces.
+template <class Cost>
+bool is_measured(const Contraction<Cost>& contraction, const Scale<Cost::dimension>& scale) {
+  return contraction.error() > coarse_error * scale.diagonal();
+}
+
+/// How far places that have been contracted to the ends of a contraction will be from the faces
+/// around it, at most: the sum of the ways that these have receded. Measured where the surface is
+/// or was thin, else 0.
+///
+/// The planes of a thin wall weigh as little as its area is. The mean distance of a vertex to the
+/// planes that it remembers therefore hides it if a corner leaves such a wall far behind.
+template <class Cost>
+QUADRILLE_ALWAYS_INLINE inline Recession recession_of(const Contraction<Cost>& contraction,
+                                                      const Geometry<Cost::dimension>& geometry,
+                                                      const Scale<Cost::dimension>& scale) {
+  double way = 0, error = contraction.error();
+  if (geometry.is_thin(contraction.first()) || geometry.is_thin(contraction.second())) [[unlikely]]
+    way = way_where_thin(contraction, geometry);
+  if (is_measured(contraction, scale)) [[unlikely]]
+    error = (std::max)(error, scale.length_of_mesh(deviation_of(contraction, geometry)));
+  return {way, (std::max)(error, scale.length_of_mesh(way))};
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_CORE_STATE_RECESSION_H

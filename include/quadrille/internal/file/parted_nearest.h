@@ -1,0 +1,112 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PARTED_NEAREST_H
+#define QUADRILLE_INTERNAL_FILE_PARTED_NEAREST_H
+
+#include <quadrille/internal/verify/distance_surface.h>
+#include <quadrille/internal/verify/distance_tree.h>
+#include <quadrille/internal/file/parted_surface.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How far points are from a surface in parts, of which one at a time is in memory. Each point is
+/// looked for first in the part whose box is nearest to it, and then in those whose boxes are
+/// nearer than what was found.
+class PartedNearest {
+public:
+  PartedNearest(const PartedSurface& surface, const std::vector<DistancePoint>& points)
+      : surface_(surface), points_(points), homes_(points.size()),
+        squares_(points.size(), std::numeric_limits<double>::infinity()) {}
+
+  /// Of each point. `ask()` is called before each part, and may throw.
+  template <class Ask>
+  std::vector<double> squared_distances(const Ask& ask) {
+    sort_parts();
+    find_homes();
+    std::vector<std::vector<std::size_t>> at_home(surface_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      at_home[homes_[i]].push_back(i);
+    for (std::size_t part = 0; part < at_home.size(); ++part)
+      if (!at_home[part].empty()) {
+        ask();
+        look_into(part, at_home[part]);
+      }
+    for (const auto& [distance, part] : parts_) {
+      if (distance >= *std::max_element(squares_.begin(), squares_.end()))
+        break;
+      ask();
+      look_into(part, nearer_than_found(part));
+    }
+    return std::move(squares_);
+  }
+
+private:
+  void sort_parts() {
+    const CGAL::Bbox_3 place = bounding_box(points_);
+    for (std::size_t part = 0; part < surface_.size(); ++part)
+      parts_.emplace_back(squared_distance(surface_.box(part), place), part);
+    std::sort(parts_.begin(), parts_.end());
+  }
+
+  double to_box(std::size_t part, std::size_t point) const {
+    return squared_distance(surface_.box(part), points_[point].bbox());
+  }
+
+  void find_homes() {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [distance, part] : parts_) {
+        if (distance >= least)
+          break;
+        if (const double d = to_box(part, i); d < least) {
+          least = d;
+          homes_[i] = part;
+        }
+      }
+    }
+  }
+
+  std::vector<std::size_t> nearer_than_found(std::size_t part) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (homes_[i] != part && to_box(part, i) < squares_[i])
+        found.push_back(i);
+    return found;
+  }
+
+  // Where something has been found for all of them, no face further than that counts.
+  void look_into(std::size_t part, const std::vector<std::size_t>& points) {
+    if (points.empty())
+      return;
+    CGAL::Bbox_3 place;
+    double farthest = 0;
+    for (const std::size_t i : points) {
+      place += points_[i].bbox();
+      farthest = (std::max)(farthest, squares_[i]);
+    }
+    const std::vector<DistanceTriangle> faces =
+        surface_.near(part, grown(place, std::sqrt(farthest)));
+    if (faces.empty())
+      return;
+    const DistanceTree tree(faces);
+    for (const std::size_t i : points)
+      squares_[i] = (std::min)(squares_[i], tree.squared_distance(points_[i]));
+  }
+
+  const PartedSurface& surface_;
+  const std::vector<DistancePoint>& points_;
+  std::vector<std::pair<double, std::size_t>> parts_; // by how far they are from all points
+  std::vector<std::size_t> homes_;                    // of each point
+  std::vector<double> squares_;                       // of its distance, as found so far
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PARTED_NEAREST_H

@@ -1,0 +1,170 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PARTED_SURFACE_H
+#define QUADRILLE_INTERNAL_FILE_PARTED_SURFACE_H
+
+#include <quadrille/internal/file/appended_files.h>
+#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/first_parts.h>
+#include <quadrille/internal/file/input_survey.h>
+#include <quadrille/internal/file/job_folder.h>
+#include <quadrille/internal/file/loaded_part.h>
+#include <quadrille/internal/file/phase_plan.h>
+#include <quadrille/internal/file/ply_input.h>
+#include <quadrille/internal/verify/allowed_faces.h>
+#include <quadrille/internal/verify/distance_surface.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// A box that reaches further by so much on all sides.
+inline CGAL::Bbox_3 grown(const CGAL::Bbox_3& box, double by) {
+  return {(box.min)(0) - by, (box.min)(1) - by, (box.min)(2) - by,
+          (box.max)(0) + by, (box.max)(1) + by, (box.max)(2) + by};
+}
+
+/// The squared distance of two boxes.
+inline double squared_distance(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double d = (std::max)({(a.min)(i) - (b.max)(i), 0.0, (b.min)(i) - (a.max)(i)});
+    sum += d * d;
+  }
+  return sum;
+}
+
+/// A surface cut into compact parts that lie in the folder of a job, as those of its phases do, of
+/// which one at a time is in memory.
+class PartedSurface {
+public:
+  /// `number` is that of the phase whose names the files have, `tolerance` the place of that among
+  /// the scalars of vertices, if there is one. `tell(part)` is called now and then, and may throw.
+  template <class Tell>
+  PartedSurface(const JobFolder& folder, unsigned number, const PlyInput& input,
+                std::optional<std::size_t> tolerance, std::uint64_t part_faces,
+                std::uint64_t buffers, Tell tell)
+      : folder_(folder), tolerance_(tolerance) {
+    const InputSurvey survey(input, tolerance, [&](double part) { tell(part / 2); });
+    plan_.phase = number;
+    plan_.input = survey.facts();
+    folder_.begin_phase(number);
+    const std::uint64_t all = plan_.input.used_vertices;
+    const std::uint64_t parts = plan_.input.counted_faces / part_faces + 1;
+    const std::uint64_t most = parts == 1 ? all : (std::max)(all / parts, least_vertices);
+    plan_.parts =
+        FirstParts(input, survey)
+            .write(folder_, number, most, buffers, [&](double part) { tell((1 + part) / 2); })
+            .parts();
+    WholeFile no_borders(folder_.borders(number));
+    no_borders.finish();
+    plan_.borders.checksum = FileChecksum().value();
+  }
+
+  /// Of the vertices that faces use, in their unit.
+  CGAL::Bbox_3 box_in_file() const {
+    const auto& [low, high] = plan_.input.box;
+    return {low[0], low[1], low[2], high[0], high[1], high[2]};
+  }
+  std::uint64_t faces() const { return plan_.input.counted_faces; }
+
+  /// From here on all is in this frame.
+  void enter(const DistanceFrame& frame) {
+    frame_ = frame;
+    boxes_.clear();
+    area_ = 0;
+    for (std::size_t p = 0; p < size(); ++p) {
+      const LoadedPart loaded = load(p);
+      const DistanceSurface surface = surface_of(loaded);
+      boxes_.push_back(bounding_box(surface.vertices));
+      area_ += surface.area();
+      for (const auto& corners : loaded.triangles) {
+        least_ = (std::min)(least_, allowance(loaded, corners));
+        greatest_ = (std::max)(greatest_, allowance(loaded, corners));
+      }
+    }
+  }
+
+  std::size_t size() const { return plan_.parts.size(); }
+  double area() const { return area_; }
+  const CGAL::Bbox_3& box(std::size_t p) const { return boxes_[p]; }
+  /// What faces allow, as faces() has it; 0 without tolerances.
+  double least_allowance() const { return least_; }
+  double greatest_allowance() const { return greatest_; }
+
+  DistanceSurface part(std::size_t p) const { return surface_of(load(p)); }
+
+  /// The faces of a part, of which each allows points to be as far from it as the least tolerance
+  /// of its corners.
+  std::vector<AllowedFaces::Face> faces(std::size_t p) const {
+    const LoadedPart loaded = load(p);
+    const DistanceSurface surface = surface_of(loaded);
+    std::vector<AllowedFaces::Face> faces;
+    faces.reserve(surface.triangles.size());
+    for (std::size_t f = 0; f < surface.triangles.size(); ++f)
+      faces.push_back({surface.triangles[f], allowance(loaded, loaded.triangles[f])});
+    return faces;
+  }
+
+  /// The faces of a part whose boxes meet this one.
+  std::vector<DistanceTriangle> near(std::size_t p, const CGAL::Bbox_3& place) const {
+    std::vector<DistanceTriangle> faces = part(p).triangles;
+    std::erase_if(faces, [&](const DistanceTriangle& t) { return !do_overlap(t.bbox(), place); });
+    return faces;
+  }
+  /// Of all parts; nothing if there are more than that.
+  std::optional<std::vector<AllowedFaces::Face>> near(const CGAL::Bbox_3& place,
+                                                      std::size_t most) const {
+    std::vector<AllowedFaces::Face> near;
+    for (std::size_t p = 0; p < size(); ++p)
+      if (do_overlap(boxes_[p], place))
+        for (const AllowedFaces::Face& face : faces(p))
+          if (do_overlap(face.triangle.bbox(), place)) {
+            if (near.size() == most)
+              return std::nullopt;
+            near.push_back(face);
+          }
+    return near;
+  }
+
+private:
+  LoadedPart load(std::size_t p) const { return LoadedPart::read(folder_, plan_, p, 0); }
+
+  DistanceSurface surface_of(const LoadedPart& loaded) const {
+    DistanceSurface surface = distance_surface({loaded.positions, loaded.triangles});
+    frame_.apply(surface);
+    return surface;
+  }
+
+  double allowance(const LoadedPart& loaded, const std::array<Index, 3>& corners) const {
+    if (!tolerance_)
+      return 0;
+    const std::size_t scalars = plan_.input.ranges.low.size();
+    const auto of_corner = [&](Index v) { return loaded.scalars[v * scalars + *tolerance_]; };
+    return frame_.to(
+        (std::min)({of_corner(corners[0]), of_corner(corners[1]), of_corner(corners[2])}));
+  }
+
+  // Of smaller parts borders are the most.
+  static constexpr std::uint64_t least_vertices = 1000;
+
+  JobFolder folder_;
+  PhasePlan plan_;                       // what LoadedPart has to know
+  std::optional<std::size_t> tolerance_; // its place among the scalars of a vertex
+  DistanceFrame frame_{CGAL::Bbox_3()};
+  std::vector<CGAL::Bbox_3> boxes_;
+  double area_ = 0;
+  double least_ = std::numeric_limits<double>::infinity(), greatest_ = 0;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PARTED_SURFACE_H

@@ -1,0 +1,101 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PIECE_H
+#define QUADRILLE_INTERNAL_FILE_PIECE_H
+
+#include <quadrille/channels.h>
+#include <quadrille/cost_limit.h>
+#include <quadrille/internal/core/call/arguments.h>
+#include <quadrille/internal/core/call/run.h>
+#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/evaluation/cost_units.h>
+#include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/internal/file/piece_adapter.h>
+
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file
+/// A piece of a surface, simplified by itself, with all that a caller needs who joins the pieces.
+
+namespace quadrille::internal {
+
+/// The limit of a cost in the mesh's units that is one of its keys in the engine's, as
+/// CostHistogram::cost_for() tells it, of surfaces that are simplified in the scale of that box.
+template <class Cost>
+CostLimit cost_limit(const Cost& cost, const Box<Cost::dimension>& box, double key) {
+  static_assert(has_cost_in_mesh_units<Cost>);
+  return CostLimit(key * cost_of_key(cost, Scale<Cost::dimension>(box, is_scale_free<Cost>)));
+}
+
+template <>
+inline constexpr bool is_channel<PieceChannels> = true;
+
+/// The channels among the arguments of a call, if there are any.
+inline const PieceChannels* channels_among() {
+  return nullptr;
+}
+template <class First, class... Rest>
+const PieceChannels* channels_among(const First& first, const Rest&... rest) {
+  if constexpr (std::is_same_v<First, PieceChannels>)
+    return &first;
+  else
+    return channels_among(rest...);
+}
+
+/// Asks for what is remembered, where that is anything.
+template <class Cost>
+struct PieceTeller {
+  static constexpr bool asks_for_memories = !std::is_empty_v<typename Cost::Memory>;
+};
+
+/// Simplifies a piece by itself, with any policies that `simplify` takes beside cost and placement,
+/// and PieceChannels; of named parameters, a visitor. All is in the scale of the piece's box.
+/// Positions without faces go. If the visitor cancels before the first contraction, the result is
+/// empty.
+///
+/// Throws std::invalid_argument for a piece that makes no sense, and what `simplify` throws.
+template <class Cost, class Placement, class... Arguments>
+PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Placement& placement,
+                                 const Arguments&... arguments) {
+  using Memory = typename Cost::Memory;
+  static_assert(
+      std::is_empty_v<Memory> || requires(Memory m) { m -= m; },
+      "quadrille: a cost that remembers anything needs a Memory with -= here");
+  PieceResult<Cost> result;
+  const GivenMemories<Memory> given{std::move(piece.memories), std::move(piece.has_memory)};
+  auto policies = pick_policies<NotGiven, NotGiven>(cost, placement, arguments...);
+  if (!given.memories.empty())
+    policies.optional.memories = &given;
+  policies.optional.costs = &result.costs;
+  std::vector<FaceBound> bounds = std::move(piece.bounds);
+  if (!bounds.empty() && bounds.size() != piece.triangles.size())
+    throw std::invalid_argument("quadrille: a piece has " + std::to_string(bounds.size()) +
+                                " bounds, not " + std::to_string(piece.triangles.size()));
+  if (policies.stop.needs().tolerance && piece.tolerances.empty()) {
+    if (bounds.empty() && !piece.triangles.empty())
+      throw std::invalid_argument("quadrille: a piece has no tolerances");
+    policies.optional.greatest_tolerance = piece.greatest_tolerance;
+  }
+  if (policies.stop.needs().distance) {
+    bounds.resize(piece.triangles.size());
+    policies.optional.bounds = &bounds;
+  }
+  Workspace workspace(memory_needs(policies, !piece.labels.empty(), piece.positions.size(),
+                                   piece.triangles.size()));
+  PieceAdapter<Cost, decltype(policies)::has_channels> adapter(
+      piece, given, channels_among(arguments...), result, workspace);
+  const auto read = [](auto& reader) { return reader.read(); };
+  result.report = run(adapter, policies, read, PieceTeller<Cost>{});
+  if (policies.optional.bounds)
+    for (const Index face : result.faces)
+      result.bounds.push_back(bounds[face]);
+  return result;
+}
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PIECE_H

@@ -1,0 +1,269 @@
+#ifndef QUADRILLE_INTERNAL_FILE_PIECE_ADAPTER_H
+#define QUADRILLE_INTERNAL_FILE_PIECE_ADAPTER_H
+
+#include <quadrille/channel_options.h>
+#include <quadrille/internal/core/adapter/label_numbers.h>
+#include <quadrille/internal/core/adapter/soup_parts.h>
+#include <quadrille/internal/core/appearance/channel_input.h>
+#include <quadrille/internal/core/base/cost_histogram.h>
+#include <quadrille/internal/core/base/points.h>
+#include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/input/input_with_channels.h>
+#include <quadrille/internal/core/input/surface_input.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/memory/packing.h>
+#include <quadrille/internal/core/surface/box.h>
+#include <quadrille/internal/core/surface/face_bound.h>
+#include <quadrille/report.h>
+#include <quadrille/vector.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Part of a surface, which meets other parts at vertices that are shared: see SharedVertices.
+/// Vertices are named by their places in `positions`.
+template <class Cost>
+struct Piece {
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Memory = typename Cost::Memory;
+
+  std::vector<Vector<dimension>> positions; ///< in the mesh's units; attributes of the cost behind
+  std::vector<std::array<Index, 3>> triangles; ///< of positions
+  std::vector<bool> is_shared = {};            ///< of each position; empty: none is
+  std::vector<bool> is_fixed = {};             ///< of each position that stays for another reason
+  /// Edges of one face between shared vertices that are borders of the whole surface.
+  std::vector<std::array<Index, 2>> borders = {};
+  /// Of the whole surface, or larger: it decides about the units, and the weights of attributes.
+  Box<dimension> box = {};
+  /// What each position remembers, as PieceResult tells it, summed up over the pieces. Empty: all
+  /// memories are made of the faces of this piece. Of a cost that remembers nothing: empty.
+  std::vector<Memory> memories = {};
+  /// Of each position: is its memory there? Empty: all are, if any is.
+  std::vector<bool> has_memory = {};
+  /// Of each triangle, as PieceResult tells it, where the stop policy asks for distances; empty:
+  /// all are of the input.
+  std::vector<FaceBound> bounds = {};
+  /// Of each position a distance in the mesh's units, where the stop policy asks for tolerances and
+  /// triangles have no bounds, which tell them: see ToleranceLimit.
+  std::vector<double> tolerances = {};
+  /// Of the triangles of the input of all pieces, in the mesh's units, where bounds tell
+  /// tolerances: it decides about Report::distance_bound and nothing else.
+  double greatest_tolerance = 0;
+  /// Of each triangle, any numbers, of which the regions are kept as by `Labels`; empty: none.
+  std::vector<Index> labels = {};
+};
+
+/// A channel of a piece, of one value a vertex: see Attributes.
+struct PieceChannel {
+  std::size_t components = 0; ///< at least 1
+  std::vector<double> values; ///< of each position, one component after the other, finite
+  /// How it counts. `weights` are given, so that it counts alike in all pieces: by default they
+  /// depend on what values there are.
+  ChannelOptions options = {};
+};
+
+/// The channels of a piece, as an argument of simplify_piece(); for costs in space.
+struct PieceChannels {
+  std::vector<PieceChannel> channels;
+
+  void validate() const {
+    for (const PieceChannel& channel : channels)
+      channel.options.validate();
+  }
+};
+/// What is left of a piece. Points and triangles keep their order.
+template <class Cost>
+struct PieceResult {
+  std::vector<Vector<Cost::dimension>> positions; ///< in the mesh's units; those fixed bit by bit
+  std::vector<Index> vertices;                    ///< which vertex of the piece each of them was
+  std::vector<std::array<Index, 3>> triangles;    ///< of `positions`
+  std::vector<Index> faces;                       ///< which triangle of the piece each of them was
+  std::vector<FaceBound> bounds; ///< of `triangles`; empty if the stop policy asks for no distances
+  /// What each position remembers, in the engine's units, about the position. Of a shared vertex
+  /// that had been given a memory: what has been added to that. So what a shared vertex remembers
+  /// then is what it was given, plus the sum over all pieces. Empty if the cost remembers nothing.
+  std::vector<typename Cost::Memory> memories;
+  /// Of each channel its values, by position; those of fixed vertices bit by bit.
+  std::vector<std::vector<double>> channels;
+  CostHistogram costs; ///< of the contractions, by keys in the engine's unit
+  Report report;       ///< of the piece
+};
+
+/// Reads a piece, and writes its result, in linear time.
+template <class Cost, bool has_channels>
+class PieceAdapter {
+public:
+  static constexpr std::size_t dimension = Cost::dimension;
+  using Input = InputOf<dimension, has_channels>;
+  using Memory = typename Cost::Memory;
+
+  /// `given` are the memories of the piece, `channels` are what it carries; null if it has none.
+  PieceAdapter(Piece<Cost>& piece, const GivenMemories<Memory>& given,
+               const PieceChannels* channels, PieceResult<Cost>& result, Workspace& workspace)
+      : workspace_(&workspace), piece_(piece), given_(given), channels_(channels), result_(result) {
+  }
+
+  /// Throws std::invalid_argument as a soup does, and for lists of the wrong length. Most of it is
+  /// no longer in the piece then.
+  Input read() {
+    TriangleComplex::check_size(piece_.positions.size(), piece_.triangles.size());
+    require_lengths();
+    Input input(workspace_);
+    input.has_duplicate_faces = input.may_have_backs = true;
+    input.reserve(piece_.positions.size(), piece_.triangles.size());
+    const std::size_t count = piece_.positions.size();
+    for (std::size_t v = 0; v < count; ++v) {
+      input.positions.push_back(piece_.positions[v]);
+      require_finite(input.positions.back(), v);
+    }
+    if constexpr (dimension == 3)
+      piece_.positions = {};
+    for (std::size_t face = 0; face < piece_.triangles.size(); ++face)
+      input.triangles.push_back(
+          read_triangle("quadrille::simplify", piece_.triangles[face], face, count));
+    piece_.triangles = {};
+    input.is_fixed = std::move(piece_.is_fixed);
+    for (Index v = 0; v < piece_.is_shared.size(); ++v)
+      if (piece_.is_shared[v])
+        input.share(v);
+    input.borders = std::move(piece_.borders);
+    input.given_box = piece_.box;
+    input.writes_floats = are_floats(input);
+    for (Index v = 0; v < piece_.tolerances.size(); ++v)
+      input.limit(v, piece_.tolerances[v], v);
+    piece_.tolerances = {};
+    if (!piece_.labels.empty())
+      number_labels(input);
+    if constexpr (has_channels)
+      read_channels(count, input);
+    return input;
+  }
+
+  template <class Result, class Tell>
+  std::size_t write(const Result& result, const Tell&) {
+    const Array<Index> inputs = result.input_vertices();
+    const Array<Index> vertices = in_order(inputs, result.input_vertex_count());
+    const Array<Index> new_index = places(vertices, vertices.size());
+    for (Index v : vertices) {
+      result_.positions.push_back(position(result, v, inputs[v]));
+      result_.vertices.push_back(inputs[v]);
+      if constexpr (Tell::asks_for_memories)
+        result_.memories.push_back(gained(result.memory(v), inputs[v]));
+    }
+    if constexpr (has_channels)
+      write_channels(result, vertices);
+    const Array<Index> input_faces = result.input_faces();
+    for (Index face : in_order(input_faces, result.input_face_count())) {
+      const auto [p, q, r] = result.corners(face);
+      result_.triangles.push_back({new_index[p], new_index[q], new_index[r]});
+      result_.faces.push_back(input_faces[face]);
+    }
+    return 0;
+  }
+
+private:
+  void require_lengths() const {
+    const std::size_t points = piece_.positions.size();
+    const auto require = [](const char* name, const auto& list, std::size_t wanted) {
+      if (!list.empty() && list.size() != wanted)
+        throw std::invalid_argument("quadrille: a piece has " + std::to_string(list.size()) + " " +
+                                    name + ", not " + std::to_string(wanted));
+    };
+    require("values of is_shared", piece_.is_shared, points);
+    require("values of is_fixed", piece_.is_fixed, points);
+    require("values of has_memory", given_.is_given, points);
+    require("memories", given_.memories, points);
+    require("tolerances", piece_.tolerances, points);
+    require("labels", piece_.labels, piece_.triangles.size());
+    for (const auto& edge : piece_.borders)
+      for (Index v : edge)
+        if (v >= points)
+          throw std::invalid_argument("quadrille: a border of a piece names point " +
+                                      std::to_string(v) + " of " + std::to_string(points));
+  }
+
+  // As it was, bit by bit, if it has not moved: of attributes, weights would round the numbers.
+  template <class Result>
+  Vector<dimension> position(const Result& result, Index v, [[maybe_unused]] Index input) const {
+    if constexpr (dimension > 3)
+      if (!result.is_moved(v))
+        return piece_.positions[input];
+    return result.position(v);
+  }
+
+  // A file of floats has no others.
+  static bool are_floats(const SurfaceInput<dimension>& input) {
+    const auto is_float = [](double x) { return static_cast<double>(to_number<float>(x)) == x; };
+    return std::all_of(input.positions.begin(), input.positions.end(), [&](const auto& p) {
+      return is_float(p[0]) && is_float(p[1]) && is_float(p[2]);
+    });
+  }
+
+  void read_channels(std::size_t points, Input& input) {
+    for (const PieceChannel& channel : channels_->channels) {
+      if (channel.components == 0 || channel.values.size() != points * channel.components)
+        throw std::invalid_argument("quadrille: a channel of a piece has " +
+                                    std::to_string(channel.values.size()) + " numbers for " +
+                                    std::to_string(points) + " values of " +
+                                    std::to_string(channel.components));
+      ChannelInput read(channel.options, channel.components, Attribute::any, *workspace_);
+      read.values.assign(channel.values.begin(), channel.values.end());
+      read.require_finite();
+      read.as_written = [](std::span<double>, bool) { return true; };
+      input.channels.push_back(std::move(read));
+    }
+  }
+
+  // A value that no contraction has changed is that of a vertex of the input.
+  template <class Result>
+  void write_channels(const Result& result, const Array<Index>& vertices) {
+    for (std::size_t c = 0; c < channels_->channels.size(); ++c) {
+      const PieceChannel& channel = channels_->channels[c];
+      std::vector<double>& values = result_.channels.emplace_back();
+      for (Index v : vertices) {
+        const Index wedge = result.first_wedge(v), origin = result.origin(c, wedge);
+        for (std::size_t k = 0; k < channel.components; ++k)
+          values.push_back(origin == none ? result.value(c, wedge, k)
+                                          : channel.values[origin * channel.components + k]);
+      }
+    }
+  }
+
+  void number_labels(SurfaceInput<dimension>& input) {
+    std::vector<Index> faces(piece_.labels.size());
+    std::iota(faces.begin(), faces.end(), Index{0});
+    input.labels = numbers_of_labels(
+        boost::make_iterator_property_map(piece_.labels.begin(), boost::identity_property_map()),
+        faces, *workspace_);
+    piece_.labels = {};
+  }
+
+  Memory gained(Memory memory, Index vertex) const {
+    if (given_.has(vertex) && !piece_.is_shared.empty() && piece_.is_shared[vertex])
+      memory -= given_.memories[vertex];
+    return memory;
+  }
+
+  Workspace* workspace_;
+  Piece<Cost>& piece_;
+  const GivenMemories<Memory>& given_;
+  const PieceChannels* channels_;
+  PieceResult<Cost>& result_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_FILE_PIECE_ADAPTER_H

@@ -1,0 +1,295 @@
+#ifndef QUADRILLE_INTERNAL_GUARDS_DISTANCE_BACK_DEVIATION_H
+#define QUADRILLE_INTERNAL_GUARDS_DISTANCE_BACK_DEVIATION_H
+
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/guards/distance/doubled_faces_of_star.h>
+#include <quadrille/internal/guards/distance/face_of_star.h>
+#include <quadrille/internal/guards/distance/old_part_of_star.h>
+#include <quadrille/internal/guards/distance/star_deviation.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Where the points of the faces around a pair go when it is contracted, and how far.
+///
+/// Each point of an old face goes to a point of some new one, also those of the faces that vanish.
+/// An old face goes whole to the face that it becomes (to one beside the edge that it becomes, if
+/// it vanishes): the distance to a triangle is convex, so it is greatest at a corner. Or it is cut
+/// into pieces, each of which goes to the new face over it, as StarDeviation cuts new faces. Of
+/// both, the way that is shorter is taken. What a new face is told of is how far the input points
+/// may be that come to lie in it: those of an old face as far as they were, and by how far they go.
+class BackDeviation {
+public:
+  /// Of the star that a StarDeviation has just compared, sheet by sheet or as one; is it closed
+  /// around each end? bound_of(face) is how far the input points of an old face may be. Returns how
+  /// far they may be then, at most: anything beyond the limit, once is_too_far(distance) says so of
+  /// one that is; infinity if there is no face left to which they could go.
+  template <class BoundOf, class IsTooFar>
+  double measure(const PairStar& star, StarDeviation& deviation, bool is_one_sheet, bool is_closed,
+                 BoundOf bound_of, IsTooFar is_too_far) {
+    take(star, deviation, bound_of);
+    is_closed_ = is_closed;
+    if (!is_one_sheet || deviation.changed() <= StarDeviation::most_faces)
+      for (std::size_t i = 0; i < deviation.sheets().size(); ++i)
+        if (const auto beyond = compare_sheet(deviation.sheets()[i], is_too_far))
+          return *beyond;
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      if (images_[i].is_in_pieces)
+        continue;
+      look_at_one(i);
+      look_everywhere(i, is_too_far);
+      const double bound = bound_by(images_[i].distance, i);
+      if (is_too_far(bound))
+        return bound;
+      if (images_[i].to != none)
+        raise(images_[i].to, bound);
+      is_any_lost_ |= images_[i].to == none;
+    }
+    take_bounds();
+    if (!is_one_sheet)
+      doubled_.join(star, bounds_);
+    return is_any_lost_ ? infinity : static_cast<double>(rounded_up(greatest_));
+  }
+
+  /// Of the faces of the star that are left, in its order, how far their input points may be.
+  const std::vector<float>& bounds() const { return bounds_; }
+  /// Are there points that have no face left to go to?
+  bool is_any_lost() const { return is_any_lost_; }
+
+private:
+  // Of an old face.
+  struct Image {
+    double bound;      // of its points, before
+    double distance;   // by how far they go if they all go to one face
+    std::size_t to;    // that face, in the order of the star
+    bool is_looked_at; // is that known?
+    bool is_in_pieces; // they go to several
+  };
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  template <class BoundOf>
+  void take(const PairStar& star, StarDeviation& deviation, BoundOf bound_of) {
+    star_ = &star;
+    deviation_ = &deviation;
+    faces_ = deviation.faces();
+    deviation.begin(part_);
+    part_.look_up_from(faces_.data());
+    greatest_ = 0;
+    is_any_lost_ = false;
+    new_bounds_.clear();
+    images_.clear();
+    first_changed_ = deviation.is_unchanged(0) ? star.first.size() : 0;
+    const auto take_end = [&](const AppendBuffer<StarFace>& faces, std::size_t end) {
+      for (const StarFace& f : faces)
+        if (deviation.is_unchanged(end)) {
+          new_bounds_.push_back(static_cast<double>(bound_of(f.face)));
+        } else {
+          new_bounds_.push_back(0);
+          add(bound_of(f.face));
+        }
+    };
+    take_end(star.first, 0);
+    take_end(star.second, 1);
+    for (const StarFace& f : star.shared)
+      add(bound_of(f.face));
+  }
+  void add(double bound) { images_.push_back({bound, infinity, none, false, false}); }
+
+  // Finds the face to which all points of an old one go; none if it leaves no edge of a face.
+  void look_at_one(std::size_t i) {
+    if (images_[i].is_looked_at)
+      return;
+    images_[i].is_looked_at = true;
+    if (i >= deviation_->changed())
+      look_beside(i);
+    else // the two others belong to both
+      go_to(images_[i], first_changed_ + i,
+            std::sqrt(squared_distance_to_triangle(faces_[i].corners[0], deviation_->target(),
+                                                   faces_[i].corners[1], faces_[i].corners[2])));
+  }
+
+  // Of a face that vanishes: to one that has the edge that it becomes.
+  void look_beside(std::size_t i) {
+    const FaceOfStar& old = faces_[i];
+    const Index v = deviation_->is_second_end(old.second) ? old.third : old.second;
+    Image& image = images_[i];
+    for (std::size_t k = 0; k < deviation_->changed(); ++k)
+      if (faces_[k].second == v || faces_[k].third == v)
+        go_to(image, first_changed_ + k, way_of_all(old, faces_[k]));
+    if (image.to != none)
+      return;
+    // The edge is that of a face at an end that stays: each point goes to the edge.
+    const auto& [a, second, third] = old.corners;
+    const auto& [b, p] = old.second == v ? std::pair(third, second) : std::pair(second, third);
+    const Vector<3>& x = deviation_->target();
+    const double way = std::sqrt(
+        (std::max)(squared_distance_to_segment(a, x, p), squared_distance_to_segment(b, x, p)));
+    std::size_t position = 0;
+    star_->for_each_changed([&](const StarFace& f) {
+      if (f.has(v))
+        go_to(image, position, way);
+      ++position;
+    });
+  }
+
+  // To any new face, if it is too far to those that were looked at.
+  template <class IsTooFar>
+  void look_everywhere(std::size_t i, IsTooFar is_too_far) {
+    Image& image = images_[i];
+    if (image.distance > 0 && deviation_->changed() <= StarDeviation::most_faces &&
+        is_too_far(bound_by(image.distance, i)))
+      for (std::size_t k = 0; k < deviation_->changed(); ++k)
+        go_to(image, first_changed_ + k, way_of_all(faces_[i], faces_[k]));
+  }
+
+  double way_of_all(const FaceOfStar& old, const FaceOfStar& now) const {
+    double most = 0;
+    for (const Vector<3>& p : old.corners)
+      most = (std::max)(most, squared_distance_to_triangle(p, deviation_->target(), now.corners[1],
+                                                           now.corners[2]));
+    return std::sqrt(most);
+  }
+
+  static void go_to(Image& image, std::size_t to, double distance) {
+    if (distance < image.distance) {
+      image.distance = distance;
+      image.to = to;
+    }
+  }
+
+  // Whole, or else by parts of like normals.
+  template <class IsTooFar>
+  std::optional<double> compare_sheet(std::span<FaceOfStar* const> sheet, IsTooFar is_too_far) {
+    const auto changed = std::count_if(sheet.begin(), sheet.end(),
+                                       [](const FaceOfStar* f) { return !f->is_shared; });
+    if (changed == 0 || changed > static_cast<std::ptrdiff_t>(StarDeviation::most_faces))
+      return std::nullopt;
+    part_.take(sheet);
+    if (part_.lay_flat() && !part_.leaves_steep_old_ones()) {
+      if (is_closed_)
+        part_.find_no_strips();
+      else
+        part_.find_strips<BorderStrips::Side::of_old>();
+      return measure_part(&deviation_->pieces(), is_too_far);
+    }
+    rest_.assign(sheet.begin(), sheet.end());
+    while (!rest_.empty()) {
+      FaceOfStar* const seed = *std::max_element(
+          rest_.begin(), rest_.end(), [](const FaceOfStar* f, const FaceOfStar* g) {
+            return squared_length(f->area) < squared_length(g->area);
+          });
+      part_.take_like(*seed, rest_);
+      if (part_.lay_flat())
+        part_.leaves_steep_old_ones();
+      std::erase_if(rest_, [&](const FaceOfStar* f) { return f == seed || part_.has(f); });
+      part_.find_strips<BorderStrips::Side::of_old>();
+      if (const auto beyond = measure_part(nullptr, is_too_far))
+        return beyond;
+    }
+    return std::nullopt;
+  }
+
+  template <class IsTooFar>
+  std::optional<double> measure_part(const PieceTable* table, IsTooFar is_too_far) {
+    if (table && !table->is_kept())
+      table = nullptr;
+    part_.find_new_faces();
+    const bool is_known = table && part_.has_all_pieces(*table);
+    for (const FaceOfStar* f : part_) {
+      const std::size_t i = index_of(*f);
+      if (!is_known)
+        look_at_one(i);
+      if (!(images_[i].distance > 0))
+        continue; // all of it is in the face that it becomes
+      cut(*f, i, table, is_too_far);
+      if (!images_[i].is_in_pieces)
+        continue;
+      for (const auto& [to, distance] : pieces_) {
+        const double bound = bound_by(distance, i);
+        if (bound > greatest_ && is_too_far(bound))
+          return bound;
+        raise(to, bound);
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Into pieces, unless all points go less far to one face. That is looked at where it matters:
+  // where pieces are too far, or where they are next to nothing, which may be nothing at all.
+  template <class IsTooFar>
+  void cut(const FaceOfStar& f, std::size_t i, const PieceTable* table, IsTooFar is_too_far) {
+    pieces_.clear();
+    double most = 0;
+    Image& image = images_[i];
+    image.is_in_pieces =
+        part_.measure_old(f, image.distance, table, [&](const FaceOfStar& now, double distance) {
+          pieces_.push_back({first_changed_ + index_of(now), distance});
+          most = (std::max)(most, distance);
+        });
+    if (!image.is_in_pieces || image.is_looked_at)
+      return;
+    const double bound = bound_by(most, i);
+    if (most > 16 * deviation_->rounding() && !(bound > greatest_ && is_too_far(bound)))
+      return;
+    look_at_one(i);
+    image.is_in_pieces = most < image.distance;
+  }
+
+  std::size_t index_of(const FaceOfStar& face) const {
+    return static_cast<std::size_t>(&face - faces_.data());
+  }
+
+  double bound_by(double distance, std::size_t i) const {
+    return images_[i].bound + distance + deviation_->rounding();
+  }
+
+  void raise(std::size_t to, double bound) {
+    new_bounds_[to] = (std::max)(new_bounds_[to], bound);
+    greatest_ = (std::max)(greatest_, bound);
+  }
+
+  void take_bounds() {
+    bounds_.clear();
+    for (std::size_t i = 0; i < new_bounds_.size(); ++i)
+      bounds_.push_back(rounded_up(new_bounds_[i]));
+  }
+  // A float is not less; those that are floats stay what they are.
+  static float rounded_up(double bound) {
+    const auto near = static_cast<float>(bound);
+    return static_cast<double>(near) < bound
+               ? std::nextafter(near, std::numeric_limits<float>::infinity())
+               : near;
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  const PairStar* star_ = nullptr; // at hand
+  StarDeviation* deviation_ = nullptr;
+  std::span<FaceOfStar> faces_;   // of the star
+  std::size_t first_changed_ = 0; // of them, in the order of the star
+  std::vector<Image> images_;     // of each of them
+  std::vector<float> bounds_;
+  std::vector<double> new_bounds_; // the same, not rounded yet
+  double greatest_ = 0;            // of faces that points came to
+  bool is_any_lost_ = false;
+  bool is_closed_ = false;
+  OldPartOfStar part_;            // of a sheet, that is compared now
+  std::vector<FaceOfStar*> rest_; // of it, for later
+  std::vector<std::pair<std::size_t, double>> pieces_;
+  DoubledFacesOfStar doubled_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_GUARDS_DISTANCE_BACK_DEVIATION_H

@@ -1,0 +1,227 @@
+#ifndef QUADRILLE_INTERNAL_GUARDS_DISTANCE_PART_OF_STAR_H
+#define QUADRILLE_INTERNAL_GUARDS_DISTANCE_PART_OF_STAR_H
+
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/guards/distance/border_strips.h>
+#include <quadrille/internal/guards/distance/face_of_star.h>
+#include <quadrille/internal/guards/distance/piece_table.h>
+#include <quadrille/internal/guards/distance/projection_plane.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// Faces of one sheet of a star, wound alike, of which new ones are compared with old ones.
+///
+/// A new face is cut into pieces, each of which lies over one old face, or over one strip along the
+/// rim of the part (see BorderStrips), in the plane of their mean normal: the distance of a piece
+/// to that face is greatest at one of its corners. As long as no new face is turned over in this
+/// plane, the pieces leave nothing out, whatever the old faces look like. For the other way round
+/// see OldPartOfStar.
+class PartOfStar {
+public:
+  using Face = FaceOfStar;
+
+  /// What the roundings of all that is measured come to, at most, in a star of this extent.
+  static double rounding(double extent) { return 0x1p-48 * extent; }
+
+  /// Of the pair of these ends, the second of which is b, which is contracted to x.
+  void begin(const std::array<Vector<3>, 2>& ends, Index b, const Vector<3>& x, double extent) {
+    ends_ = ends;
+    b_ = b;
+    x_.point = x;
+    extent_ = extent;
+  }
+
+  void take(std::span<Face* const> faces) {
+    faces_.assign(faces.begin(), faces.end());
+    kept_ = nullptr;
+  }
+  /// Puts the pieces that measure() finds into a table, by the places of faces behind the first.
+  void keep_pieces(PieceTable& table, const Face* first) {
+    kept_ = &table;
+    first_ = first;
+  }
+  /// Those of them whose normals are within 60 degrees of that of one of them.
+  void take_like(const Face& seed, const std::vector<Face*>& faces) {
+    const Vector<3>& axis = seed.area;
+    faces_.clear();
+    kept_ = nullptr;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(faces_), [&](const Face* f) {
+      const double along = dot(axis, f->area);
+      return along > 0 && 4 * along * along > squared_length(axis) * squared_length(f->area);
+    });
+  }
+
+  auto begin() const { return faces_.begin(); }
+  auto end() const { return faces_.end(); }
+  bool has(const Face* face) const {
+    return std::find(faces_.begin(), faces_.end(), face) != faces_.end();
+  }
+
+  /// Puts them in the plane of their mean normal. If there is none, none of them is left.
+  bool lay_flat() {
+    Vector<3> normal;
+    for (const Face* f : faces_)
+      normal += f->area;
+    if (!plane_.look_along(normal)) {
+      faces_.clear();
+      return false;
+    }
+    plane_.pass_through(ends_[0]);
+    x_ = plane_.flat(x_.point);
+    for (Face* f : faces_)
+      for (std::size_t i = 0; i < 3; ++i)
+        f->flat[i] = plane_.flat(f->corners[i]);
+    return true;
+  }
+
+  /// Takes new faces that are turned over, or are nearly, out of the part. Were there any?
+  bool leaves_steep_ones() {
+    return std::erase_if(faces_, [this](const Face* f) {
+             if (f->is_shared)
+               return false;
+             const double flat = flat_area(x_, f->flat[1], f->flat[2]);
+             const Vector<3> area = double_area_vector(x_.point, f->corners[1], f->corners[2]);
+             return !(flat > 0 && flat * flat > steepest * steepest * squared_length(area));
+           }) > 0;
+  }
+
+  /// Finds the strips along its rim, which measure() needs.
+  template <BorderStrips::Side side = BorderStrips::Side::of_new>
+  void find_strips() {
+    rim_.clear();
+    for (const Face* f : faces_)
+      rim_.add(*f, b_);
+    rim_.sum_up();
+    strips_ = &rim_.strips<side>(ends_, x_, tolerance() / 2,
+                                 [this](const Vector<3>& p) { return plane_.flat(p); });
+  }
+  /// Where it is known that there are none.
+  void find_no_strips() {
+    rim_.clear();
+    strips_ = &rim_.strips(ends_, x_, 0, [this](const Vector<3>& p) { return plane_.flat(p); });
+  }
+
+  /// How far one of them that changes comes to lie, by its pieces; anything beyond what is known,
+  /// once it is beyond.
+  FaceDeviation measure(const Face& face, double known) const {
+    const FaceDeviation plain =
+        kept_ ? measure_and_keep(face, known)
+              : measure_by(face, known,
+                           [](const FlatPiece&, double, const Face*, const auto& d) { return d; });
+    if (!may_be_noise(plain.from_star))
+      return plain;
+    return measure_by(face, known,
+                      [this](const FlatPiece& piece, double, const Face*, const FaceDeviation& d) {
+                        return may_be_noise(d.from_star) ? nearest_to(piece, d) : d;
+                      });
+  }
+
+protected:
+  static constexpr double steepest = 0x1p-3; // of a face: cosine of its angle to the plane
+
+  // By how much pieces are wider than what they lie over, so that roundings leave no gaps. Where a
+  // strip is left out that is narrower than half of it, the new face is no further off than the
+  // next piece by rounding(), since it is not steep.
+  double tolerance() const { return 0x1p-50 * extent_; }
+
+  std::size_t index_of(const Face& face) const { return static_cast<std::size_t>(&face - first_); }
+
+  // Next to nothing, but more than roundings: acute angles enlarge these, in the height over a thin
+  // face and where they put the tip of a face over one that it lies beside.
+  bool may_be_noise(double distance) const {
+    return distance > 8 * rounding(extent_) && distance < 0x1p-30 * extent_;
+  }
+
+  std::vector<Face*> faces_;
+  const Face* first_ = nullptr; // of those that a table is about
+  FlatPoint x_{};
+  double extent_ = 0;
+  const std::vector<BorderStrips::Strip>* strips_ = nullptr;
+
+private:
+  // By pieces, which are put into the table.
+  FaceDeviation measure_and_keep(const Face& face, double known) const {
+    const auto put = [&](const FlatPiece&, double area, const Face* old, const FaceDeviation& d) {
+      if (old)
+        kept_->put(index_of(face), index_of(*old), {d.from_star, area});
+      return d;
+    };
+    const FaceDeviation deviation = measure_by(face, known, put);
+    if (deviation.from_input < known)
+      kept_->complete(index_of(face));
+    return deviation;
+  }
+
+  // By pieces, of each of which mended(piece, its area, old face, deviation) tells the last word.
+  template <class Mended>
+  FaceDeviation measure_by(const Face& face, double known, Mended mended) const {
+    const FlatTriangle now{x_, face.flat[1], face.flat[2]};
+    const double all = flat_area(now);
+    FaceDeviation deviation;
+    double covered = 0;
+    const auto look_at = [&](const FlatTriangle& part, const Face* old, double bound,
+                             auto squared) {
+      if (lies_beside(now, part))
+        return;
+      FlatPiece piece(now);
+      piece.clip(part, tolerance());
+      if (piece.empty())
+        return;
+      double most = 0;
+      for (const FlatPoint& y : piece)
+        most = (std::max)(most, squared(y));
+      const double area = piece.area();
+      covered += area;
+      const double distance = std::sqrt(most);
+      deviation.raise_to(mended(piece, area, old, FaceDeviation{bound + distance, distance}));
+    };
+    for (const Face* f : faces_)
+      if (deviation.from_input < known && flat_area(f->flat) > 0)
+        look_at(f->flat, f, f->bound,
+                [&](const FlatPoint& y) { return squared_height(y, f->flat); });
+    for (const BorderStrips::Strip& s : *strips_)
+      if (deviation.from_input < known)
+        look_at(s.triangle, nullptr, s.bound, [&](const FlatPoint& y) {
+          return squared_distance_to_segment(y.point, s.from, s.to);
+        });
+    if (covered < (1 - 1e-6) * all) // only if it was not looked at to the end
+      deviation.from_input = std::numeric_limits<double>::infinity();
+    return deviation;
+  }
+
+  // The distance of a piece to any face of the part, if that is next to nothing, else what is
+  // known.
+  FaceDeviation nearest_to(const FlatPiece& piece, const FaceDeviation& known) const {
+    const double enough = rounding(extent_) * rounding(extent_);
+    for (const Face* f : faces_) {
+      const std::array<Vector<3>, 3>& t = f->corners;
+      const auto is_near = [&](const FlatPoint& y) {
+        return squared_distance_to_triangle(y.point, t[0], t[1], t[2]) <= enough;
+      };
+      if (f->bound <= known.from_input && std::all_of(piece.begin(), piece.end(), is_near))
+        return {f->bound + rounding(extent_), rounding(extent_)};
+    }
+    return known;
+  }
+
+  PieceTable* kept_ = nullptr;
+  std::array<Vector<3>, 2> ends_;
+  Index b_ = 0;
+  ProjectionPlane plane_;
+  BorderStrips rim_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_GUARDS_DISTANCE_PART_OF_STAR_H

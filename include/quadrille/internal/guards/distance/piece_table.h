@@ -1,0 +1,52 @@
+#ifndef QUADRILLE_INTERNAL_GUARDS_DISTANCE_PIECE_TABLE_H
+#define QUADRILLE_INTERNAL_GUARDS_DISTANCE_PIECE_TABLE_H
+
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// The pieces of the new faces of a star over its old ones, so that who compares old faces with new
+/// ones need not cut them again: the heights over a piece are the same from both sides.
+class PieceTable {
+public:
+  struct Piece {
+    double distance; // the greatest; below 0 where there is none
+    double area;     // twice of it, in the plane
+  };
+
+  /// More faces would make a large table.
+  static constexpr std::size_t most_faces = 64;
+
+  void clear() { size_ = 0; }
+  /// Of a star of so many faces, none of which has pieces yet.
+  void begin(std::size_t faces) {
+    clear();
+    if (faces > most_faces)
+      return;
+    size_ = faces;
+    pieces_.assign(faces * faces, {-1, 0});
+    is_complete_.assign(faces, false);
+  }
+  bool is_kept() const { return size_ > 0; }
+
+  void put(std::size_t now, std::size_t old, const Piece& piece) {
+    pieces_[now * size_ + old] = piece;
+  }
+  const Piece& operator()(std::size_t now, std::size_t old) const {
+    return pieces_[now * size_ + old];
+  }
+
+  /// All pieces of a new face are here.
+  void complete(std::size_t now) { is_complete_[now] = true; }
+  bool is_complete(std::size_t now) const { return size_ > 0 && is_complete_[now]; }
+
+private:
+  std::size_t size_ = 0;
+  std::vector<Piece> pieces_;
+  std::vector<char> is_complete_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_GUARDS_DISTANCE_PIECE_TABLE_H

@@ -1,0 +1,250 @@
+#ifndef QUADRILLE_INTERNAL_GUARDS_DISTANCE_STAR_DEVIATION_H
+#define QUADRILLE_INTERNAL_GUARDS_DISTANCE_STAR_DEVIATION_H
+
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/memory/array.h>
+#include <quadrille/internal/core/surface/flat_pieces.h>
+#include <quadrille/internal/guards/distance/border_strips.h>
+#include <quadrille/internal/guards/distance/face_of_star.h>
+#include <quadrille/internal/guards/distance/part_of_star.h>
+#include <quadrille/internal/guards/distance/piece_table.h>
+#include <quadrille/internal/guards/distance/sheets_of_star.h>
+#include <quadrille/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace quadrille::internal {
+
+/// How far a contraction takes the faces around a pair away from those that were there, at most.
+///
+/// A new face is compared with the face that it was: the distance to a triangle is convex, so it is
+/// greatest at the corner that has moved. Or it is cut into pieces: see PartOfStar.
+///
+/// Each sheet between borders and junction lines is compared with itself, and has a border where it
+/// meets others: see SheetsOfStar. Where some new face is turned over in the plane of a sheet, at a
+/// sharp crease, faces of like normals are compared apart in the same way.
+class StarDeviation {
+public:
+  /// Where more faces change, pieces would take long: each face may meet each.
+  static constexpr std::size_t most_faces = 128;
+
+  /// Takes the star of the pair ab, and the place x to which it is contracted. bound_of(face) is
+  /// how far an old face may be from the input. The faces of an end at x do not change and are left
+  /// out.
+  template <std::size_t N, class BoundOf>
+  void take(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
+            const Vector<3>& x, BoundOf bound_of) {
+    const auto at = [&](Index v) { return space(positions[v]); };
+    x_ = x;
+    ends_ = {at(a), at(b)};
+    b_ = b;
+    faces_.clear();
+    extent_ = 0;
+    const auto see = [&](const Vector<3>& p) {
+      for (std::size_t i = 0; i < 3; ++i)
+        extent_ = (std::max)(extent_, std::abs(p[i] - ends_[0][i]));
+    };
+    see(x), see(ends_[1]);
+    const auto add = [&](const StarFace& f, std::size_t end, bool is_shared) {
+      const std::array<Vector<3>, 3> corners{ends_[end], at(f.second), at(f.third)};
+      const Vector<3> area = double_area_vector(corners[0], corners[1], corners[2]);
+      see(corners[1]), see(corners[2]);
+      const auto bound = static_cast<double>(bound_of(f.face));
+      faces_.push_back({corners, area, f.second, f.third, bound, end, is_shared});
+    };
+    if (!is_unchanged(0))
+      for (const StarFace& f : star.first)
+        add(f, 0, false);
+    if (!is_unchanged(1))
+      for (const StarFace& f : star.second)
+        add(f, 1, false);
+    changed_ = faces_.size();
+    for (const StarFace& f : star.shared)
+      add(f, 0, true);
+    part_.begin(ends_, b, x, extent_);
+    pieces_.clear();
+  }
+  /// Keeps the pieces of those sheets that are compared whole.
+  void keep_pieces() { pieces_.begin(faces_.size()); }
+  const PieceTable& pieces() const { return pieces_; }
+
+  /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
+  bool is_unchanged(std::size_t end) const { return ends_[end] == x_; }
+
+  /// Of the faces that change: those of the first end come first.
+  const FaceDeviation& operator[](std::size_t i) const { return deviations_[i]; }
+
+  /// The greatest of each kind, of all faces.
+  FaceDeviation greatest() const {
+    FaceDeviation greatest;
+    for (const FaceDeviation& d : deviations_)
+      greatest.raise_to(d);
+    return greatest;
+  }
+
+  /// The faces that change, in the order of the star, and behind them those that go. Whoever lays
+  /// them flat for a comparison of its own begins its part here.
+  std::vector<FaceOfStar>& faces() { return faces_; }
+  std::size_t changed() const { return changed_; }
+  void begin(PartOfStar& part) const { part.begin(ends_, b_, x_, extent_); }
+  const Vector<3>& target() const { return x_; }
+  bool is_second_end(Index v) const { return v == b_; }
+  /// Those that were compared last.
+  const SheetsOfStar& sheets() const { return sheets_; }
+
+  /// The greatest extent of the star, up to a factor of two.
+  double extent() const { return extent_; }
+  /// What the roundings of all that is measured come to, at most.
+  double rounding() const { return PartOfStar::rounding(extent_); }
+
+  /// Compares each face with the one that it was. If it is certain that one will be too far,
+  /// returns how far that is. Are all of one sheet, and wound alike?
+  template <class IsTooFar>
+  std::optional<FaceDeviation> compare_each(bool is_one_sheet, IsTooFar is_too_far) {
+    deviations_.clear();
+    FaceDeviation least{std::numeric_limits<double>::infinity(), 0}; // pieces find no less at x
+    for (const Face& f : faces_) {
+      const auto& [p, q, r] = f.corners;
+      const double distance = std::sqrt(squared_distance_to_triangle(x_, p, q, r));
+      const FaceDeviation deviation{f.bound + distance, distance};
+      if (deviation.from_input < least.from_input)
+        least = deviation;
+      if (f.is_shared)
+        continue;
+      if (is_one_sheet && changed_ > most_faces && is_too_far(deviation.from_input))
+        return deviation;
+      deviations_.push_back(deviation);
+    }
+    if (changed_ > 0 && is_too_far(least.from_input))
+      return least;
+    return std::nullopt;
+  }
+
+  /// Measures how far the border moves, to either side. If that is too far, returns how far it is.
+  template <class IsTooFar>
+  std::optional<FaceDeviation> compare_border(IsTooFar is_too_far) {
+    border_.clear();
+    for (const Face& f : faces_)
+      border_.add(f, b_);
+    border_.sum_up();
+    border_.keep_open_ones([this](std::size_t end) { return !is_unchanged(end); });
+    of_border_ = border_.deviation(ends_, x_);
+    return is_too_far(of_border_.from_input) ? std::optional(of_border_) : std::nullopt;
+  }
+  /// Adds it to what is known of the faces at the border.
+  void add_border() {
+    for (std::size_t i = 0; i < changed_; ++i)
+      if (border_.has(faces_[i].second) || border_.has(faces_[i].third))
+        deviations_[i].raise_to(of_border_);
+  }
+
+  /// Compares them by pieces. Once a face is too far either way, returns how far that is.
+  template <class IsTooFar>
+  std::optional<FaceDeviation> compare_sheets(bool is_one_sheet, IsTooFar is_too_far) {
+    if (is_one_sheet && changed_ > most_faces)
+      return std::nullopt;
+    if (is_one_sheet)
+      sheets_.take_one(faces_);
+    else
+      sheets_.find(faces_, b_);
+    for (std::size_t i = 0; i < sheets_.size(); ++i)
+      if (const auto beyond = compare_sheet(sheets_[i], is_too_far))
+        return beyond;
+    return std::nullopt;
+  }
+
+private:
+  using Face = FaceOfStar;
+
+  // Whole, or else by parts of like normals.
+  template <class IsTooFar>
+  std::optional<FaceDeviation> compare_sheet(std::span<Face* const> sheet, IsTooFar is_too_far) {
+    const auto changed =
+        std::count_if(sheet.begin(), sheet.end(), [](const Face* f) { return !f->is_shared; });
+    if (changed > static_cast<std::ptrdiff_t>(most_faces))
+      return first_beyond(sheet, is_too_far);
+    part_.take(sheet);
+    if (part_.lay_flat() && !part_.leaves_steep_ones()) {
+      if (pieces_.is_kept())
+        part_.keep_pieces(pieces_, faces_.data());
+      return measure_part(is_too_far);
+    }
+    rest_.assign(sheet.begin(), sheet.end());
+    while (Face* const seed = largest_of_rest()) {
+      part_.take_like(*seed, rest_);
+      if (part_.lay_flat())
+        part_.leaves_steep_ones();
+      const bool is_left_out = !part_.has(seed);
+      std::erase_if(rest_, [&](const Face* f) { return f == seed || part_.has(f); });
+      if (is_left_out && is_too_far(known_of(*seed).from_input))
+        return known_of(*seed);
+      if (const auto beyond = measure_part(is_too_far))
+        return beyond;
+    }
+    return std::nullopt;
+  }
+
+  // Of the faces of a sheet that is not cut into pieces.
+  template <class IsTooFar>
+  std::optional<FaceDeviation> first_beyond(std::span<Face* const> sheet, IsTooFar is_too_far) {
+    for (const Face* f : sheet)
+      if (!f->is_shared && is_too_far(known_of(*f).from_input))
+        return known_of(*f);
+    return std::nullopt;
+  }
+
+  Face* largest_of_rest() const {
+    Face* largest = nullptr;
+    for (Face* f : rest_)
+      if (!f->is_shared && (!largest || squared_length(f->area) > squared_length(largest->area)))
+        largest = f;
+    return largest;
+  }
+
+  template <class IsTooFar>
+  std::optional<FaceDeviation> measure_part(IsTooFar is_too_far) {
+    part_.find_strips();
+    for (const Face* f : part_) {
+      if (f->is_shared)
+        continue;
+      FaceDeviation& known = known_of(*f);
+      if (known.from_star > 0)
+        if (const FaceDeviation found = part_.measure(*f, known.from_input);
+            found.from_input < known.from_input)
+          known = found;
+      if (is_too_far(known.from_input))
+        return known;
+    }
+    return std::nullopt;
+  }
+
+  // Of one that changes.
+  FaceDeviation& known_of(const Face& face) {
+    return deviations_[static_cast<std::size_t>(&face - faces_.data())];
+  }
+
+  Vector<3> x_;
+  std::array<Vector<3>, 2> ends_;
+  Index b_ = 0;
+  std::vector<Face> faces_; // those that change come first, then those that go
+  std::vector<FaceDeviation> deviations_;
+  SheetsOfStar sheets_;
+  PieceTable pieces_;       // of sheets
+  PartOfStar part_;         // of a sheet, that is compared now
+  std::vector<Face*> rest_; // of it, for later
+  std::size_t changed_ = 0;
+  double extent_ = 0;
+  BorderStrips border_; // of the surface
+  FaceDeviation of_border_;
+};
+
+} // namespace quadrille::internal
+
+#endif // QUADRILLE_INTERNAL_GUARDS_DISTANCE_STAR_DEVIATION_H
