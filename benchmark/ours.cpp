@@ -11,7 +11,6 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 
 namespace bench {
 namespace {

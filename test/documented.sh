@@ -326,7 +326,7 @@ reference() {
   sed -i 's|^struct MidpointPlacement {|&\n  int without_comment();|' include/quadrille/placement.h
   ! sh doc/build.sh "$folder/undocumented" > "$folder/warnings" 2>&1 || fail "a name without a comment goes unnoticed"
   grep -q 'placement.h:.*without_comment.*not documented' "$folder/warnings" || fail "not the name without a comment is refused"
-  cp include/quadrille/topology.h include/quadrille/elsewhere.h
+  cp include/quadrille/pairs.h include/quadrille/elsewhere.h
   sed -i '/without_comment/d' include/quadrille/placement.h
   ! sh doc/build.sh "$folder/module" > "$folder/warnings" 2>&1 || fail "a header without a module goes unnoticed"
   grep -q 'names no module for elsewhere.h' "$folder/warnings" || fail "not the header without a module is refused"

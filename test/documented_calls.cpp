@@ -17,7 +17,7 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/file.h>
 #include <quadrille/file_distance.h>
-#include <quadrille/height_field.h>
+#include <quadrille/filters.h>
 #include <quadrille/hull.h>
 #include <quadrille/importance.h>
 #include <quadrille/level_mesh.h>
@@ -31,8 +31,6 @@
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplified.h>
 #include <quadrille/simplify.h>
-#include <quadrille/solid.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>
 #include <quadrille/volume_keeping.h>

@@ -1,11 +1,10 @@
 #ifndef QUADRILLE_ATTRIBUTE_QUADRIC_H
 #define QUADRILLE_ATTRIBUTE_QUADRIC_H
 
-#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/core/base/text.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,6 @@
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>
 #include <quadrille/simplify.h>
-#include <quadrille/topology.h>
 
 #include <cstddef>
 #include <stdexcept>

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_CHANNELS_H
 #define QUADRILLE_CHANNELS_H
 
-#include <quadrille/attribute.h>
 #include <quadrille/channel_options.h>
 #include <quadrille/internal/attributes/channel_map.h>
 #include <quadrille/internal/attributes/channel_teller.h>

@@ -12,8 +12,8 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/core/base/text.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/stop.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #define QUADRILLE_COMPILED_H
 
 #include <quadrille/channel_options.h>
+#include <quadrille/pairs.h>
 #include <quadrille/quadric.h>
 #include <quadrille/recorded.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
 #include <array>
 #include <cstddef>

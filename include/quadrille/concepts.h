@@ -3,10 +3,9 @@
 
 #include <quadrille/internal/core/policy/mesh_units.h>
 #include <quadrille/internal/core/policy/policies.h>
-#include <quadrille/needs.h>
 #include <quadrille/pairs.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <concepts>
 #include <cstddef>

@@ -3,7 +3,6 @@
 
 #include <quadrille/internal/core/base/text.h>
 #include <quadrille/internal/guards/distance/distance_check.h>
-#include <quadrille/needs.h>
 #include <quadrille/report.h>
 
 #include <stdexcept>

@@ -2,8 +2,8 @@
 #define QUADRILLE_EDGE_LENGTH_H
 
 #include <quadrille/internal/core/base/text.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <cstddef>
 #include <stdexcept>

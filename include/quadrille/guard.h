@@ -6,8 +6,8 @@
 #include <quadrille/internal/core/guard/surface_guard.h>
 #include <quadrille/internal/core/policy/contraction_view.h>
 #include <quadrille/internal/core/policy/mesh_units.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <array>
 #include <concepts>

@@ -6,8 +6,6 @@
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -5,8 +5,8 @@
 #include <quadrille/internal/core/base/text.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/triangle_soup.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>

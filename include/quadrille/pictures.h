@@ -8,9 +8,7 @@
 #include <quadrille/internal/core/pairs/pair_selection.h>
 #include <quadrille/internal/core/policy/pair_source.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
 #include <quadrille/triangle_soup.h>
-#include <quadrille/vector.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <boost/graph/graph_traits.hpp>

@@ -2,7 +2,7 @@
 #define QUADRILLE_PLACEMENT_H
 
 #include <quadrille/internal/core/policy/tie_break.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <type_traits>

@@ -6,6 +6,7 @@
 
 #include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
 
+#include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/core/adapter/label_numbers.h>
@@ -16,7 +17,6 @@
 #include <quadrille/internal/core/call/named_parameters.h>
 #include <quadrille/internal/core/call/teller.h>
 #include <quadrille/internal/planar/planar_remesh.h>
-#include <quadrille/labels.h>
 #include <quadrille/parameters.h>
 #include <quadrille/quadric.h>
 

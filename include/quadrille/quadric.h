@@ -3,8 +3,6 @@
 
 #include <quadrille/internal/core/base/text.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
 
 #include <cmath>
 #include <cstddef>

@@ -4,14 +4,14 @@
 #include <quadrille/internal/core/base/compiler.h> // first, since it tells what compiler this needs
 
 #include <quadrille/buffers.h>
-#include <quadrille/internal/core/call/compiled_engines.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/concepts.h>
 #include <quadrille/filters.h>
 #include <quadrille/internal/core/base/threads.h>
 #include <quadrille/internal/core/call/arguments.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 #include <quadrille/internal/core/call/diagnostics.h>
 #include <quadrille/internal/core/call/meshes.h>
-#include <quadrille/labels.h>
 #include <quadrille/order.h>
 #include <quadrille/pairs.h>
 #include <quadrille/parameters.h>
@@ -20,9 +20,7 @@
 #include <quadrille/recorded.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
-#include <quadrille/topology.h>
 #include <quadrille/version.h>
-#include <quadrille/visitor.h>
 
 #ifdef QUADRILLE_WITH_COMPILED
 namespace quadrille::internal {
@@ -51,7 +49,7 @@ inline namespace QUADRILLE_THREADING {
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - guards, any number, each with a header of its own: NoSelfIntersection, of
 ///   <quadrille/self_intersection.h>: no faces come to intersect; keep_solid(), of
-///   <quadrille/solid.h>: a closed solid stays one; NormalDeviation, of
+///   <quadrille/self_intersection.h>: a closed solid stays one; NormalDeviation, of
 ///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
 ///   of the user's
 /// - Labels: of faces, whose regions are kept

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_TEXTURE_DEVIATION_H
 #define QUADRILLE_TEXTURE_DEVIATION_H
 
+#include <quadrille/quadric_form.h>
 #include <quadrille/triangle_soup.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>

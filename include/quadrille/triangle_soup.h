@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_TRIANGLE_SOUP_H
 #define QUADRILLE_TRIANGLE_SOUP_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 #include <concepts>

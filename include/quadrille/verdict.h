@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_VERDICT_H
 #define QUADRILLE_VERDICT_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

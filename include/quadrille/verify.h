@@ -19,7 +19,7 @@
 #include <quadrille/internal/verify/intersecting_pairs.h>
 #include <quadrille/internal/verify/normal_angles.h>
 #include <quadrille/internal/verify/solid_check.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/verdict.h>
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/placement.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #define QUADRILLE_WEIGHTED_H
 
 #include <quadrille/internal/core/policy/tie_break.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <concepts>
 #include <cstddef>

@@ -10,7 +10,6 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <CGAL/property_map.h>
 

@@ -13,7 +13,6 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/texture_deviation.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <catch2/catch.hpp>
 

@@ -10,11 +10,10 @@
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
-#include <quadrille/height_field.h>
+#include <quadrille/filters.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <catch2/catch.hpp>

@@ -10,8 +10,6 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/solid.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>

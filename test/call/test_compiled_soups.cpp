@@ -7,13 +7,11 @@
 #include <quadrille/compiled.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
-#include <quadrille/level.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/parameters.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <CGAL/property_map.h>
 #include <catch2/catch.hpp>

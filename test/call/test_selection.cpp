@@ -3,9 +3,9 @@
 #include "soups.h"
 
 #include <boost/property_map/function_property_map.hpp>
+#include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
 #include <quadrille/edge_length.h>
-#include <quadrille/labels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>

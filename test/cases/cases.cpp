@@ -5,7 +5,6 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <algorithm>
 #include <bit>

@@ -6,11 +6,11 @@
 
 #include <quadrille/distance_limits.h>
 #include <quadrille/order.h>
+#include <quadrille/pairs.h>
 #include <quadrille/quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
-#include <quadrille/topology.h>
 
 #include <CGAL/IO/Color.h>
 

@@ -2,8 +2,8 @@
 #include "../support/textured.h"
 #include "engine.h"
 
+#include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
-#include <quadrille/labels.h>
 
 #include <cmath>
 #include <cstdint>

@@ -12,7 +12,6 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>

@@ -7,7 +7,6 @@
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,10 +3,10 @@
 
 #include "meshes.h"
 
+#include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
-#include <quadrille/labels.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>

@@ -2,15 +2,15 @@
 #include "soups.h"
 
 #include <quadrille/attribute_quadric.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
 #include <quadrille/distance_limits.h>
-#include <quadrille/labels.h>
 #include <quadrille/levels.h>
 #include <quadrille/memoryless_quadric.h>
+#include <quadrille/pairs.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 #include <quadrille/stop.h>
-#include <quadrille/topology.h>
 
 #include <CGAL/property_map.h>
 #include <catch2/catch.hpp>

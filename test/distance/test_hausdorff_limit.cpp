@@ -4,10 +4,10 @@
 #include "meshes.h"
 #include "soups.h"
 
+#include <quadrille/channel_options.h>
 #include <quadrille/channels.h>
 #include <quadrille/distance.h>
 #include <quadrille/distance_limits.h>
-#include <quadrille/labels.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 

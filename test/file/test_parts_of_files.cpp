@@ -10,10 +10,10 @@
 #include <quadrille/internal/file/file_checksum.h>
 #include <quadrille/internal/file/id_index.h>
 #include <quadrille/internal/file/id_set.h>
+#include <quadrille/internal/file/job_watch.h>
 #include <quadrille/internal/file/next_parts.h>
 #include <quadrille/internal/file/part_cut.h>
 #include <quadrille/internal/file/part_scatter.h>
-#include <quadrille/internal/file/part_threads.h>
 #include <quadrille/internal/file/part_tree.h>
 #include <quadrille/internal/file/schedule.h>
 #include <quadrille/internal/file/stl_weld.h>

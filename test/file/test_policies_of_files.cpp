@@ -6,8 +6,8 @@
 #include "surface_files.h"
 
 #include <quadrille/file.h>
+#include <quadrille/filters.h>
 #include <quadrille/guard.h>
-#include <quadrille/height_field.h>
 #include <quadrille/volume_keeping.h>
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,6 @@
 #include "soups.h"
 
 #include <quadrille/internal/core/surface/box_tree.h>
-#include <quadrille/internal/guards/intersection/face_plane.h>
 #include <quadrille/internal/guards/intersection/face_sides.h>
 #include <quadrille/internal/guards/intersection/flat_fan.h>
 #include <quadrille/internal/guards/intersection/triangle_pair.h>

@@ -8,8 +8,8 @@
 #include <quadrille/hull.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/quadric.h>
+#include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 #include <quadrille/verify.h>
 

@@ -6,7 +6,7 @@
 
 #include <quadrille/edge_length.h>
 #include <quadrille/internal/core/complex/star.h>
-#include <quadrille/internal/guards/normals/cones_of_star.h>
+#include <quadrille/internal/guards/normals/face_cones.h>
 #include <quadrille/internal/guards/normals/normal_cone.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/normal_deviation.h>

@@ -1,7 +1,6 @@
 // Each filter lets pass what it says, at its limits too.
 #include <quadrille/filters.h>
-#include <quadrille/height_field.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <catch2/catch.hpp>
 

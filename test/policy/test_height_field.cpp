@@ -1,7 +1,7 @@
 // A height field stays one with the filter HeightField, as told by areas on the map.
 #include "meshes.h"
 
-#include <quadrille/height_field.h>
+#include <quadrille/filters.h>
 #include <quadrille/memoryless_quadric.h>
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>

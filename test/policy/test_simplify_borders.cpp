@@ -2,7 +2,7 @@
 #include "meshes.h"
 
 #include <quadrille/borders.h>
-#include <quadrille/height_field.h>
+#include <quadrille/filters.h>
 
 #include <CGAL/property_map.h>
 

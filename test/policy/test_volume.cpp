@@ -7,7 +7,6 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/volume_keeping.h>
 
 #include <catch2/catch.hpp>

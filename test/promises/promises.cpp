@@ -12,7 +12,6 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/solid.h>
 #include <quadrille/verify.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -3,8 +3,8 @@
 
 #include <quadrille/guard.h>
 #include <quadrille/pairs.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <cstddef>
 

@@ -7,7 +7,7 @@
 
 #include "soups.h"
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/verdict.h>
 
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "soups.h"
 
-#include <quadrille/level.h>
+#include <quadrille/levels.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_TEST_SOUPS_H
 #define QUADRILLE_TEST_SOUPS_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "soups.h"
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "meshes.h"
 #include "textured.h"
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -4,7 +4,7 @@
 #include "generate.h"
 #include "surfaces.h"
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/IO/Color.h>
 

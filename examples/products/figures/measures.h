@@ -3,7 +3,7 @@
 
 #include "surfaces.h"
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

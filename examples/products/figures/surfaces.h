@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_FIGURES_SURFACES_H
 #define QUADRILLE_EXAMPLES_FIGURES_SURFACES_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>

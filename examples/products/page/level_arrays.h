@@ -7,7 +7,7 @@
 #include <quadrille/level_steps.h>
 #include <quadrille/levels.h>
 #include <quadrille/quadric.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,6 @@
 #include <quadrille/edge_length.h>
 #include <quadrille/file.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <optional>
 #include <string>

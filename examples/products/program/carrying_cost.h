@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_CARRYING_COST_H
 #define QUADRILLE_EXAMPLES_CARRYING_COST_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,9 +10,9 @@
 #include "target.h"
 
 #include <quadrille/channels.h>
+#include <quadrille/pairs.h>
 #include <quadrille/quadric.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include "../mesh_io/replace_file.h"
 #include "verification.h"
 
-#include <quadrille/topology.h>
+#include <quadrille/pairs.h>
 #include <quadrille/version.h>
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "outcome.h"
 #include "runs.h"
 
-#include <quadrille/level.h>
+#include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 
 #include <algorithm>

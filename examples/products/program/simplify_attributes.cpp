@@ -9,7 +9,6 @@
 #include <quadrille/quadric.h>
 #include <quadrille/record.h>
 #include <quadrille/simplify.h>
-#include <quadrille/thin_feature_quadric.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/property_map.h>

@@ -9,8 +9,8 @@
 #include "outcome.h"
 #include "progress_line.h"
 
+#include <quadrille/pairs.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
 #include <algorithm>
 #include <cstddef>

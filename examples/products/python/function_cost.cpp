@@ -2,7 +2,7 @@
 
 #include <quadrille/compiled/run_soup.h>
 #include <quadrille/quadric.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 namespace quadrille_examples {
 

@@ -6,7 +6,6 @@
 
 #include "arrays.h"
 
-#include <quadrille/level.h>
 #include <quadrille/levels.h>
 #include <quadrille/levels_file.h>
 #include <quadrille/stop.h>

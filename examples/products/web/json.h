@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_WEB_JSON_H
 #define QUADRILLE_EXAMPLES_WEB_JSON_H
 
-#include <quadrille/level.h>
+#include <quadrille/levels.h>
 #include <quadrille/report.h>
 
 #include <array>

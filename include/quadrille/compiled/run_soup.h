@@ -15,7 +15,6 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/self_intersection.h>
 #include <quadrille/simplify.h>
-#include <quadrille/solid.h>
 #include <quadrille/threshold_pairs.h>
 
 #include <CGAL/Bbox_3.h>

@@ -7,7 +7,6 @@
 #include <quadrille/compiled/soup_run.h>
 #include <quadrille/edge_length.h>
 #include <quadrille/memoryless_quadric.h>
-#include <quadrille/thin_feature_quadric.h>
 
 #include <cstddef>
 #include <cstdint>

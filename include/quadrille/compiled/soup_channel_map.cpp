@@ -1,7 +1,7 @@
 #include <quadrille/compiled/soup_channel_map.h>
 
 #include <quadrille/internal/core/adapter/linear_light.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

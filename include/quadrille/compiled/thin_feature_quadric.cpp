@@ -1,5 +1,5 @@
 #include <quadrille/compiled/engine_definitions.h>
-#include <quadrille/thin_feature_quadric.h>
+#include <quadrille/memoryless_quadric.h>
 
 namespace quadrille::internal {
 QUADRILLE_ENGINES(template, ThinFeatureQuadric);

@@ -6,7 +6,7 @@
 
 #include "indexed_mesh.h"
 
-#include <quadrille/internal/core/base/wound_pieces.h>
+#include <quadrille/internal/guards/distance/sheets_of_star.h>
 
 #include <algorithm>
 #include <array>

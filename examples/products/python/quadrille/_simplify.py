@@ -136,7 +136,7 @@ def simplify(
     normal_deviation  no normal is further from those of the input that it stands for, in (0, 180)
     no_self_intersection  no faces come to intersect that do not in the input; for 'greedy', and takes
                      several times as long
-    keep_solid       a closed solid stays one, and the surface has to be one: see solid.h; for 'greedy'
+    keep_solid       a closed solid stays one, and the surface has to be one: see self_intersection.h; for 'greedy'
     keep_volume      what the surface encloses stays as much; for 'greedy', by 'memoryless_quadric'
     hull             'outer' (the result encloses the surface, which is closed) or 'inner' (the other
                      way round); for 'greedy', by 'memoryless_quadric'

@@ -5,8 +5,6 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
 
 #include <boost/container/small_vector.hpp>
 

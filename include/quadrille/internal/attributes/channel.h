@@ -4,12 +4,11 @@
 #include <quadrille/internal/attributes/affine_maps.h>
 #include <quadrille/internal/attributes/channel_reader.h>
 #include <quadrille/internal/attributes/channel_weights.h>
-#include <quadrille/internal/attributes/contracted_pair.h>
-#include <quadrille/internal/attributes/wedge_normals.h>
 #include <quadrille/internal/attributes/wedge_records.h>
 #include <quadrille/internal/attributes/wedge_table.h>
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/prefetch.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
@@ -17,7 +16,6 @@
 #include <quadrille/internal/core/memory/packing.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +28,35 @@
 #include <vector>
 
 namespace quadrille::internal {
+
+/// Of each wedge, the sum of the unit normals of its faces, weighted by their angles there. Source:
+/// Thürmer and Wüthrich, Computing Vertex Normals from Polygonal Facets, 1998.
+template <class Positions>
+std::vector<Vector<3>> wedge_normals(const WedgeTable& table, std::size_t wedges,
+                                     const Positions& positions, const TriangleComplex& complex) {
+  std::vector<Vector<3>> sums(wedges);
+  for (Index face = 0; face < complex.face_capacity(); ++face) {
+    if (complex.is_removed(face))
+      continue;
+    const auto& v = complex.vertices(face);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector<3> one = positions[v[(i + 1) % 3]] - positions[v[i]];
+      const Vector<3> other = positions[v[(i + 2) % 3]] - positions[v[i]];
+      const Vector<3> normal = cross(one, other);
+      const double length = std::sqrt(squared_length(normal));
+      if (length > 0)
+        sums[table.at(face, i, v[i])] += (std::atan2(length, dot(one, other)) / length) * normal;
+    }
+  }
+  return sums;
+}
+
+/// A pair as channels see it.
+struct ContractedPair {
+  Index first, second;
+  Vector<3> to_second; ///< from the first end
+  bool is_first_fixed = false, is_second_fixed = false;
+};
 
 /// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
 /// to it, ChannelContraction tells.

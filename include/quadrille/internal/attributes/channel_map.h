@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_MAP_H
 #define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_MAP_H
 
-#include <quadrille/attribute.h>
 #include <quadrille/channel_options.h>
 #include <quadrille/internal/core/adapter/attributes.h>
 #include <quadrille/internal/core/adapter/linear_light.h>
@@ -10,7 +9,7 @@
 #include <quadrille/internal/core/base/attribute_values.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -1,15 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNELS_H
 #define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNELS_H
 
-#include <quadrille/internal/attributes/back_channels.h>
 #include <quadrille/internal/attributes/channel.h>
 #include <quadrille/internal/attributes/channel_contraction.h>
 #include <quadrille/internal/attributes/channel_seams.h>
 #include <quadrille/internal/attributes/channel_weights.h>
-#include <quadrille/internal/attributes/channels_left.h>
-#include <quadrille/internal/attributes/chart_end.h>
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/appearance/no_channels.h>
+#include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/edge_sides.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/cost/vertex_memories.h>
@@ -20,19 +18,127 @@
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// The values that backs have beside their fronts, told as channels of the fronts.
+class BackChannels {
+public:
+  BackChannels(const TriangleComplex& complex, const InputIndices& faces,
+               std::vector<ChannelInput>& channels)
+      : complex_(complex), faces_(faces), channels_(channels) {}
+
+  /// Appends a channel of the values that backs have for each channel in which they differ from
+  /// their fronts. Returns which channel these are, of each that there was; its own number where
+  /// there is none.
+  std::vector<std::size_t> add() {
+    std::vector<std::size_t> numbers;
+    const std::size_t count = channels_.size();
+    for (std::size_t c = 0; c < count; ++c) {
+      std::optional<ChannelInput> backs = channel_of_backs(channels_[c]);
+      numbers.push_back(backs ? channels_.size() : c);
+      if (backs)
+        channels_.push_back(*std::move(backs));
+    }
+    return numbers;
+  }
+
+private:
+  // A vertex that has one value has it on both sides. Faces without a back have one value
+  // throughout, which costs nothing.
+  std::optional<ChannelInput> channel_of_backs(const ChannelInput& channel) const {
+    if (channel.corners.empty())
+      return std::nullopt;
+    const Backs& backs = complex_.backs();
+    bool differs = false;
+    std::optional<Index> first;
+    auto corners = channel.corners;
+    for_each_face(complex_, [&](Index face) {
+      if (!backs.has(face))
+        return;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index value = channel.corners[backs.input_face(face)][backs.opposite(face, i)];
+        differs |= !channel.are_equal(channel.corners[faces_[face]][i], value);
+        corners[faces_[face]][i] = value;
+        first = first.value_or(value);
+      }
+    });
+    if (!differs)
+      return std::nullopt;
+    for_each_face(complex_, [&](Index face) {
+      if (!backs.has(face))
+        corners[faces_[face]] = {*first, *first, *first};
+    });
+    ChannelInput result = channel;
+    result.corners = std::move(corners);
+    return result;
+  }
+
+  const TriangleComplex& complex_;
+  const InputIndices& faces_;
+  std::vector<ChannelInput>& channels_;
+};
+
+/// An edge vw of a face at which its chart ends.
+struct ChartEnd {
+  Index v, w, face;
+};
+
+/// What the channels of a surface have become, by the numbers that the caller has given them. The
+/// wedges of backs come after all others.
+struct ChannelsLeft {
+  std::vector<Channel> channels;
+  std::vector<std::size_t> back_channels; ///< see BackChannels
+
+  /// Of a face of the complex at a vertex, or of its back.
+  Index wedge(const TriangleComplex& complex, std::size_t c, Index face, Index v,
+              bool is_back) const {
+    const bool is_other = is_back && has_back_channel(c);
+    return is_other ? wedges_of(complex, c) + channel_of_backs(c).wedge(complex, face, v)
+                    : channels[c].wedge(complex, face, v);
+  }
+  /// How many numbers of wedges a channel may use.
+  std::size_t wedge_count(const TriangleComplex& complex, std::size_t c) const {
+    return has_back_channel(c)
+               ? wedges_of(complex, c) + channel_of_backs(c).wedge_count(complex.vertex_capacity())
+               : wedges_of(complex, c);
+  }
+  std::size_t components(std::size_t c) const { return channels[c].components(); }
+  double value(const TriangleComplex& complex, std::size_t c, Index wedge,
+               std::size_t component) const {
+    const auto [channel, number] = channel_and_wedge(complex, c, wedge);
+    return channel->value(number, component);
+  }
+  Index origin(const TriangleComplex& complex, std::size_t c, Index wedge) const {
+    const auto [channel, number] = channel_and_wedge(complex, c, wedge);
+    return channel->origin(number);
+  }
+
+private:
+  bool has_back_channel(std::size_t c) const {
+    return !back_channels.empty() && back_channels[c] != c;
+  }
+  const Channel& channel_of_backs(std::size_t c) const { return channels[back_channels[c]]; }
+  Index wedges_of(const TriangleComplex& complex, std::size_t c) const {
+    return static_cast<Index>(channels[c].wedge_count(complex.vertex_capacity()));
+  }
+  std::pair<const Channel*, Index> channel_and_wedge(const TriangleComplex& complex, std::size_t c,
+                                                     Index wedge) const {
+    if (!has_back_channel(c) || wedge < wedges_of(complex, c))
+      return {&channels[c], wedge};
+    return {&channel_of_backs(c), wedge - wedges_of(complex, c)};
+  }
+};
 
 /// Do the vertices remember what channels leave in what they remember anyway?
 template <class Cost>

@@ -10,7 +10,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/input/surface_input.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <boost/property_map/property_map.hpp>
 

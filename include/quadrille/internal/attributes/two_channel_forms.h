@@ -10,7 +10,6 @@
 #include <quadrille/internal/core/evaluation/two_quadrics.h>
 #include <quadrille/internal/core/pairs/candidate.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/vector.h>
 
 #include <array>
 #include <cstddef>

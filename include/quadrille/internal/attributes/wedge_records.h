@@ -8,8 +8,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/prefetch.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

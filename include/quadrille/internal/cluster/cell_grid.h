@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CLUSTER_CELL_GRID_H
 
 #include <quadrille/internal/core/surface/box.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_CELL_COUNTS_H
 #define QUADRILLE_INTERNAL_FILE_CELL_COUNTS_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

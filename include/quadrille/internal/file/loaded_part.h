@@ -9,7 +9,7 @@
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/phase_plan.h>
 #include <quadrille/internal/file/rows.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,6 @@
 #include <quadrille/distance_limits.h>
 #include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/policy/policies.h>
-#include <quadrille/needs.h>
 #include <quadrille/report.h>
 #include <quadrille/stop.h>
 

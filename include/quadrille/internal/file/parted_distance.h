@@ -1,12 +1,12 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PARTED_DISTANCE_H
 #define QUADRILLE_INTERNAL_FILE_PARTED_DISTANCE_H
 
+#include <quadrille/internal/file/parted_surface.h>
 #include <quadrille/internal/verify/allowed_faces.h>
 #include <quadrille/internal/verify/check_progress.h>
 #include <quadrille/internal/verify/distance_surface.h>
 #include <quadrille/internal/verify/greatest_excess.h>
-#include <quadrille/internal/file/parted_surface.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Bbox_3.h>
 

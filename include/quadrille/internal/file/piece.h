@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_FILE_PIECE_H
 
 #include <quadrille/channels.h>
-#include <quadrille/cost_limit.h>
 #include <quadrille/internal/core/call/arguments.h>
 #include <quadrille/internal/core/call/run.h>
 #include <quadrille/internal/core/cost/vertex_memories.h>
@@ -11,6 +10,7 @@
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/scale.h>
 #include <quadrille/internal/file/piece_adapter.h>
+#include <quadrille/stop.h>
 
 #include <stdexcept>
 #include <string>

@@ -16,8 +16,8 @@
 #include <quadrille/internal/core/memory/packing.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/face_bound.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <boost/property_map/property_map.hpp>
 

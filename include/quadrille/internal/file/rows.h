@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_FILE_ROWS_H
 #define QUADRILLE_INTERNAL_FILE_ROWS_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 #include <cstdint>

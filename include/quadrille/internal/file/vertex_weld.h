@@ -13,7 +13,7 @@
 #include <quadrille/internal/file/row_blocks.h>
 #include <quadrille/internal/file/rows.h>
 #include <quadrille/internal/file/stl_weld.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cmath>

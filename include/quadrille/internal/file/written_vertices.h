@@ -4,7 +4,7 @@
 #include <quadrille/internal/file/ply_header.h>
 #include <quadrille/internal/file/row_blocks.h>
 #include <quadrille/internal/file/rows.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <bit>
 #include <cstddef>

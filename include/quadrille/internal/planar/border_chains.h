@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/surface/thinned_line.h>
 #include <quadrille/internal/planar/patch_borders.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

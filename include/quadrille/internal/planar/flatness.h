@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/appearance/channel_input.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/planar/surface_sides.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

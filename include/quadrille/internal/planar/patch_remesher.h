@@ -8,7 +8,7 @@
 #include <quadrille/internal/planar/patch_triangulation.h>
 #include <quadrille/internal/planar/remeshed_surface.h>
 #include <quadrille/internal/planar/surface_sides.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/planar/patch_borders.h>
 #include <quadrille/internal/planar/surface_sides.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>

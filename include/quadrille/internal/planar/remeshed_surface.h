@@ -6,7 +6,7 @@
 #include <quadrille/internal/core/input/input_with_channels.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/packing.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #define QUADRILLE_INTERNAL_VERIFY_CHECKED_SURFACE_H
 
 #include <quadrille/internal/core/base/read_surface.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/triangle_soup.h>
-#include <quadrille/vector.h>
 
 #include <CGAL/Bbox_3.h>
 

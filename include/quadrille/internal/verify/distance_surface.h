@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/internal/core/base/safe_length.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/triangle_soup.h>
-#include <quadrille/vector.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>

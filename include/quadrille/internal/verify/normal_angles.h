@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_VERIFY_NORMAL_ANGLES_H
 
 #include <quadrille/internal/verify/checked_surface.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_CORE_ADAPTER_ATTRIBUTES_H
 #define QUADRILLE_INTERNAL_CORE_ADAPTER_ATTRIBUTES_H
 
-#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/core/base/attribute_values.h>
 #include <quadrille/internal/core/base/joined_vector.h>
 #include <quadrille/internal/core/base/points.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/number_utils.h>
 #include <boost/property_map/property_map.hpp>

@@ -9,7 +9,7 @@
 #include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/packing.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>

@@ -14,7 +14,7 @@
 #include <quadrille/internal/core/memory/packing.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/parameters.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CORE_APPEARANCE_CHANNEL_INPUT_H
 #define QUADRILLE_INTERNAL_CORE_APPEARANCE_CHANNEL_INPUT_H
 
-#include <quadrille/attribute.h>
 #include <quadrille/channel_options.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/memory/array.h>

@@ -16,7 +16,7 @@ namespace quadrille::internal {
 /// The channels of a surface: see channels.h.
 template <class Cost>
 class Channels;
-/// What they have become: see channels_left.h.
+/// What they have become: see channels.h.
 struct ChannelsLeft;
 
 /// The same of a surface that has none.

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CORE_BASE_ATTRIBUTE_VALUES_H
 #define QUADRILLE_INTERNAL_CORE_BASE_ATTRIBUTE_VALUES_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/IO/Color.h>

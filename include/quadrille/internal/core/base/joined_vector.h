@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CORE_BASE_JOINED_VECTOR_H
 #define QUADRILLE_INTERNAL_CORE_BASE_JOINED_VECTOR_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

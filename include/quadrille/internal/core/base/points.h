@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CORE_BASE_POINTS_H
 #define QUADRILLE_INTERNAL_CORE_BASE_POINTS_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>

@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/points.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/triangle_soup.h>
-#include <quadrille/vector.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <boost/graph/graph_traits.hpp>

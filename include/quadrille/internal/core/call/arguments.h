@@ -5,10 +5,8 @@
 #include <quadrille/filters.h>
 #include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/base/parallel.h>
-#include <quadrille/internal/core/call/argument_kinds.h>
 #include <quadrille/internal/core/call/carried.h>
 #include <quadrille/internal/core/call/named_parameters.h>
-#include <quadrille/internal/core/call/optional_parts.h>
 #include <quadrille/internal/core/policy/built_in_placement.h>
 #include <quadrille/internal/core/policy/engine_policies.h>
 #include <quadrille/internal/core/policy/guard_set.h>
@@ -23,7 +21,6 @@
 #include <quadrille/quadric.h>
 #include <quadrille/recorded.h>
 #include <quadrille/stop.h>
-#include <quadrille/topology.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -33,6 +30,130 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+
+/// What an argument of `simplify` is, by the concept that it models; of a std::optional, what it
+/// holds.
+
+namespace quadrille::internal {
+
+enum class Kind {
+  cost,
+  placement,
+  pairs,
+  stop,
+  order,
+  filter,
+  topology,
+  labels,
+  channel,
+  split_vertices,
+  recorder,
+  guard,
+  named_parameters,
+  unknown
+};
+
+template <class T>
+inline constexpr bool is_recorder = false;
+template <class R>
+inline constexpr bool is_recorder<RecordInto<R>> = true;
+
+/// Is a type meant to be a cost? Nothing else has these members.
+template <class T>
+concept LooksLikeCost = requires {
+  typename T::Memory;
+}
+|| requires {
+  T::dimension;
+};
+
+/// Is a type meant to be a placement? What it gives for a pair is something, if not a position.
+template <class T, class Cost>
+concept LooksLikePlacement = requires(const T placement,
+                                      const typename SeenByPlacement<T, Cost>::Costs cost,
+                                      const typename SeenByPlacement<T, Cost>::Pair pair) {
+  requires !std::is_void_v<decltype(placement(cost, pair))>;
+};
+
+/// The kind of a std::optional of an argument of that kind. What a call is compiled for is told by
+/// types, and so it is there or not.
+constexpr Kind kind_if_optional(Kind kind) {
+  switch (kind) {
+  case Kind::cost:
+  case Kind::placement:
+  case Kind::channel:
+  case Kind::split_vertices:
+  case Kind::named_parameters:
+    return Kind::unknown;
+  default:
+    return kind;
+  }
+}
+
+/// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
+/// kind before it: to ask what a call results in instantiates the body of a user's function. An
+/// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
+template <class T, class Cost>
+constexpr Kind kind_of() {
+  if constexpr (IsOptional<T>)
+    return kind_if_optional(kind_of<Held<T>, Cost>());
+  else if constexpr (IsNamedParameters<T>::value)
+    return Kind::named_parameters;
+  else if constexpr (std::same_as<T, Topology>)
+    return Kind::topology;
+  else if constexpr (is_labels<T>)
+    return Kind::labels;
+  else if constexpr (is_channel<T>)
+    return Kind::channel;
+  else if constexpr (std::same_as<T, SplitVertices>)
+    return Kind::split_vertices;
+  else if constexpr (is_recorder<T>)
+    return Kind::recorder;
+  else if constexpr (is_guard<T>)
+    return Kind::guard;
+  else if constexpr (is_order<T>)
+    return Kind::order;
+  else if constexpr (LooksLikeCost<T>)
+    return CostPolicy<T> ? Kind::cost : Kind::unknown;
+  else if constexpr (FilterPolicy<T, Cost>)
+    return Kind::filter;
+  else if constexpr (StopPolicy<T>)
+    return Kind::stop;
+  else if constexpr (std::same_as<T, OptimalPlacement>)
+    return Kind::placement;
+  else if constexpr (LooksLikePlacement<T, Cost>)
+    return PlacementPolicy<T, Cost> ? Kind::placement : Kind::unknown;
+  else if constexpr (PairPolicy<T>)
+    return Kind::pairs;
+  else
+    return Kind::unknown;
+}
+
+struct DistanceHeader;
+
+/// Has <quadrille/distance_limits.h> been included?
+template <class Policies>
+concept HasDistanceHeader = requires {
+  sizeof(std::conditional_t<std::is_void_v<Policies>, Policies, DistanceHeader>);
+};
+
+/// The functions of the parts that a call may need, for what its types tell.
+template <class Policies, class Stop, class Order, bool is_recorded>
+OptionalParts<Policies> optional_parts() {
+  OptionalParts<Policies> parts;
+  if constexpr (!std::same_as<Order, GreedyOrder>)
+    parts.run_passes = &run_passes<Policies>;
+  if constexpr (is_recorded)
+    parts.make_recording = &make_recording<Policies>;
+  if constexpr (needs_of<Stop>().distance) {
+    static_assert(HasDistanceHeader<Policies>,
+                  "The stop policy needs distances: include <quadrille/distance_limits.h>.");
+    parts.make_distances = &make_distances<Policies, needs_of<Stop>().distance_back>;
+  }
+  return parts;
+}
+
+} // namespace quadrille::internal
 
 /// Recognising the arguments of `simplify` by the concept that each models.
 

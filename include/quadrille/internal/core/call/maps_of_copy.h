@@ -1,10 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_CORE_CALL_MAPS_OF_COPY_H
 #define QUADRILLE_INTERNAL_CORE_CALL_MAPS_OF_COPY_H
 
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/call/carried.h>
 #include <quadrille/internal/core/call/named_parameters.h>
-#include <quadrille/labels.h>
 #include <quadrille/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CORE_CALL_NAMED_PARAMETERS_H
 #define QUADRILLE_INTERNAL_CORE_CALL_NAMED_PARAMETERS_H
 
-#include <quadrille/attribute.h>
+#include <quadrille/channel_options.h>
 #include <quadrille/internal/core/adapter/attributes.h>
 #include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/base/points.h>

@@ -8,8 +8,8 @@
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/topology.h>
-#include <quadrille/vector.h>
+#include <quadrille/pairs.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

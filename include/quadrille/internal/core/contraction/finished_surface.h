@@ -6,7 +6,7 @@
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 namespace quadrille::internal {
 

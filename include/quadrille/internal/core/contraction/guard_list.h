@@ -5,8 +5,8 @@
 #include <quadrille/internal/core/guard/surface_guard.h>
 #include <quadrille/internal/core/policy/guard_set.h>
 #include <quadrille/internal/core/state/part_event.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <cstddef>
 #include <memory>

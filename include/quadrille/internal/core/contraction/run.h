@@ -2,24 +2,180 @@
 #define QUADRILLE_INTERNAL_CORE_CONTRACTION_RUN_H
 
 #include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/cost_histogram.h>
 #include <quadrille/internal/core/base/index.h>
-#include <quadrille/internal/core/contraction/counts.h>
+#include <quadrille/internal/core/complex/star.h>
+#include <quadrille/internal/core/complex/triangle_complex.h>
+#include <quadrille/internal/core/complex/vertex_labels.h>
 #include <quadrille/internal/core/contraction/measured_distances.h>
 #include <quadrille/internal/core/contraction/progress.h>
 #include <quadrille/internal/core/contraction/recording.h>
 #include <quadrille/internal/core/contraction/target_rules.h>
+#include <quadrille/internal/core/state/cleanup.h>
 #include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/recession.h>
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/state/surface_state.h>
+#include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/report.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// How many edges the faces have for which counts(face) holds, each edge once however many faces it
+/// has. In linear time.
+template <class Counts>
+std::size_t count_edges(const TriangleComplex& complex, VertexLabels& labels, Counts counts) {
+  std::size_t edges = 0;
+  for (Index v = 0; v < complex.vertex_capacity(); ++v) {
+    labels.clear();
+    complex.for_each_corner(v, [&](Index face, Index i) {
+      if (!counts(face))
+        return;
+      const StarFace f = star_face_at(complex, face, i);
+      for (const Index other : {f.second, f.third})
+        edges += v < other && labels.insert(other);
+    });
+  }
+  return edges;
+}
+
+/// How many edges these faces have.
+inline std::size_t count_edges(const TriangleComplex& complex, std::span<const Index> faces) {
+  std::vector<std::array<Index, 2>> edges;
+  for (const Index face : faces) {
+    const auto [a, b, c] = complex.vertices(face);
+    for (const std::array<Index, 2>& edge : {std::array{a, b}, std::array{b, c}, std::array{c, a}})
+      edges.push_back({(std::min)(edge[0], edge[1]), (std::max)(edge[0], edge[1])});
+  }
+  std::sort(edges.begin(), edges.end());
+  return static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
+}
+
+/// How many edges the contraction of a pair takes, of which `b` is the second end: its own; one for
+/// each vertex that has an edge to both ends; and both of these where all faces of the vertex at
+/// the pair are removed. Does not depend on what else is removed, since of faces that come to lie
+/// on each other one is left.
+inline std::size_t count_edges_taken(const PairStar& star, Index b, VertexLabels& labels) {
+  enum : Index { at_first, at_second, is_counted, kinds };
+  labels.clear(kinds);
+  for (const StarFace& f : star.first)
+    for (const Index v : {f.second, f.third})
+      labels.set(v, at_first);
+  std::size_t edges = !star.shared.empty();
+  for (const StarFace& f : star.second)
+    for (const Index v : {f.second, f.third}) {
+      if (!labels.is_labelled(v)) {
+        labels.set(v, at_second);
+      } else if (labels.has_label(v, at_first)) {
+        ++edges;
+        labels.set(v, is_counted);
+      }
+    }
+  for (const StarFace& f : star.shared) {
+    const Index v = f.other_than(b);
+    edges += !labels.is_labelled(v) ? 2 : !labels.has_label(v, is_counted);
+    labels.set(v, is_counted);
+  }
+  return edges;
+}
+
+/// How many faces of a surface may not be changed, since they are not selected, and how many
+/// vertices have no others: what the target does not count. `is_selected` is of each input face;
+/// empty if all are. In linear time.
+inline Loss count_unselected(const TriangleComplex& complex, const InputIndices& input_faces,
+                             const std::vector<bool>& is_selected) {
+  if (is_selected.empty())
+    return {0, 0};
+  std::size_t faces = 0;
+  std::vector<bool> has_selected(complex.vertex_capacity());
+  for (Index face = 0; face < complex.face_capacity(); ++face) {
+    if (complex.is_removed(face))
+      continue;
+    if (!is_selected[input_faces[face]])
+      faces += complex.backs().count(face);
+    else
+      for (Index v : complex.vertices(face))
+        has_selected[v] = true;
+  }
+  const auto selected = std::count(has_selected.begin(), has_selected.end(), true);
+  return {faces, complex.count_vertices() - static_cast<std::size_t>(selected)};
+}
+
+/// Counts the faces that contractions take at their edges, by what these cost, where that is asked
+/// for. In greedy order a contraction counts as costly as the most costly one before it, so that
+/// the faces up to a cost are those that a run up to it would have taken; in a pass by its own key.
+class CountedCosts {
+public:
+  /// `histogram` is null if nobody asks.
+  CountedCosts(CostHistogram* histogram, const TriangleComplex& complex)
+      : histogram_(histogram), complex_(complex) {}
+
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
+    if (histogram_) [[unlikely]]
+      count<Event::is_in_pass>(static_cast<float>(event.contraction.key()),
+                               complex_.backs().count_all(event.contraction.star().shared));
+  }
+
+private:
+  template <bool is_in_pass>
+  QUADRILLE_NOINLINE void count(float key, std::size_t faces) {
+    if constexpr (is_in_pass) {
+      histogram_->add_in_pass(key, faces);
+    } else {
+      highest_ = (std::max)(highest_, key);
+      histogram_->add(highest_, faces);
+    }
+  }
+
+  CostHistogram* histogram_;
+  const TriangleComplex& complex_;
+  float highest_ = 0;
+};
+
+/// Keeps count of the edges that contractions take, where the stop policy asks for them.
+class CountedEdges {
+public:
+  CountedEdges(bool is_asked, const TriangleComplex& complex, Scratch& scratch)
+      : is_asked_(is_asked), complex_(complex), scratch_(scratch) {}
+
+  /// How many edges selected faces have: what the target counts. `is_selected` is of each input
+  /// face, or empty if all are. As many as can be where nobody asks.
+  std::size_t count(const InputIndices& input_faces, const std::vector<bool>& is_selected) const {
+    if (!is_asked_)
+      return (std::numeric_limits<std::size_t>::max)();
+    return count_edges(complex_, scratch_.labels, [&](Index face) {
+      return is_selected.empty() || is_selected[input_faces[face]];
+    });
+  }
+
+  template <class Event>
+  QUADRILLE_ALWAYS_INLINE void before(const Event& event) {
+    if (is_asked_) [[unlikely]]
+      count(event.contraction.star(), event.contraction.second(), event.contraction.scratch());
+  }
+  void vanished(const PartEvent& event) {
+    if (is_asked_)
+      scratch_.tally.edges += count_edges(complex_, event.faces);
+  }
+
+private:
+  QUADRILLE_NOINLINE static void count(const PairStar& star, Index second, Scratch& scratch) {
+    scratch.tally.edges += count_edges_taken(star, second, scratch.labels);
+  }
+
+  bool is_asked_;
+  const TriangleComplex& complex_;
+  Scratch& scratch_; // of the thread that removes parts
+};
 
 /// A run over a surface: how far it has come, when it stops, and who is told of what it does and of
 /// what it refuses. It observes contractions.

@@ -13,7 +13,7 @@
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/shared_vertices.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@
 #include <quadrille/internal/core/policy/star_view.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/internal/core/surface/geometry.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

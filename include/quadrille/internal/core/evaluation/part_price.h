@@ -5,7 +5,7 @@
 #include <quadrille/internal/core/evaluation/pair_evaluator.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/surface_state.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cmath>

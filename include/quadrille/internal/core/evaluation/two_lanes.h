@@ -12,7 +12,6 @@
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/placement.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,6 @@
 #include <quadrille/internal/core/base/lanes.h>
 #include <quadrille/quadric.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
 
 #include <array>
 #include <concepts>

@@ -7,8 +7,8 @@
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/numbering.h>
 #include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <cstddef>
 #include <span>

@@ -8,7 +8,7 @@
 #include <quadrille/internal/core/input/surface_input.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/packing.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

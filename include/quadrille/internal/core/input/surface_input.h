@@ -6,7 +6,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/surface/box.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

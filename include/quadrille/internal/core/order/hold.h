@@ -6,8 +6,8 @@
 #include <quadrille/internal/core/order/attempt.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/scratch.h>
+#include <quadrille/pairs.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
 #include <cstddef>
 #include <optional>

@@ -8,8 +8,6 @@
 #include <quadrille/internal/core/order/attempt.h>
 #include <quadrille/internal/core/order/block_stars.h>
 #include <quadrille/internal/core/order/cost_stop.h>
-#include <quadrille/internal/core/order/pass_plan.h>
-#include <quadrille/internal/core/order/pass_stop.h>
 #include <quadrille/internal/core/order/proposals.h>
 #include <quadrille/internal/core/order/vanishing_parts.h>
 #include <quadrille/internal/core/policy/orders.h>
@@ -27,6 +25,80 @@
 #include <vector>
 
 namespace quadrille::internal {
+
+/// What a pass over the blocks of a surface is to do: it contracts pairs that cost no more than a
+/// limit, and in each block no more of them than its quota. It is made from a sample of what the
+/// pairs of each block cost.
+struct PassPlan {
+  static constexpr std::size_t sample_step = 32; // one vertex in that many is in the sample
+
+  float cost_limit = std::numeric_limits<float>::infinity();
+  std::vector<std::size_t> quotas; // contractions, of each block
+
+  /// `share` of the pairs may be contracted, less when `quota` contractions are enough, and none
+  /// that costs more than `highest`.
+  static PassPlan make(const std::vector<std::vector<float>>& samples, double share,
+                       std::size_t quota, float highest = std::numeric_limits<float>::infinity()) {
+    PassPlan plan;
+    plan.cost_limit = (std::min)(limit(samples, share, quota), highest);
+    plan.share_out(samples, quota);
+    return plan;
+  }
+
+private:
+  static constexpr std::size_t pairs_per_contraction = 4; // that many find enough that can be done
+
+  static float limit(const std::vector<std::vector<float>>& samples, double share,
+                     std::size_t quota) {
+    std::size_t count = 0;
+    for (const std::vector<float>& sample : samples)
+      count += sample.size();
+    std::vector<float> costs;
+    costs.reserve(count);
+    for (const std::vector<float>& sample : samples)
+      costs.insert(costs.end(), sample.begin(), sample.end());
+    const std::size_t rank =
+        (std::min)(static_cast<std::size_t>(share * static_cast<double>(costs.size())),
+                   pairs_per_contraction * quota / sample_step);
+    if (rank >= costs.size())
+      return std::numeric_limits<float>::infinity();
+    const auto nth = costs.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(costs.begin(), nth, costs.end());
+    return *nth;
+  }
+
+  // To blocks, by the cheap pairs that the sample has found there; less than the quota in all.
+  void share_out(const std::vector<std::vector<float>>& samples, std::size_t quota) {
+    const auto is_cheap = [this](float cost) { return cost <= cost_limit; };
+    std::size_t all = 1;
+    for (const std::vector<float>& sample : samples) {
+      const auto cheap = std::count_if(sample.begin(), sample.end(), is_cheap);
+      quotas.push_back(static_cast<std::size_t>(cheap));
+      all += quotas.back();
+    }
+    for (std::size_t& share : quotas)
+      share = quota * share / all;
+  }
+};
+
+/// Does the stop policy stop at a contraction in a pass, while others may be done beside it?
+template <class Policies>
+bool is_stop_in_pass(const WorkingSurface<Policies>& surface,
+                     typename WorkingSurface<Policies>::Contraction& contraction) {
+  Status status = surface.status();
+  status.next_error = contraction.error();
+  const auto& stop = surface.policies().stop;
+  if (stop.needs().cost)
+    status.next_cost = surface.evaluator().cost_of_mesh(contraction.key());
+  if (!stop.needs().distance)
+    return stop(status);
+  status.next_distance = 0;
+  if (stop.needs().distance_back)
+    status.next_distance_back = 0;
+  if (stop.needs().tolerance)
+    status.next_tolerance = 0;
+  return stop(status) || surface.distances()->is_too_far(contraction, status);
+}
 
 /// Contracts pairs in passes, as RelaxedOrder says.
 template <class Policies>

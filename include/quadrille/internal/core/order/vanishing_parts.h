@@ -12,8 +12,8 @@
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/parts.h>
+#include <quadrille/pairs.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/policy/policies.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 // CGAL's kd-tree is GPL: see <quadrille/threshold_pairs.h>, the only header that includes this one.
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/complex/star_face.h>
 #include <quadrille/internal/core/surface/numbering.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -1,22 +1,139 @@
 #ifndef QUADRILLE_INTERNAL_CORE_POLICY_ENGINE_POLICIES_H
 #define QUADRILLE_INTERNAL_CORE_POLICY_ENGINE_POLICIES_H
 
+#include <quadrille/filters.h>
+#include <quadrille/internal/core/base/compiler.h>
+#include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/base/threads.h>
-#include <quadrille/internal/core/policy/filter_list.h>
+#include <quadrille/internal/core/policy/contraction_view.h>
 #include <quadrille/internal/core/policy/guard_set.h>
+#include <quadrille/internal/core/policy/mesh_units.h>
 #include <quadrille/internal/core/policy/orders.h>
 #include <quadrille/internal/core/policy/pair_source.h>
-#include <quadrille/internal/core/policy/recorder_handle.h>
+#include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/policy/stop_rule.h>
+#include <quadrille/internal/core/surface/numbering.h>
+#include <quadrille/internal/core/surface/scale.h>
+#include <quadrille/pairs.h>
+#include <quadrille/recorded.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
+#include <concepts>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// The filters of a call, told at run time: a NormalFlip, which is there always and compiled into
+/// the engine, and others of any type, in the order of the call.
+template <std::size_t N>
+class FilterList {
+public:
+  /// The default of a call: NormalFlip, unless one is among the filters. Each may be a
+  /// std::optional.
+  template <class... Filters>
+  static FilterList of(const Filters&... filters) {
+    FilterList list;
+    (if_given(filters, [&](const auto& filter) { list.add(filter); }), ...);
+    return list;
+  }
+
+  /// What the first that does not allow the contraction, of which this is a view, refuses it as.
+  template <class Contraction>
+  std::optional<Rejection> refusal(const ContractionView<N>& view, const Contraction& contraction,
+                                   const Numbering& numbering, const Scale<N>& scale) const {
+    if (!normal_flip_.allows(view))
+      return NormalFlip::cause;
+    if (others_.empty())
+      return std::nullopt;
+    return refusal_by_others(view, contraction, numbering, scale);
+  }
+
+private:
+  struct Other {
+    std::shared_ptr<const void> filter;
+    bool (*allows)(const void*, const IndexedContraction<N>&, const Scale<N>&);
+    Rejection cause;
+  };
+
+  template <class Contraction>
+  QUADRILLE_NOINLINE std::optional<Rejection>
+  refusal_by_others(const ContractionView<N>& view, const Contraction& contraction,
+                    const Numbering& numbering, const Scale<N>& scale) const {
+    const IndexedContraction<N> indexed(view, contraction.star(), contraction.first(),
+                                        contraction.second(), numbering);
+    for (const Other& other : others_)
+      if (!other.allows(other.filter.get(), indexed, scale))
+        return other.cause;
+    return std::nullopt;
+  }
+
+  template <class Filter>
+  void add(const Filter& filter) {
+    validate(filter);
+    if constexpr (std::same_as<Filter, NormalFlip>)
+      if (!std::exchange(is_normal_flip_given_, true)) {
+        normal_flip_ = filter;
+        return;
+      }
+    others_.push_back({std::make_shared<const Filter>(filter), &allows<Filter>, cause_of<Filter>});
+  }
+
+  template <class Filter>
+  static bool allows(const void* filter, const IndexedContraction<N>& contraction,
+                     [[maybe_unused]] const Scale<N>& scale) {
+    const Filter& by_type = *static_cast<const Filter*>(filter);
+    if constexpr (is_scale_free<Filter>)
+      return by_type.allows(contraction);
+    else
+      return by_type.allows(ContractionInMeshUnits<N>(contraction, scale));
+  }
+
+  NormalFlip normal_flip_;
+  bool is_normal_flip_given_ = false;
+  std::vector<Other> others_;
+};
+
+/// A recorder of any type that the user keeps, told at run time.
+class RecorderHandle {
+public:
+  template <class R>
+  explicit RecorderHandle(R& recorder) : recorder_(&recorder) {
+    begin_ = [](void* r, RecordedSurface&& surface) {
+      static_cast<R*>(r)->begin(std::move(surface));
+    };
+    record_ = [](void* r, const RecordedContraction& contraction) {
+      static_cast<R*>(r)->record(contraction);
+    };
+    if constexpr (requires(const RecordedRefusal& refusal) { recorder.refuse(refusal); })
+      refuse_ = [](void* r, const RecordedRefusal& refusal) {
+        static_cast<R*>(r)->refuse(refusal);
+      };
+    end_ = [](void* r, StopReason reason) {
+      if constexpr (requires { static_cast<R*>(r)->stop(reason); })
+        static_cast<R*>(r)->stop(reason);
+      static_cast<R*>(r)->end();
+    };
+  }
+
+  bool hears_refusals() const { return refuse_ != nullptr; }
+
+  void begin(RecordedSurface surface) const { begin_(recorder_, std::move(surface)); }
+  void record(const RecordedContraction& contraction) const { record_(recorder_, contraction); }
+  void refuse(const RecordedRefusal& refusal) const { refuse_(recorder_, refusal); }
+  void end(StopReason reason) const { end_(recorder_, reason); }
+
+private:
+  void* recorder_;
+  void (*begin_)(void*, RecordedSurface&&) = nullptr;
+  void (*record_)(void*, const RecordedContraction&) = nullptr;
+  void (*refuse_)(void*, const RecordedRefusal&) = nullptr;
+  void (*end_)(void*, StopReason) = nullptr;
+};
 
 template <class Policies>
 class WorkingSurface;

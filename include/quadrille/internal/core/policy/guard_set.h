@@ -3,8 +3,8 @@
 
 #include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/policy/policies.h>
+#include <quadrille/pairs.h>
 #include <quadrille/report.h>
-#include <quadrille/topology.h>
 
 #include <concepts>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/policy/contraction_view.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <cstddef>
 #include <optional>

@@ -4,9 +4,8 @@
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/optional.h>
 #include <quadrille/internal/core/policy/tie_break.h>
-#include <quadrille/needs.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <concepts>
 #include <cstddef>

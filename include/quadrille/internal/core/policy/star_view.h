@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 #include <cstddef>

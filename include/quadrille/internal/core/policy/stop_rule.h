@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_CORE_POLICY_STOP_RULE_H
 
 #include <quadrille/internal/core/policy/policies.h>
-#include <quadrille/needs.h>
 #include <quadrille/report.h>
 
 #include <memory>

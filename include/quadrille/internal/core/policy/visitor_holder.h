@@ -2,7 +2,6 @@
 #define QUADRILLE_INTERNAL_CORE_POLICY_VISITOR_HOLDER_H
 
 #include <quadrille/report.h>
-#include <quadrille/visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -1,13 +1,13 @@
 #ifndef QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
 #define QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
 
+#include <quadrille/internal/core/base/digit_sort.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/contraction/recording.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/recording/corners_by_input_face.h>
 #include <quadrille/internal/core/recording/record_buffer.h>
-#include <quadrille/internal/core/recording/record_order.h>
 #include <quadrille/internal/core/state/contraction.h>
 #include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/internal/core/state/scratch.h>
@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -30,6 +31,94 @@
 #include <vector>
 
 namespace quadrille::internal {
+
+/// What a thread has refused in a stage of a pass, block by block.
+class Refusals {
+public:
+  /// Refusals belong to that block from here on.
+  void begin_block(std::size_t number) { blocks_.push_back({number, refusals_.size()}); }
+  void add(const RecordedRefusal& refusal) {
+    refusals_.push_back(refusal);
+    blocks_.back().end = refusals_.size();
+  }
+  void clear() {
+    refusals_.clear();
+    blocks_.clear();
+  }
+
+  using OfBlock = std::pair<std::size_t, std::span<const RecordedRefusal>>;
+  void append_to(std::vector<OfBlock>& by_block) const {
+    std::size_t begin = 0;
+    for (const Block& block : blocks_) {
+      by_block.emplace_back(block.number, std::span(refusals_).subspan(begin, block.end - begin));
+      begin = block.end;
+    }
+  }
+
+private:
+  struct Block {
+    std::size_t number;
+    std::size_t end; // from where those of the block before it end
+  };
+
+  std::vector<RecordedRefusal> refusals_;
+  std::vector<Block> blocks_;
+};
+
+/// What a thread has done in a pass and a recorder is not told of yet.
+struct RecordScratch {
+  RecordBuffer contractions;
+  Refusals refusals; // where a recorder wants to know
+};
+
+/// Tells of all that threads have refused in a stage, by block, and forgets it. Each block belongs
+/// to one thread.
+template <class Recorder>
+void tell_refusals(const Recorder& recorder, std::vector<RecordScratch>& scratches) {
+  std::vector<Refusals::OfBlock> blocks;
+  for (const RecordScratch& scratch : scratches)
+    scratch.refusals.append_to(blocks);
+  std::sort(blocks.begin(), blocks.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [number, refusals] : blocks)
+    for (const RecordedRefusal& refusal : refusals)
+      recorder.refuse(refusal);
+  for (RecordScratch& scratch : scratches)
+    scratch.refusals.clear();
+}
+
+/// Where a contraction of a stage is recorded, and what it costs.
+struct RecordPlace {
+  std::size_t block;
+  float cost;
+  std::uint32_t thread;
+  Index number;
+};
+
+/// The contractions that threads have recorded in a stage, by cost and then by block. By block
+/// first, so that ties of costs, which no float of at least 0 orders otherwise than its bits do,
+/// are too.
+inline std::vector<RecordPlace>
+places_in_order_of_cost(const std::vector<RecordScratch>& scratches) {
+  std::vector<RecordPlace> places;
+  for (std::uint32_t thread = 0; thread < scratches.size(); ++thread) {
+    const RecordBuffer& buffer = scratches[thread].contractions;
+    std::size_t i = 0;
+    for (const RecordBuffer::Block& block : buffer.blocks)
+      for (; i < block.end; ++i)
+        places.push_back({block.number, buffer.costs[i], thread, static_cast<Index>(i)});
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const RecordPlace& a, const RecordPlace& b) { return a.block < b.block; });
+  std::vector<RecordPlace> next(places.size());
+  for (int shift = 0; shift < 32; shift += 8) {
+    sort_by_digit<8>(places.data(), places.size(), next.data(), [shift](const RecordPlace& place) {
+      return std::bit_cast<std::uint32_t>(place.cost) >> shift & 255;
+    });
+    places.swap(next);
+  }
+  return places;
+}
 
 /// Tells a recorder what becomes of channels: see channel_teller.h.
 template <class Policies>

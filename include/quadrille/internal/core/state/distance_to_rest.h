@@ -5,7 +5,7 @@
 #include <quadrille/internal/core/surface/box_tree.h>
 #include <quadrille/internal/core/surface/flat_pieces.h>
 #include <quadrille/internal/core/surface/geometry.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #ifndef QUADRILLE_INTERNAL_CORE_STATE_DOUBLED_FACES_H
 #define QUADRILLE_INTERNAL_CORE_STATE_DOUBLED_FACES_H
 
-#include <quadrille/internal/core/appearance/back_labels.h>
 #include <quadrille/internal/core/appearance/labels_by_face.h>
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/base/ranges.h>
@@ -17,11 +16,34 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// The labels of faces of which some have a back, told as labels of the fronts: one for both sides.
+/// Where it changes, or where backs begin, there is a border. `labels`: of each input face; or
+/// empty.
+inline void join_labels_of_backs(const TriangleComplex& complex, const InputIndices& faces,
+                                 Array<Index>& labels) {
+  const Backs& backs = complex.backs();
+  bool is_partial = false; // have some faces a back, and some none?
+  for_each_face(complex, [&](Index face) { is_partial |= !backs.has(face); });
+  if (labels.empty() && !is_partial)
+    return;
+  std::map<std::pair<Index, Index>, Index> numbers;
+  const auto label = [&](Index face) { return labels.empty() ? Index{0} : labels[face]; };
+  Array<Index> joined(faces.input_count(), Index{0}, complex.workspace());
+  for_each_face(complex, [&](Index face) {
+    const Index front = faces[face];
+    const Index back = backs.has(face) ? label(backs.input_face(face)) : none;
+    joined[front] =
+        numbers.try_emplace({label(front), back}, static_cast<Index>(numbers.size())).first->second;
+  });
+  labels = std::move(joined);
+}
 
 /// Faces on the same three vertices, before the first contraction. Of those that run the same way
 /// round one is left, the first. Two that run against each other are the sides of a sheet: both

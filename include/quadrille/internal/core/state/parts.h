@@ -11,7 +11,7 @@
 #include <quadrille/internal/core/surface/flat_pieces.h>
 #include <quadrille/internal/core/surface/geometry.h>
 #include <quadrille/internal/core/surface/scale.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CORE_SURFACE_BOX_H
 
 #include <quadrille/internal/core/base/safe_length.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_PIECES_H
 #define QUADRILLE_INTERNAL_CORE_SURFACE_FLAT_PIECES_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cstddef>

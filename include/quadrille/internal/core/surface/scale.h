@@ -6,8 +6,6 @@
 #include <quadrille/internal/core/base/text.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/quadric_form.h>
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>

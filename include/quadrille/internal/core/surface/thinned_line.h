@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CORE_SURFACE_THINNED_LINE_H
 
 #include <quadrille/internal/core/base/index.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

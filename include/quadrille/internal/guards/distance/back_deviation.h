@@ -4,11 +4,10 @@
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/surface/flat_pieces.h>
-#include <quadrille/internal/guards/distance/doubled_faces_of_star.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
 #include <quadrille/internal/guards/distance/old_part_of_star.h>
 #include <quadrille/internal/guards/distance/star_deviation.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +15,38 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// Faces of a star that have the same corners once it is contracted: all but one may go, see
+/// Cleanup, and leave their points to it.
+class DoubledFacesOfStar {
+public:
+  /// Of those that a contraction changes, in the order of the star, the one that is left gets the
+  /// greatest of their bounds.
+  void join(const PairStar& star, std::vector<float>& bounds) {
+    doubled_.clear();
+    star.for_each_changed([&](const StarFace& f) {
+      const auto& [p, q] = std::minmax(f.second, f.third);
+      doubled_.push_back({p, q, f.face, doubled_.size()});
+    });
+    std::sort(doubled_.begin(), doubled_.end());
+    for (std::size_t i = 1, first = 0; i < doubled_.size(); ++i) {
+      const auto& [p, q, face, position] = doubled_[i];
+      const auto& [first_p, first_q, first_face, left] = doubled_[first];
+      if (p == first_p && q == first_q) // the one that is left has the least number
+        bounds[left] = (std::max)(bounds[left], bounds[position]);
+      else
+        first = i;
+    }
+  }
+
+private:
+  std::vector<std::tuple<Index, Index, Index, std::size_t>> doubled_;
+};
 
 /// Where the points of the faces around a pair go when it is contracted, and how far.
 ///

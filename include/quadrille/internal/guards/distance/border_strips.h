@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/surface/flat_pieces.h>
 #include <quadrille/internal/guards/distance/face_of_star.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

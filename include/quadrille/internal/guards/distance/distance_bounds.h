@@ -10,7 +10,7 @@
 #include <quadrille/internal/guards/distance/recent_faces.h>
 #include <quadrille/internal/guards/distance/star_deviation.h>
 #include <quadrille/internal/guards/distance/tolerances.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cmath>

@@ -19,8 +19,8 @@
 #include <quadrille/internal/guards/distance/recent_faces.h>
 #include <quadrille/internal/guards/distance/star_deviation.h>
 #include <quadrille/internal/guards/distance/tolerances.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/surface/flat_pieces.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 #include <cstddef>

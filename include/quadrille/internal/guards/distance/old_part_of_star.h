@@ -6,7 +6,7 @@
 #include <quadrille/internal/guards/distance/border_strips.h>
 #include <quadrille/internal/guards/distance/part_of_star.h>
 #include <quadrille/internal/guards/distance/piece_table.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <cmath>

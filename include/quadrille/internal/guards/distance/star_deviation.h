@@ -9,7 +9,7 @@
 #include <quadrille/internal/guards/distance/part_of_star.h>
 #include <quadrille/internal/guards/distance/piece_table.h>
 #include <quadrille/internal/guards/distance/sheets_of_star.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_GUARDS_HULL_HALF_SPACES_H
 #define QUADRILLE_INTERNAL_GUARDS_HULL_HALF_SPACES_H
 
-#include <quadrille/symmetric_matrix.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <array>
 #include <cmath>

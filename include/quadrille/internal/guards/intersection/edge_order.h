@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/guards/intersection/triangle_pair.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

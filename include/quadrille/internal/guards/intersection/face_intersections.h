@@ -10,21 +10,87 @@
 #include <quadrille/internal/guards/intersection/edge_order.h>
 #include <quadrille/internal/guards/intersection/face_sides.h>
 #include <quadrille/internal/guards/intersection/flat_fan.h>
-#include <quadrille/internal/guards/intersection/near_faces.h>
 #include <quadrille/internal/guards/intersection/swept_space.h>
-#include <quadrille/internal/guards/intersection/tree_order.h>
 #include <quadrille/internal/guards/intersection/triangle_pair.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <span>
 #include <vector>
 
 namespace quadrille::internal {
+
+/// The faces of a surface in the order in which a tree of their boxes has them: box_of(face).
+template <class BoxOf>
+std::vector<Index> faces_in_tree_order(const TriangleComplex& complex, BoxOf box_of) {
+  struct Centre {
+    Index face;
+    std::array<float, 3> point;
+    bool operator<(const Centre& other) const { return face < other.face; }
+  };
+  std::vector<Centre> centres;
+  for (Index face = 0; face < complex.face_capacity(); ++face) {
+    if (complex.is_removed(face))
+      continue;
+    const FloatBox box = box_of(face);
+    Centre centre{face, {}};
+    for (std::size_t i = 0; i < 3; ++i)
+      centre.point[i] = box.low[i] + box.high[i];
+    centres.push_back(centre);
+  }
+  sort_for_box_tree(centres.data(), centres.data() + centres.size(),
+                    [](const Centre& centre) { return centre.point; });
+  std::vector<Index> faces;
+  faces.reserve(centres.size());
+  for (const Centre& centre : centres)
+    faces.push_back(centre.face);
+  return faces;
+}
+
+/// A face at the place that it has now, or is to have.
+struct PlacedFace {
+  Index face;
+  FaceCorners corners;
+};
+
+/// The faces near a star, and a box of each. They are the same for all places that are tried for
+/// the vertex, so they are looked for once.
+class NearFaces {
+public:
+  bool empty() const { return faces_.empty(); }
+  void clear() {
+    faces_.clear();
+    boxes_.clear();
+  }
+  void add(const PlacedFace& face, const FloatBox& box) {
+    const std::size_t lane = faces_.size() % EightBoxes::width;
+    if (lane == 0)
+      boxes_.emplace_back();
+    boxes_.back().set(lane, box);
+    faces_.push_back(face);
+  }
+
+  /// Calls visit(face) for each that meets a box, until a call says true; did one?
+  template <class Visit>
+  bool any_meeting(const FloatBox& box, Visit visit) const {
+    for (std::size_t block = 0; block < boxes_.size(); ++block) {
+      const std::array<std::int32_t, EightBoxes::width> meets = boxes_[block].meets(box);
+      for (std::size_t lane = 0; lane < EightBoxes::width; ++lane)
+        if (meets[lane] && visit(faces_[block * EightBoxes::width + lane]))
+          return true;
+    }
+    return false;
+  }
+
+private:
+  std::vector<PlacedFace> faces_;
+  std::vector<EightBoxes> boxes_; // the last one with empty boxes
+};
 
 /// Where the faces of a surface are, in a tree of boxes, and which of them intersect.
 ///

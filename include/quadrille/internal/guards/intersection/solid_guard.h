@@ -6,8 +6,8 @@
 #include <quadrille/internal/core/complex/edge_balance.h>
 #include <quadrille/internal/core/guard/surface_guard.h>
 #include <quadrille/internal/guards/intersection/face_intersections.h>
+#include <quadrille/quadric_form.h>
 #include <quadrille/report.h>
-#include <quadrille/vector.h>
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_GUARDS_INTERSECTION_SWEPT_SPACE_H
 
 #include <quadrille/internal/guards/intersection/triangle_pair.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>

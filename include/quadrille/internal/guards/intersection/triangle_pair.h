@@ -3,7 +3,7 @@
 
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/index.h>
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intersections_3/Segment_3_Triangle_3.h>

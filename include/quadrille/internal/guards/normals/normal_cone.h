@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_INTERNAL_GUARDS_NORMALS_NORMAL_CONE_H
 #define QUADRILLE_INTERNAL_GUARDS_NORMALS_NORMAL_CONE_H
 
-#include <quadrille/vector.h>
+#include <quadrille/quadric_form.h>
 
 #include <algorithm>
 #include <array>
