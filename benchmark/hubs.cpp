@@ -90,7 +90,7 @@ int main(int count, char** arguments) {
         std::cout << name << ',' << call << ',' << faces << ',' << seconds << std::endl;
       };
       tell("to 10 %", least_seconds<Quadric>(soup, FaceRatio{0.1}));
-      tell("within 0.01", least_seconds<Quadric>(soup, ErrorLimit{0.01}));
+      tell("within 0.01", least_seconds<Quadric>(soup, DistanceLimit{0.01}));
       tell("memoryless to 10 %", least_seconds<MemorylessQuadric>(soup, FaceRatio{0.1}));
       tell("relaxed to 10 %", least_seconds<Quadric>(soup, FaceRatio{0.1}, RelaxedOrder{}));
     }

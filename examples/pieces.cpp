@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     const quadrille::Report report = quadrille::simplify<quadrille::MemorylessQuadric>(
         left, triangles, quadrille::CostLimit{1e-12},
         quadrille::parameters::vertex_is_shared_map(CGAL::make_property_map(is_shared))
-            .vertex_image_map(CGAL::make_property_map(image))
+            .vertex_to_vertex_map(CGAL::make_property_map(image))
             .bounding_box(box));
     std::cout << report << '\n';
 

@@ -726,7 +726,7 @@ expect_usage_error "'10%' is not a count; --keep takes a part of the faces$" --f
 expect_usage_error "'5mm' is not a distance: a number in the units of IN, or 0.1% for" --error 5mm plain.off out.off
 expect_usage_error "'1k' is not a count in digits only: did you mean 1000\?$" --faces 1k plain.off out.off
 expect_usage_error "'1,500' is not a count in digits only: did you mean 1500\?$" --vertices 1,500 plain.off out.off
-expect_usage_error "--seams: 'keep' is none of kept, held, priced, free$" --seams keep plain.off out.off
+expect_usage_error "--seams: 'keep' is none of kept, soft, priced, free$" --seams keep plain.off out.off
 expect_usage_error '^there is no option --reduction; --keep takes' plain.off out.off --reduction 0.9
 expect_usage_error '^there is no option --quite; did you mean --quiet\?$' plain.off out.off --quite
 expect_usage_error '^there is no option --xost; did you mean --cost\?$' plain.off out.off --xost quadric
@@ -738,7 +738,7 @@ run 0 --help
 expect stdout '--keep'
 
 # IN and OUT by options, short ones, and other names for values
-run 0 plain.off one.off --cost memoryless --seams held
+run 0 plain.off one.off --cost memoryless --seams soft
 for words in '-i plain.off -o out.off' 'plain.off -o out.off' '-o out.off plain.off' '--input plain.off out.off' \
   '--output out.off --keep 50% plain.off'; do
   # shellcheck disable=SC2086
@@ -1559,7 +1559,7 @@ run 2 whole.ply out.ply --measure --verify --out-of-core scratch
 expect stderr '^--verify needs something that is promised: '
 for option in '--error 1% --both-ways --calibrated' '--weld 1' --orient '--pairs 1' --solid \
   --no-self-intersection '--normals 30' '--levels 50%' '--record a.qlv' '--vertices 9' '--order relaxed' '--region a' \
-  '--labels a' '--seams held' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
+  '--labels a' '--seams soft' '--importance a' '--lines 1' '--noise 1' '--crease 9' --keep-partial; do
   # shellcheck disable=SC2086
   run 2 whole.ply out.ply $option --out-of-core scratch
   expect stderr '^--[a-z-]+: does not go with --out-of-core: [a-z]'

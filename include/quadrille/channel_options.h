@@ -19,17 +19,10 @@ enum class Attribute {
   normal   ///< vertex_normal_map; made unit vectors again
 };
 
-} // namespace quadrille
-
-/// \file
-/// What is said of a channel beside its values: see <quadrille/channels.h>.
-
-namespace quadrille {
-
 /// What a simplification does with the edges at which a channel is discontinuous.
 enum class Seams {
   kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or turned over
-  held,   ///< they may vanish, at the price of what that shows: the disagreement of the values, and
+  soft,   ///< they may vanish, at the price of what that shows: the disagreement of the values, and
           ///< the area over which faces show what lies beside their chart of a texture. No face is
           ///< turned over in a texture. Of other channels the same as priced
   priced, ///< they may vanish; what that costs is in the error. Wedges stay apart until then
@@ -58,13 +51,13 @@ struct ChannelOptions {
   /// factor of 0.05 to 1, or of 0.1 to 2, by which they come to be half as hard to tell from what
   /// is beside as the shape is, and as hard: what is noise counts little, what is smooth much.
   std::vector<double> weights = {};
-  /// By default held for texture coordinates, priced for others.
+  /// By default soft for texture coordinates, priced for others.
   std::optional<Seams> seams = {};
-  /// How firmly charts of a texture whose seams are kept or held hold their borders in the texture,
+  /// How firmly charts of a texture whose seams are kept or soft hold their borders in the texture,
   /// for each square of an edge's length; at least 0. The same along an edge as off it is 1. Where
-  /// seams are held, also how firmly borders hold their place in the surface, by lines as open
+  /// seams are soft, also how firmly borders hold their place in the surface, by lines as open
   /// borders do, which count 100: 0 is priced, and the higher the more is given up of the shape. By
-  /// default 10 where seams are kept. Where they are held it is 0.0036 / p² for the part p of all
+  /// default 10 where seams are kept. Where they are soft it is 0.0036 / p² for the part p of all
   /// edges that they are, but at most 1, as up to 6 %, and at least 0.1, as from 19 % on.
   std::optional<double> border_weight = {};
   NewValues new_values = NewValues::optimal; ///< what corners have whose values change

@@ -100,12 +100,13 @@ struct SoupOptions {
   enum class Order { greedy, relaxed };
 
   // --- Targets: it stops at the first that is met; FaceRatio{0.5} where there is none.
-  std::optional<std::size_t> faces = {};     ///< see FaceCount
-  std::optional<double> ratio = {};          ///< see FaceRatio, in [0, 1]
-  std::optional<std::size_t> vertices = {};  ///< see VertexCount
-  std::optional<double> error = {};          ///< see ErrorLimit: a distance, at least 0
-  std::optional<double> relative_error = {}; ///< see ErrorLimit::relative: a part of the diagonal
-  bool both_ways = false;                    ///< these limits hold both ways: see HausdorffLimit
+  std::optional<std::size_t> faces = {};    ///< see FaceCount
+  std::optional<double> ratio = {};         ///< see FaceRatio, in [0, 1]
+  std::optional<std::size_t> vertices = {}; ///< see VertexCount
+  std::optional<double> error = {};         ///< see DistanceLimit: a distance, at least 0
+  std::optional<double> relative_error =
+      {};                 ///< see DistanceLimit::relative: a part of the diagonal
+  bool both_ways = false; ///< these limits hold both ways: see HausdorffLimit
   /// Instead of these, how far each point may move: empty, or a distance for each. See
   /// ToleranceLimit.
   std::vector<double> tolerance = {};
@@ -122,7 +123,7 @@ struct SoupOptions {
   double normal_flip = 90;                            ///< degrees, see NormalFlip
   std::optional<double> normal_deviation;             ///< degrees, see NormalDeviation
   bool no_self_intersection = false;                  ///< see NoSelfIntersection
-  bool keep_solid = false;                            ///< see keep_solid()
+  bool keep_solid = false;                            ///< see KeepSolid{}
   /// A filter beside these: may this contraction be done? See FilterPolicy; with several threads it
   /// is asked by several at a time.
   std::function<bool(const SoupContraction&)> allows = {};

@@ -224,7 +224,7 @@ concept PairPolicy = std::copy_constructible<P> &&
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** FaceCount, FaceRatio, VertexCount, EdgeCount, EdgeRatio, ErrorLimit,
+/// **Has models** FaceCount, FaceRatio, VertexCount, EdgeCount, EdgeRatio, DistanceLimit,
 /// HausdorffLimit, ToleranceLimit, CostLimit, ShortestEdge, TimeBudget, AnyOf, AllOf.
 ///
 /// **Requirements**, for a constant `stop`:

@@ -9,7 +9,7 @@
 #include <string>
 
 /// \file
-/// How far a surface may be from the input: ErrorLimit, HausdorffLimit, ToleranceLimit.
+/// How far a surface may be from the input: DistanceLimit, HausdorffLimit, ToleranceLimit.
 
 namespace quadrille {
 
@@ -50,21 +50,21 @@ private:
 /// further than the limit.
 ///
 /// Distances up to 2⁻⁴⁰ of the greatest coordinate, about 10⁻¹², may be nothing but the sum of
-/// roundings, and pass any limit: ErrorLimit{0} contracts what is exact but for these, as on flat
-/// parts and along straight creases. Report::distance_bound tells them nevertheless.
+/// roundings, and pass any limit: DistanceLimit{0} contracts what is exact but for these, as on
+/// flat parts and along straight creases. Report::distance_bound tells them nevertheless.
 ///
 /// A stop policy that asks one of these has to say that it needs distances, else nothing is known
 /// to be within the limit and not one contraction is done. A policy of one's own that looks at
 /// Status::next_distance may be asked several times for one contraction, with distances that it has
 /// at least; where it stops at one it has to stop at all greater ones. Source: the projection along
 /// the mean normal is that of Bajaj and Schikore 1996.
-class ErrorLimit : public internal::DistanceOrPart {
+class DistanceLimit : public internal::DistanceOrPart {
 public:
   /// `distance` is in the mesh's units.
-  explicit ErrorLimit(double distance) : ErrorLimit(distance, false) {}
+  explicit DistanceLimit(double distance) : DistanceLimit(distance, false) {}
 
   /// The limit as a fraction of the diagonal of the bounding box.
-  static ErrorLimit relative(double fraction) { return ErrorLimit(fraction, true); }
+  static DistanceLimit relative(double fraction) { return DistanceLimit(fraction, true); }
 
   /// Looks at Status::next_distance: see StopPolicy.
   static constexpr Needs needs = {.distance = true};
@@ -75,10 +75,10 @@ public:
   }
 
   /// Throws std::invalid_argument for a limit that is negative or not a number.
-  void validate() const { require_distance("quadrille::ErrorLimit"); }
+  void validate() const { require_distance("quadrille::DistanceLimit"); }
 
 private:
-  ErrorLimit(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
+  DistanceLimit(double number, bool is_relative) : DistanceOrPart(number, is_relative) {}
 };
 
 /// The same both ways: no point of the result will be further from the input than the limit, and no
@@ -86,13 +86,13 @@ private:
 /// neither spikes nor borders; and their Hausdorff distance is within it, as
 /// Report::hausdorff_bound says.
 ///
-/// Beside what ErrorLimit does each face knows how far the input points may be that have come to
+/// Beside what DistanceLimit does each face knows how far the input points may be that have come to
 /// lie in it, which takes 4 bytes more for each. That adds up, too, and what is exact costs
 /// nothing: flat parts, straight borders and creases. A contraction that leaves points of the input
 /// without any face, which only a free topology allows, is refused, and so is a part that would
 /// vanish. Of the input, faces that have a vertex twice are no part.
 ///
-/// One of ErrorLimit's roundings passes any limit here as well. A stop policy that asks this one
+/// One of DistanceLimit's roundings passes any limit here as well. A stop policy that asks this one
 /// has to say that it needs distance_back.
 class HausdorffLimit : public internal::DistanceOrPart {
 public:

@@ -70,7 +70,7 @@ template <class Cost = Quadric, class Placement = OptimalPlacement, class... Pol
 class PartitionedSimplifier {
 public:
   /// `stop` is a FaceCount or a FaceRatio; `policies` are what `simplify` takes beside, as it is
-  /// told to each part: filters, a Topology, an order. And, among them, an ErrorLimit, a
+  /// told to each part: filters, a Topology, an order. And, among them, an DistanceLimit, a
   /// HausdorffLimit or a ToleranceLimit, which the whole keeps: without a target of faces besides,
   /// that is FaceCount{0}. Throws std::invalid_argument for options that make no sense.
   template <class Stop>
@@ -347,7 +347,7 @@ private:
 ///   labels, with their names and types, and in the range that they had
 /// - stop: a FaceCount or a FaceRatio. The count is met exactly, as far as faces allow, if what is
 ///   left of some phase fits into memory, or no phase takes too many (FileReport::is_count_exact);
-///   else it is near. Or an ErrorLimit, a HausdorffLimit, or a ToleranceLimit with
+///   else it is near. Or an DistanceLimit, a HausdorffLimit, or a ToleranceLimit with
 ///   OutOfCore::tolerance; or AnyOf one of these and a count: what each face has used of the limit
 ///   goes along from phase to phase, so that the whole keeps it, as Report::distance_bound,
 ///   Report::hausdorff_bound and Report::used_tolerance tell; 12 bytes a face more on disk

@@ -31,7 +31,7 @@ struct ErrorAtMost {
 };
 /// The coarsest level no point of which is known to be further from the input than a distance in
 /// the mesh's units: see Report::distance_bound. For recordings with a stop policy that asks for
-/// distances, as ErrorLimit.
+/// distances, as DistanceLimit.
 struct DistanceAtMost {
   double distance; ///< at least 0
 };
@@ -184,7 +184,7 @@ public:
     const LevelSegment& segment = segments_.front();
     if (segment.contractions() > 0 && segment.bounds.empty())
       throw std::logic_error("quadrille::Levels: distances have not been recorded: simplify with a "
-                             "stop policy that asks for them, as ErrorLimit");
+                             "stop policy that asks for them, as DistanceLimit");
     return last(
         [&](const LevelSegment& s, std::size_t i) { return s.bound_at(i) <= stop.distance; });
   }

@@ -47,10 +47,10 @@ enum class Topology {
   /// held; a contraction that moves a large part by more than a fiftieth of its size comes last. A
   /// large part stays, whose box has a twentieth of the diagonal of the whole or more, and one with
   /// a constrained vertex or edge, and so does the part that costs most. The last faces of a label
-  /// may go with their part. Where the stop policy asks for distances, as ErrorLimit does, no part
-  /// vanishes whose diameter (twice the radius, in space) it would stop at. Filters are not asked.
-  /// Takes eight bytes more a vertex, and time that is linear at the beginning and after each pass
-  /// of RelaxedOrder.
+  /// may go with their part. Where the stop policy asks for distances, as DistanceLimit does, no
+  /// part vanishes whose diameter (twice the radius, in space) it would stop at. Filters are not
+  /// asked. Takes eight bytes more a vertex, and time that is linear at the beginning and after
+  /// each pass of RelaxedOrder.
   parts_may_vanish
 };
 

@@ -20,8 +20,8 @@ enum edge_is_crease_t { edge_is_crease };
 enum vertex_attribute_t { vertex_attribute };
 /// The tag of vertex_quadric_map().
 enum vertex_quadric_t { vertex_quadric };
-/// The tag of vertex_image_map().
-enum vertex_image_t { vertex_image };
+/// The tag of vertex_to_vertex_map().
+enum vertex_to_vertex_t { vertex_to_vertex };
 /// The tag of duplicate_output_iterator().
 enum duplicate_output_t { duplicate_output };
 /// The tag of face_is_selected_map().
@@ -101,10 +101,10 @@ public:
   auto vertex_importance_map(const Map& map) const {
     return then<vertex_importance_t>(map);
   }
-  /// vertex_image_map() after this.
+  /// vertex_to_vertex_map() after this.
   template <class Map>
-  auto vertex_image_map(const Map& map) const {
-    return then<vertex_image_t>(map);
+  auto vertex_to_vertex_map(const Map& map) const {
+    return then<vertex_to_vertex_t>(map);
   }
   /// duplicate_output_iterator() after this.
   template <class Iterator>
@@ -250,7 +250,7 @@ auto vertex_importance_map(const Map& map, const Before&... before) {
   return chain<vertex_importance_t>(map, before...);
 }
 
-/// In the place of an index: see vertex_image_map.
+/// In the place of an index: see vertex_to_vertex_map.
 inline constexpr std::size_t vanished = ~std::size_t{0};
 
 /// A property map that `simplify` writes for each vertex of the input: which vertex it has become
@@ -263,8 +263,8 @@ inline constexpr std::size_t vanished = ~std::size_t{0};
 /// boost::make_assoc_property_map(std_map). Of a vertex that a non-manifold result is written
 /// with several times, it is the first one: see duplicate_output_iterator.
 template <class Map, class... Before>
-auto vertex_image_map(const Map& map, const Before&... before) {
-  return chain<vertex_image_t>(map, before...);
+auto vertex_to_vertex_map(const Map& map, const Before&... before) {
+  return chain<vertex_to_vertex_t>(map, before...);
 }
 
 /// An output iterator that takes the vertices that a mesh gets so that it can hold a non-manifold

@@ -180,7 +180,7 @@ struct Report {
 
   /// No point of the result is further from the input than that, in the mesh's units: an upper
   /// bound, up to the rounding of the mesh's own coordinates, and often several times the distance
-  /// that can be measured. Known where a stop policy asks for it, as ErrorLimit does, else
+  /// that can be measured. Known where a stop policy asks for it, as DistanceLimit does, else
   /// infinite. Roundings are included, so it may be beyond a limit that is less than 2⁻⁴⁰ of the
   /// greatest coordinate. It says nothing of the other direction, of the input's points that the
   /// result has lost, but that where topology is kept no border has receded further, and no part
@@ -204,7 +204,7 @@ struct Report {
 
   /// The volume that the surface encloses, in the mesh's units, cubed: the sum of its winding
   /// numbers over space, so negative where it is oriented inwards. Known with OuterHull,
-  /// InnerHull and keep_solid(), and with VolumeKeeping where topology is kept and each vertex lies
+  /// InnerHull and KeepSolid{}, and with VolumeKeeping where topology is kept and each vertex lies
   /// inside of an oriented surface without borders. Of the result it is that of coordinates before
   /// they are rounded to the mesh's number type.
   std::optional<double> volume_before;
@@ -215,7 +215,7 @@ struct Report {
     std::size_t before = 0; ///< of the input, without degenerate and doubled faces
     std::size_t after = 0;  ///< of the result, all of which did in the input
   };
-  /// Known with NoSelfIntersection and keep_solid().
+  /// Known with NoSelfIntersection and KeepSolid{}.
   std::optional<SelfIntersections> self_intersections;
 
   /// No normal of the result is further than that from those of the faces of the input that it
@@ -286,7 +286,7 @@ inline std::ostream& operator<<(std::ostream& out, const Report& report) {
 /// Which numbers of a Status a stop policy needs that are found out for those only that need them:
 /// see StopPolicy. Others are told the greatest numbers that there are, or infinity.
 struct Needs {
-  bool distance = false;      ///< Status::next_distance, as ErrorLimit does
+  bool distance = false;      ///< Status::next_distance, as DistanceLimit does
   bool distance_back = false; ///< Status::next_distance_back, as HausdorffLimit; implies `distance`
   bool tolerance = false;     ///< Status::next_tolerance, as ToleranceLimit; implies both of these
   bool cost = false;          ///< Status::next_cost, as CostLimit

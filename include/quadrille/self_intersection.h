@@ -44,20 +44,6 @@ struct NoSelfIntersection {
   }
 };
 
-/// What keep_solid() makes: a guard, an argument of `simplify`.
-struct KeepSolid {
-  static constexpr const char* name = "quadrille::keep_solid";     ///< in messages
-  static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
-  static constexpr Topology topology = Topology::kept;             ///< no other one goes with it
-  static constexpr bool asks_for_volume = true;                    ///< a solid encloses one
-
-  /// For the engine: refuses what is no solid before anything is changed, and keeps faces apart.
-  template <std::size_t N>
-  std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
-    return std::make_unique<internal::SolidGuard<N>>(room);
-  }
-};
-
 /// A guard, an argument of `simplify`: a solid stays one, as for printing and simulation.
 ///
 /// It is Topology::kept and NoSelfIntersection{}, and it requires an input that is closed, each
@@ -73,9 +59,18 @@ struct KeepSolid {
 /// asked for another Topology. Otherwise it is for GreedyOrder only, and takes the time and the
 /// memory of NoSelfIntersection. Solids of two parts that touch each other are closed where they
 /// have these vertices or edges in common, and intersect where each has its own.
-inline KeepSolid keep_solid() {
-  return {};
-}
+struct KeepSolid {
+  static constexpr const char* name = "quadrille::KeepSolid";      ///< in messages
+  static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
+  static constexpr Topology topology = Topology::kept;             ///< no other one goes with it
+  static constexpr bool asks_for_volume = true;                    ///< a solid encloses one
+
+  /// For the engine: refuses what is no solid before anything is changed, and keeps faces apart.
+  template <std::size_t N>
+  std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
+    return std::make_unique<internal::SolidGuard<N>>(room);
+  }
+};
 
 } // namespace quadrille
 

@@ -82,7 +82,7 @@ inline namespace QUADRILLE_THREADING {
 /// among them channels (`simplified(mesh, Texture{uv})` leaves its values in the copy's property of
 /// the same name), and maps without state, which look at the element itself. Where vertices have
 /// the same numbers in a copy (Surface_mesh, OpenMesh) so are all other maps that are only read:
-/// constraints, creases, labels, indices. Other maps do not compile, nor do vertex_image_map,
+/// constraints, creases, labels, indices. Other maps do not compile, nor do vertex_to_vertex_map,
 /// vertex_quadric_map and duplicate_output_iterator: there copy the mesh and call `simplify`.
 ///
 /// Throws what `simplify` throws, and what copying does.

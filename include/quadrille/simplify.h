@@ -48,7 +48,7 @@ inline namespace QUADRILLE_THREADING {
 ///   <quadrille/relaxed_order.h>
 /// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
 /// - guards, any number, each with a header of its own: NoSelfIntersection, of
-///   <quadrille/self_intersection.h>: no faces come to intersect; keep_solid(), of
+///   <quadrille/self_intersection.h>: no faces come to intersect; KeepSolid{}, of
 ///   <quadrille/self_intersection.h>: a closed solid stays one; NormalDeviation, of
 ///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
 ///   of the user's
@@ -83,7 +83,7 @@ inline namespace QUADRILLE_THREADING {
 ///   Colors, Texture, Normals and Attributes of <quadrille/channels.h>, or what the cost reads: see
 ///   AttributeQuadric
 /// - vertex_quadric_map: written, the quadrics of the vertices that are left
-/// - vertex_image_map: written, what became of each vertex
+/// - vertex_to_vertex_map: written, what became of each vertex
 /// - duplicate_output_iterator: gets the vertices that a non-manifold result is written with
 ///
 /// A name that nothing in the call reads does not compile, but for CGAL's other maps to indices and
@@ -102,9 +102,9 @@ inline namespace QUADRILLE_THREADING {
 /// attributes that are too few or that no weight makes comparable with positions, or a policy that
 /// makes no sense, std::length_error above 2³⁰ faces, and what the user's own maps, policies and
 /// visitors throw. If it throws, the mesh is as it was; what it has put into maps is put back, as
-/// far as they let it (but for vertex_quadric_map and vertex_image_map, which nobody else fills),
-/// and vertices that it had added are removed again, which a mesh that labels what is removed may
-/// count as garbage.
+/// far as they let it (but for vertex_quadric_map and vertex_to_vertex_map, which nobody else
+/// fills), and vertices that it had added are removed again, which a mesh that labels what is
+/// removed may count as garbage.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {

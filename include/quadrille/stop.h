@@ -172,7 +172,7 @@ private:
 } // namespace internal
 
 /// Stops as soon as any of several stop policies says so: `AnyOf{FaceCount{1000},
-/// ErrorLimit{0.1}}`. Each may be a std::optional, and one has to be there.
+/// DistanceLimit{0.1}}`. Each may be a std::optional, and one has to be there.
 template <class... Stops>
 class AnyOf : public internal::SeveralStops<Stops...> {
 public:

@@ -16,7 +16,7 @@ namespace quadrille {
 /// What is claimed of a result. What is left out is not looked at.
 struct Claims {
   /// No point of the result is further from the input than that, in the unit of both: see
-  /// ErrorLimit and Report::distance_bound.
+  /// DistanceLimit and Report::distance_bound.
   std::optional<double> distance = {};
   /// The same, and no point of the input is further from the result.
   std::optional<double> distance_both_ways = {};
@@ -31,7 +31,7 @@ struct Claims {
   /// The input, which is closed, and the result are solids alike: the result is closed, and each
   /// part of the input has become one of it, with as many handles, with its inside on the same side
   /// and not flat, and in the same ones of the others. It bounds a volume if the input does. See
-  /// keep_solid().
+  /// KeepSolid{}.
   bool solid = false;
   /// No normal of the result is further than so many degrees from that of any face of the input
   /// that has become it, or one of its edges: see NormalDeviation. Needs `images`, which have to
@@ -39,7 +39,8 @@ struct Claims {
   /// vertices.
   std::optional<double> normal_deviation = {};
   /// Of each vertex of the input, the vertex of the result that it has become, by their indices or
-  /// in the order of vertices(mesh); parameters::vanished for none. vertex_image_map tells them.
+  /// in the order of vertices(mesh); parameters::vanished for none. vertex_to_vertex_map tells
+  /// them.
   std::vector<std::size_t> images = {};
   /// No claim, but how to follow what takes long: told again and again which part of it is done,
   /// from 0 to 1. If it returns false, verify() ends soon: Verdict::is_cancelled.

@@ -174,8 +174,8 @@ requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
 }
 
 /// The same with maps of the vertices of the input, as named parameters of quadrille::parameters
-/// like those of simplify(): vertex_tolerance_map claims tolerances, and vertex_image_map, which
-/// tells vertices of the result (or null_vertex()), is for Claims::normal_deviation.
+/// like those of simplify(): vertex_tolerance_map claims tolerances, and vertex_to_vertex_map,
+/// which tells vertices of the result (or null_vertex()), is for Claims::normal_deviation.
 template <class MeshA, class MeshB, class NamedParameters>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, Claims claims, const NamedParameters& named) {

@@ -207,7 +207,7 @@ TEST_CASE("Vertices of a renderer move as a whole, with their channels") {
   std::vector<std::size_t> images(all.size());
   simplify(points, triangles, FaceRatio{0.3}, Texture{CGAL::make_property_map(uvs)},
            Colors{CGAL::make_property_map(colors)},
-           quadrille::parameters::vertex_image_map(CGAL::make_property_map(images)));
+           quadrille::parameters::vertex_to_vertex_map(CGAL::make_property_map(images)));
 
   std::vector<Vertex> vertices = all;
   auto indices = flat<std::vector<std::uint32_t>>(input().triangles);

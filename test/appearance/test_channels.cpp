@@ -126,7 +126,7 @@ struct Asset {
                     Normals{normals.values, normals.triples, options.normals},
                     Colors{CGAL::make_property_map(colors), options.colors},
                     Attributes{CGAL::make_property_map(heights), options.heights},
-                    parameters::vertex_image_map(CGAL::make_property_map(image)));
+                    parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   }
 
   Textured surface() const {

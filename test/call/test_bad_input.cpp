@@ -180,8 +180,8 @@ TEST_CASE("Policies that make no sense are refused") {
     require_refused(mesh, "quadrille::FaceRatio", AnyOf{FaceCount{3}, AllOf{FaceRatio{ratio}}});
   }
   for (double distance : {-1.0, -infinity, not_a_number}) {
-    require_refused(mesh, "quadrille::ErrorLimit", ErrorLimit(distance));
-    require_refused(mesh, "quadrille::ErrorLimit", ErrorLimit::relative(distance));
+    require_refused(mesh, "quadrille::DistanceLimit", DistanceLimit(distance));
+    require_refused(mesh, "quadrille::DistanceLimit", DistanceLimit::relative(distance));
     require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(distance));
     require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs::relative(distance));
     require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(0.1, distance));

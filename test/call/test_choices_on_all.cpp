@@ -135,15 +135,16 @@ TEMPLATE_TEST_CASE("Stops do what they say", "", Mesh, Polyhedron, CellComplex, 
 
   // An error limit takes no contraction that may leave it.
   const double limit = 0.05 * diagonal;
-  const Report at_limit = stopped_by<TestType>(ErrorLimit{limit});
+  const Report at_limit = stopped_by<TestType>(DistanceLimit{limit});
   CHECK(at_limit.contractions > 0);
   CHECK(at_limit.distance_bound <= limit);
   CHECK(at_limit.rejected(Rejection::distance) > 0);
-  CHECK(stopped_by<TestType>(ErrorLimit{limit / 2}).faces_after > at_limit.faces_after);
-  const Report relative = stopped_by<TestType>(ErrorLimit::relative(limit / diagonal * (1 + 1e-9)));
+  CHECK(stopped_by<TestType>(DistanceLimit{limit / 2}).faces_after > at_limit.faces_after);
+  const Report relative =
+      stopped_by<TestType>(DistanceLimit::relative(limit / diagonal * (1 + 1e-9)));
   CHECK(relative.faces_after == at_limit.faces_after);
 
-  const ErrorLimit early{limit};
+  const DistanceLimit early{limit};
   const FaceCount late{40};
   REQUIRE(at_limit.faces_after > 40);
   CHECK(stopped_by<TestType>(AnyOf{early, late}).faces_after == at_limit.faces_after);

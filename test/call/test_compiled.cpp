@@ -129,7 +129,7 @@ TEST_CASE("Each option of the compiled library is the policy of its name") {
   check(soup, options, Quadric{}, NormalDeviation{40}, FaceCount{60});
   options = options_to(60);
   options.keep_solid = true;
-  check(closed, options, Quadric{}, keep_solid(), FaceCount{60});
+  check(closed, options, Quadric{}, KeepSolid{}, FaceCount{60});
   options.order = SoupOptions::Order::relaxed;
   Arrays arrays(soup);
   CHECK_THROWS_AS(simplify_soup(arrays.points, arrays.triangles, options), std::invalid_argument);
@@ -143,12 +143,12 @@ TEST_CASE("Each option of the compiled library is the policy of its name") {
   check(soup, options, Quadric{}, VertexCount{40});
   options = {};
   options.error = 0.05;
-  check(soup, options, Quadric{}, ErrorLimit(0.05));
+  check(soup, options, Quadric{}, DistanceLimit(0.05));
   options = {};
   options.relative_error = 0.02;
-  check(soup, options, Quadric{}, ErrorLimit::relative(0.02));
+  check(soup, options, Quadric{}, DistanceLimit::relative(0.02));
   options.bounding_box = SoupBox{{-5, -5, -5}, {5, 5, 5}};
-  check(soup, options, Quadric{}, ErrorLimit::relative(0.02),
+  check(soup, options, Quadric{}, DistanceLimit::relative(0.02),
         parameters::bounding_box({-5, -5, -5, 5, 5, 5}));
   options = {};
   options.cost_limit = 1e-4;

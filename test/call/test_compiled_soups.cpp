@@ -228,7 +228,7 @@ TEST_CASE("Levels that the compiled library records are those of the templates")
     options.recorder = record_into(levels);
     if (error > 0) {
       options.error = error;
-      simplify_by_templates(expected, {}, AnyOf{FaceCount{60}, ErrorLimit{error}},
+      simplify_by_templates(expected, {}, AnyOf{FaceCount{60}, DistanceLimit{error}},
                             record_into(of_templates));
     } else {
       simplify_by_templates(expected, {}, FaceCount{60}, record_into(of_templates));

@@ -119,7 +119,7 @@ TEST_CASE("Nor does the unit matter to passes, thresholds, limits of error, and 
     check_with([](double) {
       return std::tuple(FaceRatio{0.25}, RelaxedOrder{.share = 0.2, .refresh = true});
     });
-    check_with([](double unit) { return std::tuple(ErrorLimit(0.1 * unit)); });
+    check_with([](double unit) { return std::tuple(DistanceLimit(0.1 * unit)); });
     CHECK(check_with([](double unit) {
             return std::tuple(FaceRatio{0.25}, ThresholdPairs(0.3 * unit));
           }).non_edge_contractions > 0);
@@ -251,7 +251,7 @@ TEST_CASE("Points that no face uses change nothing, wherever they lie and whatev
   const Soup soup = test::random_closed(2);
   check(soup, Quadric{}, FaceRatio{0.2});
   check(soup, ColorQuadric{}, FaceRatio{0.2});
-  check(soup, Quadric{}, ErrorLimit::relative(0.05));
+  check(soup, Quadric{}, DistanceLimit::relative(0.05));
   const Soup disordered = test::shuffled(test::with_noise(test::torus(120, 60), 1, 0.01), 1);
   check(disordered, Quadric{}, FaceRatio{0.2}); // is renumbered
   check(disordered, Quadric{}, FaceRatio{0.2}, RelaxedOrder{});

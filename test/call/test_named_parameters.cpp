@@ -85,7 +85,7 @@ void check_images_of_soup(const Soup& input, const Arguments&... arguments) {
   PointSoup soup(input);
   std::vector<std::size_t> images(input.points.size(), 12345);
   simplify(soup.points, soup.triangles, arguments...,
-           parameters::vertex_image_map(CGAL::make_property_map(images)));
+           parameters::vertex_to_vertex_map(CGAL::make_property_map(images)));
   Soup after{{}, soup.triangles};
   for (const Point& p : soup.points)
     after.points.push_back(to_position(p));
@@ -98,7 +98,7 @@ void check_images_of_mesh(const Soup& input, const Arguments&... arguments) {
   Mesh mesh = make_mesh(input);
   std::map<Vertex, Vertex> images;
   simplify(mesh, arguments...,
-           parameters::vertex_image_map(boost::make_assoc_property_map(images)));
+           parameters::vertex_to_vertex_map(boost::make_assoc_property_map(images)));
   std::map<Vertex, std::size_t> number{{Mesh::null_vertex(), parameters::vanished}};
   for (Vertex v : vertices(mesh)) {
     CHECK(images.at(v) == v);
@@ -112,7 +112,7 @@ void check_images_of_mesh(const Soup& input, const Arguments&... arguments) {
 
 } // namespace
 
-TEST_CASE("vertex_image_map tells what became of each vertex") {
+TEST_CASE("vertex_to_vertex_map tells what became of each vertex") {
   for (const Soup& soup : {sphere(2), with_noise(torus(160, 80), 1, 0.01),
                            with_holes(with_noise(torus(60, 40), 1, 0.01), 1, 20)}) {
     for (const double ratio : {1.0, 0.5, 0.1}) { // the larger ones are renumbered, and packed
@@ -125,7 +125,7 @@ TEST_CASE("vertex_image_map tells what became of each vertex") {
   }
 }
 
-TEST_CASE("vertex_image_map tells of a surface in no order") {
+TEST_CASE("vertex_to_vertex_map tells of a surface in no order") {
   Soup soup = with_noise(torus(160, 80), 1, 0.01); // the engine renumbers it
   std::vector<std::uint32_t> place(soup.points.size());
   for (std::uint32_t v = 0; v < place.size(); ++v)
@@ -150,14 +150,14 @@ TEST_CASE("A vertex without a face has vanished") {
   PointSoup points(soup);
   std::vector<std::size_t> images(soup.points.size(), 12345);
   simplify(points.points, points.triangles, FaceRatio{1},
-           parameters::vertex_image_map(CGAL::make_property_map(images)));
+           parameters::vertex_to_vertex_map(CGAL::make_property_map(images)));
   CHECK(images[0] == parameters::vanished);
   for (std::size_t v = 1; v < images.size(); ++v)
     CHECK(images[v] == v - 1);
 
   Mesh mesh = make_mesh(soup);
   const auto of_mesh = mesh.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("image").first;
-  simplify(mesh, FaceRatio{1}, parameters::vertex_image_map(of_mesh));
+  simplify(mesh, FaceRatio{1}, parameters::vertex_to_vertex_map(of_mesh));
   CHECK(of_mesh[Mesh::Vertex_index(0)] == Mesh::null_vertex());
   CHECK(of_mesh[Mesh::Vertex_index(5)] == Mesh::Vertex_index(5));
 }
@@ -212,7 +212,7 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
     CHECK(get_parameter(named, parameters::vertex_attribute) == 8);
     CHECK(get_parameter(named, parameters::vertex_quadric) == 9);
     CHECK(get_parameter(named, parameters::vertex_importance) == 10);
-    CHECK(get_parameter(named, parameters::vertex_image) == 11);
+    CHECK(get_parameter(named, parameters::vertex_to_vertex) == 11);
     CHECK(get_parameter(named, parameters::duplicate_output) == 12);
     CHECK(get_parameter(named, np::vertex_point) == 13);
   };
@@ -227,10 +227,10 @@ TEST_CASE("Each of our names can follow each other one, and CGAL's follow ours")
             .vertex_attribute_map(8)
             .vertex_quadric_map(9)
             .vertex_importance_map(10)
-            .vertex_image_map(11)
+            .vertex_to_vertex_map(11)
             .duplicate_output_iterator(12)
             .vertex_point_map(13));
-  check(duplicate_output_iterator(12, vertex_image_map(11)
+  check(duplicate_output_iterator(12, vertex_to_vertex_map(11)
                                           .vertex_importance_map(10)
                                           .vertex_quadric_map(9)
                                           .vertex_attribute_map(8)
@@ -266,16 +266,16 @@ TEST_CASE("A call reads all of a chain, whether it ends with our names or with C
   };
   using CGAL::parameters::vertex_is_constrained_map;
   const auto by_arguments = run([&](const auto& image) {
-    return parameters::vertex_image_map(
+    return parameters::vertex_to_vertex_map(
         image, parameters::vertex_importance_map(by_index(importance),
                                                  vertex_is_constrained_map(by_index(fixed))));
   });
   const auto ends_with_cgals = run([&](const auto& image) {
-    return parameters::vertex_image_map(image)
+    return parameters::vertex_to_vertex_map(image)
         .vertex_importance_map(by_index(importance))
         .vertex_is_constrained_map(by_index(fixed));
   });
   CHECK(ends_with_cgals == by_arguments);
-  CHECK(run([&](const auto& image) { return parameters::vertex_image_map(image); }) !=
+  CHECK(run([&](const auto& image) { return parameters::vertex_to_vertex_map(image); }) !=
         by_arguments);
 }

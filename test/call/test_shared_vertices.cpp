@@ -230,9 +230,9 @@ TEST_CASE("Relative limits are of the diagonal of the box that is given") {
   const CGAL::Bbox_3 box(-3, -3, -3, 5, 3, 3);
   const double diagonal = std::sqrt(64.0 + 36 + 36);
   Soup relative = whole, absolute = whole;
-  simplify(relative.points, relative.triangles, ErrorLimit::relative(1e-3),
+  simplify(relative.points, relative.triangles, DistanceLimit::relative(1e-3),
            parameters::bounding_box(box));
-  simplify(absolute.points, absolute.triangles, ErrorLimit(1e-3 * diagonal));
+  simplify(absolute.points, absolute.triangles, DistanceLimit(1e-3 * diagonal));
   CHECK(is_identical(relative, absolute));
 }
 

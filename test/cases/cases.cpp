@@ -48,11 +48,11 @@ AnyStop make_stop(Bytes& bytes, std::size_t faces) {
   case 3:
     return {VertexCount{count / 2}};
   case 4:
-    return {ErrorLimit(error)};
+    return {DistanceLimit(error)};
   case 5:
     return {AfterContractions{count / 2}};
   case 6:
-    return {AnyOf(FaceCount{count}, ErrorLimit::relative(error))};
+    return {AnyOf(FaceCount{count}, DistanceLimit::relative(error))};
   case 7:
     return {AllOf(VertexCount{count}, AfterContractions{count / 4})};
   default:
@@ -552,8 +552,8 @@ private:
     status.vertices = report_.vertices_after - report_.duplicated_vertices;
     status.contractions = report_.contractions;
     const bool is_met = is_target_reached(report_.stop);
-    if (std::holds_alternative<ErrorLimit>(call_.stop.chosen)) {
-      // What may be nothing but rounding passes any limit: see ErrorLimit.
+    if (std::holds_alternative<DistanceLimit>(call_.stop.chosen)) {
+      // What may be nothing but rounding passes any limit: see DistanceLimit.
       double coordinate = 0;
       for (const Position& p : before_.points)
         for (double x : p.coordinates)

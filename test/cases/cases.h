@@ -58,8 +58,8 @@ struct AfterContractions {
 /// A stop policy that is known at run time.
 struct AnyStop {
   std::variant<Never, quadrille::FaceCount, quadrille::FaceRatio, quadrille::VertexCount,
-               quadrille::ErrorLimit, AfterContractions,
-               quadrille::AnyOf<quadrille::FaceCount, quadrille::ErrorLimit>,
+               quadrille::DistanceLimit, AfterContractions,
+               quadrille::AnyOf<quadrille::FaceCount, quadrille::DistanceLimit>,
                quadrille::AllOf<quadrille::VertexCount, AfterContractions>>
       chosen;
 

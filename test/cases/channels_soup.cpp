@@ -55,7 +55,7 @@ Carried carried(const Soup& soup, Random& random) {
 }
 
 Seams any_seams(Random& random) {
-  constexpr std::array all{Seams::kept, Seams::held, Seams::priced, Seams::free};
+  constexpr std::array all{Seams::kept, Seams::soft, Seams::priced, Seams::free};
   return all[random.below(4)];
 }
 

@@ -6,8 +6,8 @@
 int main() {
   using namespace quadrille;
 #ifdef REMEDY
-  simplify(points, triangles, AnyOf{FaceCount{10}, ErrorLimit{0.1}});
+  simplify(points, triangles, AnyOf{FaceCount{10}, DistanceLimit{0.1}});
 #else
-  simplify(points, triangles, FaceCount{10}, ErrorLimit{0.1}); // mistake
+  simplify(points, triangles, FaceCount{10}, DistanceLimit{0.1}); // mistake
 #endif
 }

@@ -164,7 +164,7 @@ void require_linear_work(const std::string& call, const Others&... others) {
 template <class Cost, class Placement>
 void require_linear_work_by(const std::string& cost) {
   require_linear_work<Cost, Placement>(cost + " to a tenth", FaceRatio{0.1});
-  require_linear_work<Cost, Placement>(cost + " within a limit", ErrorLimit{0.01});
+  require_linear_work<Cost, Placement>(cost + " within a limit", DistanceLimit{0.01});
   require_linear_work<Cost, Placement>(cost + " in passes", FaceRatio{0.1}, RelaxedOrder{});
   require_linear_work<Cost, Placement>(cost + ", topology free", FaceRatio{0.1}, Topology::free);
 }

@@ -420,7 +420,7 @@ TEST_CASE(
     check(FaceCount{0});
     check(FaceRatio{0.1}, RelaxedOrder{});
     check(FaceRatio{0.1}, MemorylessQuadric{});
-    check(ErrorLimit{0.05});
+    check(DistanceLimit{0.05});
   }
 }
 
@@ -472,7 +472,7 @@ TEST_CASE("With an error limit the parts vanish whose diameter is within it, and
       CAPTURE(limit, unit);
       Report report;
       const Soup small = scaled(input, unit);
-      const ErrorLimit stop(limit * unit);
+      const DistanceLimit stop(limit * unit);
       check(scaled(simplified(small, report, stop, parts_may_vanish), 1 / unit), report, limit);
       CHECK(report.distance_bound <= limit * unit + 1e-12);
       CHECK(report.rejected(Rejection::distance) > 0);
@@ -481,7 +481,7 @@ TEST_CASE("With an error limit the parts vanish whose diameter is within it, and
     }
   Report report;
   const Soup both =
-      simplified(input, report, AnyOf{FaceCount{0}, ErrorLimit{0.1}}, parts_may_vanish);
+      simplified(input, report, AnyOf{FaceCount{0}, DistanceLimit{0.1}}, parts_may_vanish);
   check(both, report, 0.1);
 }
 
@@ -489,7 +489,7 @@ TEST_CASE("The diameter within a limit is that of the part as it was, of any sha
   Report report;
   const Soup input = scan(200);
   for (double limit : {0.01, 0.05}) {
-    const Soup result = simplified(input, report, ErrorLimit(limit), parts_may_vanish);
+    const Soup result = simplified(input, report, DistanceLimit(limit), parts_may_vanish);
     INFO(report);
     std::size_t within = 0, larger = 0;
     for (const auto& part : parts_of(input)) {
@@ -589,7 +589,7 @@ TEST_CASE("What became of the vertices of a part is told") {
   PointSoup soup(input);
   std::vector<std::size_t> image(input.points.size(), 12345);
   const Report report = simplify(soup.points, soup.triangles, FaceCount{8}, parts_may_vanish,
-                                 parameters::vertex_image_map(CGAL::make_property_map(image)));
+                                 parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   REQUIRE(report.vanished_parts == 1);
   const std::size_t each = input.points.size() / 3;
   for (std::size_t v = 0; v < image.size(); ++v)

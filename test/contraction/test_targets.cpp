@@ -150,7 +150,7 @@ TEST_CASE("The last faces before the floor are not bought with the shape") {
   const auto run = [&](std::size_t faces, double limit = 1) {
     Mesh mesh = input;
     const Report report =
-        limit < 1 ? simplify(mesh, order, AnyOf{FaceCount{faces}, ErrorLimit::relative(limit)})
+        limit < 1 ? simplify(mesh, order, AnyOf{FaceCount{faces}, DistanceLimit::relative(limit)})
                   : simplify(mesh, order, FaceCount{faces});
     mesh.collect_garbage();
     return std::pair(report, surface_distance(input, mesh, {.samples = 20'000}).rms);

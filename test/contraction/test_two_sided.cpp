@@ -383,8 +383,8 @@ TEST_CASE("A cost that reads colours of points takes both sides along") {
 TEST_CASE("A limit of the error holds for both sides") {
   Sheet<double> sheet = two_sided(bumps(), everywhere),
                 front = two_sided(bumps(), [](auto&) { return false; });
-  const Report both = simplify_with_labels(sheet, ErrorLimit{0.01});
-  const Report one = simplify_with_labels(front, ErrorLimit{0.01});
+  const Report both = simplify_with_labels(sheet, DistanceLimit{0.01});
+  const Report one = simplify_with_labels(front, DistanceLimit{0.01});
   CHECK(both.faces_after == 2 * one.faces_after);
   CHECK(both.distance_bound == one.distance_bound);
   CHECK(count_sides(sheet) == sheet.triangles.size());

@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE("Foils lose nothing down to their corners", "",
 
 TEST_CASE("A limit of error leaves nothing of a foil but its corners") {
   Mesh mesh = test::make_mesh(test::tilted(foil(100, 100, 0.01)));
-  const Report report = simplify(mesh, ErrorLimit{0.001});
+  const Report report = simplify(mesh, DistanceLimit{0.001});
   CHECK(report.faces_after == 12);
 }
 

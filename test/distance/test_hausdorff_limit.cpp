@@ -168,7 +168,7 @@ TEST_CASE("A Hausdorff limit leaves about as few faces as an error limit") {
   for (const char* name : {"cow", "elephant", "fandisk", "lion-head"})
     for (double fraction : {0.001, 0.01}) {
       Mesh one_way = read_model(name), both_ways = one_way;
-      const Report a = simplify(one_way, ErrorLimit::relative(fraction));
+      const Report a = simplify(one_way, DistanceLimit::relative(fraction));
       const Report b = simplify(both_ways, HausdorffLimit::relative(fraction));
       INFO(name << ": " << a << "; " << b);
       CHECK(b.contractions * 20 >= a.contractions * 19);
@@ -289,7 +289,7 @@ TEST_CASE("Of each old face, input points are as far as they were, and as they g
 
 TEST_CASE("A needle stays that an error limit takes away") {
   const test::Soup input = sheet_with_needle(0.01, 1);
-  const Within one_way = simplified(input, ErrorLimit{0.05});
+  const Within one_way = simplified(input, DistanceLimit{0.05});
   INFO(one_way.report);
   CHECK(one_way.report.hausdorff_bound == infinity);
   CHECK(farthest(input, one_way.result) > 0.9);
@@ -371,14 +371,14 @@ TEST_CASE("Labels and channels go along within a limit of both ways") {
 
 TEST_CASE("Only who asks is told of both ways") {
   const test::Soup input = test::sphere(3);
-  CHECK(simplified(input, ErrorLimit{0.1}).report.hausdorff_bound == infinity);
+  CHECK(simplified(input, DistanceLimit{0.1}).report.hausdorff_bound == infinity);
   CHECK(simplified(input, FaceCount{100}).report.hausdorff_bound == infinity);
   const auto silent = [](const Status& status) { return HausdorffLimit{1e9}(status); };
   CHECK(simplified(input, silent).report.contractions == 0);
   const auto any = simplified(input, AnyOf{FaceCount{100}, HausdorffLimit{1}}).report;
   CHECK(any.faces_after == 100);
   CHECK(any.hausdorff_bound < 1);
-  CHECK(simplified(input, AllOf{ErrorLimit{0.1}, HausdorffLimit{0.1}}).report.hausdorff_bound <
+  CHECK(simplified(input, AllOf{DistanceLimit{0.1}, HausdorffLimit{0.1}}).report.hausdorff_bound <
         infinity);
   test::PointSoup soup(input);
   for (double distance : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {

@@ -101,7 +101,7 @@ public:
     const double part = std::pow(10, random_(-3, -1));
     switch (random_.below(4)) {
     case 0:
-      limited(folder, quadrille::ErrorLimit::relative(part));
+      limited(folder, quadrille::DistanceLimit::relative(part));
       break;
     case 1:
       limited(folder, quadrille::HausdorffLimit::relative(part));

@@ -228,7 +228,7 @@ void require_within(const Soup& input, const Limit& limit, bool both_ways) {
 
 TEST_CASE("What is within a distance in each part is so as a whole") {
   require_within(surface(), HausdorffLimit::relative(0.006), true);
-  require_within(test::with_noise(test::grid(70, 60), 4, 0.004), ErrorLimit::relative(0.002),
+  require_within(test::with_noise(test::grid(70, 60), 4, 0.004), DistanceLimit::relative(0.002),
                  false);
 }
 
@@ -242,13 +242,13 @@ TEST_CASE("A limit of distances and a count end a run by parts at what comes fir
     CHECK(report.distance_bound <= 0.01 * report.diagonal);
     return report.faces_after;
   };
-  const ErrorLimit limit = ErrorLimit::relative(0.01);
+  const DistanceLimit limit = DistanceLimit::relative(0.01);
   const std::size_t at_limit = faces(limit);
   CHECK(at_limit > 100);
   CHECK(faces(AnyOf{FaceCount{2000}, limit}) == 2000);
   CHECK(faces(AnyOf{limit, FaceRatio{0.25}}) == 2000);
   CHECK(10 * faces(AnyOf{FaceCount{50}, limit}) < 11 * at_limit);
-  CHECK_THROWS_WITH(faces(ErrorLimit(-1)), Catch::Contains("-1"));
+  CHECK_THROWS_WITH(faces(DistanceLimit(-1)), Catch::Contains("-1"));
   CHECK_FALSE(std::filesystem::exists(folder.path("scratch")));
 }
 

@@ -1,4 +1,4 @@
-// With keep_solid() a solid stays one, as CGAL sees it.
+// With KeepSolid{} a solid stays one, as CGAL sees it.
 #include "hard_surfaces.h"
 #include "meshes.h"
 #include "soups.h"
@@ -95,7 +95,7 @@ Report check_solid(const Soup& input, const auto& stop) {
   Exact mesh = exact(input);
   REQUIRE((CGAL::is_closed(mesh) && pairs(mesh) == 0 && PMP::does_bound_a_volume(mesh)));
   const Exact before = mesh;
-  const Report report = simplify<Cost>(mesh, stop, keep_solid());
+  const Report report = simplify<Cost>(mesh, stop, KeepSolid{});
   mesh.collect_garbage();
   INFO(report);
   CHECK(report.faces_after < report.faces_before);
@@ -148,7 +148,7 @@ std::string complaint(Soup soup, const auto&... arguments) {
 
 } // namespace
 
-TEST_CASE("keep_solid: what would pass through itself stays a solid") {
+TEST_CASE("KeepSolid: what would pass through itself stays a solid") {
   for (const Soup& soup : {shell(0.03), thin_walls(14, 0.02)}) {
     Exact without = exact(soup);
     simplify(without, FaceRatio{0.06});
@@ -160,7 +160,7 @@ TEST_CASE("keep_solid: what would pass through itself stays a solid") {
   }
 }
 
-TEST_CASE("keep_solid: nested parts, links, handles, and cubes that nearly touch") {
+TEST_CASE("KeepSolid: nested parts, links, handles, and cubes that nearly touch") {
   check_solid(test::tori_in_each_other(24), FaceCount{100});
   check_solid(test::plate_with_holes(3, 4), FaceRatio{0.2});
   const Soup cube = test::cube(6);
@@ -173,24 +173,24 @@ TEST_CASE("keep_solid: nested parts, links, handles, and cubes that nearly touch
   check_solid(with_bumps(matryoshka, 0.02), FaceRatio{0.1});
 }
 
-TEST_CASE("keep_solid: walls lose no more than twice a limit of both ways") {
+TEST_CASE("KeepSolid: walls lose no more than twice a limit of both ways") {
   Exact mesh = exact(thin_walls(8, 0.06));
   const double before = wall(mesh), limit = before / 3;
-  const Report report = simplify(mesh, HausdorffLimit{limit}, keep_solid());
+  const Report report = simplify(mesh, HausdorffLimit{limit}, KeepSolid{});
   mesh.collect_garbage();
   CHECK(report.faces_after < report.faces_before);
   CHECK(report.hausdorff_bound <= limit);
   CHECK(wall(mesh) >= before - 2 * limit);
 }
 
-TEST_CASE("keep_solid: a limit of the distance goes with hulls") {
+TEST_CASE("KeepSolid: a limit of the distance goes with hulls") {
   const Soup ball = test::sphere(3);
   const Soup soup = with_bumps(test::joined(ball, turned(scaled(ball, {{0.9, 0.9, 0.9}}))), 0.06);
   const double limit = 0.1;
   const auto check = [&]<class Hull>(Hull) {
     test::PointSoup hull(soup);
     const Report report = simplify<MemorylessQuadric, Hull>(hull.points, hull.triangles,
-                                                            HausdorffLimit{limit}, keep_solid());
+                                                            HausdorffLimit{limit}, KeepSolid{});
     INFO(report);
     CHECK(report.faces_after < report.faces_before / 2);
     CHECK(report.hausdorff_bound <= limit);
@@ -219,22 +219,22 @@ TEST_CASE("keep_solid: a limit of the distance goes with hulls") {
   check(InnerHull{});
 }
 
-TEST_CASE("keep_solid: closed models") {
+TEST_CASE("KeepSolid: closed models") {
   for (const char* name : {"elephant", "pinion_small", "triceratops"}) {
     INFO(name);
     Exact mesh;
     const Soup soup = test::to_soup(test::read_model(name));
     if (pairs(exact(soup)) > 0 || !CGAL::is_closed(exact(soup)))
-      CHECK_FALSE(complaint(soup, keep_solid()).empty());
+      CHECK_FALSE(complaint(soup, KeepSolid{}).empty());
     else
       check_solid<MemorylessQuadric>(soup, FaceRatio{0.1});
   }
 }
 
-TEST_CASE("keep_solid: solids that touch along an edge or at a point stay closed") {
+TEST_CASE("KeepSolid: solids that touch along an edge or at a point stay closed") {
   const auto check = [](const Soup& soup) {
     test::PointSoup result(soup);
-    const Report report = simplify(result.points, result.triangles, FaceCount{8}, keep_solid());
+    const Report report = simplify(result.points, result.triangles, FaceCount{8}, KeepSolid{});
     INFO(report);
     CHECK(report.faces_after < report.faces_before);
     const Verdict verdict = verify(test::points_of(soup), soup.triangles, result.points,
@@ -247,13 +247,13 @@ TEST_CASE("keep_solid: solids that touch along an edge or at a point stay closed
       4, 4, 4, [](int x, int y, int z) { return x / 2 == y / 2 && y / 2 == z / 2; }));
 }
 
-TEST_CASE("keep_solid: what is no solid is refused, and told where") {
+TEST_CASE("KeepSolid: what is no solid is refused, and told where") {
   Soup open = test::sphere(2);
   const Triangle gone = open.triangles.back();
   open.triangles.pop_back();
-  const std::string is_open = complaint(open, keep_solid());
+  const std::string is_open = complaint(open, KeepSolid{});
   CAPTURE(is_open);
-  CHECK(is_open.find("keep_solid: the surface is not closed: 3 edges") != std::string::npos);
+  CHECK(is_open.find("KeepSolid: the surface is not closed: 3 edges") != std::string::npos);
   bool is_of_face = false; // the place that it tells is a corner of the face that is gone
   for (const std::uint32_t v : gone) {
     const Position& p = open.points[v];
@@ -262,34 +262,34 @@ TEST_CASE("keep_solid: what is no solid is refused, and told where") {
   }
   CHECK(is_of_face);
   const std::string is_turned =
-      complaint(test::joined(test::tetrahedron(), test::triangle(), {{4, 0, 0}}), keep_solid());
+      complaint(test::joined(test::tetrahedron(), test::triangle(), {{4, 0, 0}}), KeepSolid{});
   CHECK(is_turned.find(": 3 edges") != std::string::npos);
 
   const Soup crossing = test::joined(test::sphere(2), test::sphere(2), {{0.7, 0.1, 0.2}});
-  const std::string crosses = complaint(crossing, keep_solid());
+  const std::string crosses = complaint(crossing, KeepSolid{});
   CHECK(crosses.find("intersects itself: " + std::to_string(pairs(exact(crossing))) +
                      " pairs of faces do, the first one near (") != std::string::npos);
 
   const Soup sphere = test::sphere(2);
-  CHECK(complaint(sphere, keep_solid(), Topology::free).find("keeps the topology") !=
+  CHECK(complaint(sphere, KeepSolid{}, Topology::free).find("keeps the topology") !=
         std::string::npos);
-  CHECK_FALSE(complaint(sphere, keep_solid(), Topology::parts_may_vanish).empty());
-  CHECK(complaint(sphere, keep_solid(), Topology::kept).empty());
+  CHECK_FALSE(complaint(sphere, KeepSolid{}, Topology::parts_may_vanish).empty());
+  CHECK(complaint(sphere, KeepSolid{}, Topology::kept).empty());
   test::PointSoup cubes(test::joined(test::cube(4), test::cube(4), {{1.001, 0, 0}}));
-  const Report report = simplify(cubes.points, cubes.triangles, FaceCount{40}, keep_solid(),
+  const Report report = simplify(cubes.points, cubes.triangles, FaceCount{40}, KeepSolid{},
                                  ThresholdPairs(0.01)); // topology is kept still
   CHECK(report.components_after == 2);
   CHECK(report.non_edge_contractions == 0);
 }
 
-TEST_CASE("keep_solid: chosen at run time, it is as if it were not there") {
+TEST_CASE("KeepSolid: chosen at run time, it is as if it were not there") {
   Soup open = test::grid(8, 8);
   std::optional<KeepSolid> choice;
   CHECK(complaint(open, choice, Topology::free).empty());
   test::Mesh mesh = test::make_mesh(test::sphere(2));
   CHECK_FALSE(simplify(mesh, choice).self_intersections.has_value());
   CHECK_FALSE(simplify(mesh, choice).volume_before.has_value());
-  choice = keep_solid();
+  choice = KeepSolid{};
   CHECK(simplify(mesh, choice).self_intersections.has_value());
   CHECK(simplify(mesh, choice).volume_before.has_value());
 }

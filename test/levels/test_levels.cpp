@@ -117,7 +117,7 @@ TEST_CASE("levels with a limit of the distance tell bounds") {
   Levels levels;
   Points points = points_of_soup(soup);
   Triangles triangles = soup.triangles;
-  const Report report = simplify(points, triangles, ErrorLimit{0.1}, record_into(levels));
+  const Report report = simplify(points, triangles, DistanceLimit{0.1}, record_into(levels));
   CHECK(levels.coarsest().distance_bound >= report.distance_bound);
   CHECK(levels.coarsest().distance_bound < 0.1 * (1 + 1e-6));
   double last_bound = 0, last_error = 0;
@@ -163,7 +163,7 @@ TEST_CASE("levels of a limit both ways tell bounds both ways") {
   Levels one_way;
   Points points = points_of_soup(soup);
   Triangles triangles = soup.triangles;
-  simplify(points, triangles, ErrorLimit{0.1}, record_into(one_way));
+  simplify(points, triangles, DistanceLimit{0.1}, record_into(one_way));
   CHECK(one_way.coarsest().hausdorff_bound == std::numeric_limits<double>::infinity());
   CHECK(one_way.finest().hausdorff_bound == 0);
 }

@@ -78,7 +78,7 @@ passes() {
     eigen) options=$(pkg-config --cflags eigen3) ;;
     any_order) options="-O1 -I$folder/test/any_order" ;;
     parallel*) options=-DQUADRILLE_WITH_TBB libraries="$libraries -ltbb" ;;
-    error_limit | float_precision | hausdorff_limit | tolerance_limit | targets | thin_features) options=-O1 ;; # take minutes without
+    distance_limit | float_precision | hausdorff_limit | tolerance_limit | targets | thin_features) options=-O1 ;; # take minutes without
   esac
   $compile -include "$folder/prelude.h" $options -I"$folder/include" -I"$folder/test" \
     -I"$folder/test/support" "$folder"/test/*/"test_$1.cpp" $sources "$folder/main.o" "$folder/read_model.o" $libraries \

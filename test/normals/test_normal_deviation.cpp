@@ -98,7 +98,7 @@ Run run(const Soup& input, const auto&... arguments) {
       std::conditional_t<std::is_same_v<Cost, EdgeLength>, MidpointPlacement, OptimalPlacement>;
   run.report =
       simplify<Cost, Placement>(points, run.result.triangles, arguments...,
-                                parameters::vertex_image_map(CGAL::make_property_map(image)));
+                                parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   for (const auto& p : points)
     run.result.points.push_back({{double(p[0]), double(p[1]), double(p[2])}});
   run.deviation = deviation(input, run.result, image, std::uint32_t(parameters::vanished));

@@ -190,8 +190,8 @@ TEST_CASE("A limit of cost beside other stop policies") {
   CHECK(faces(AnyOf{tenth, FaceCount{500}}) == faces(tenth));
   CHECK(faces(AllOf{tenth, FaceCount{500}}) == 500);
   CHECK(faces(AllOf{half, FaceCount{1800}}) == faces(half));
-  CHECK(faces(AnyOf{half, ErrorLimit{0.003}}) >= faces(ErrorLimit{0.003}));
-  CHECK(faces(AnyOf{half, ErrorLimit{10.0}}) == faces(half));
+  CHECK(faces(AnyOf{half, DistanceLimit{0.003}}) >= faces(DistanceLimit{0.003}));
+  CHECK(faces(AnyOf{half, DistanceLimit{10.0}}) == faces(half));
   CHECK(100 * faces(AnyOf{AnyOf{half}, FaceCount{0}}, RelaxedOrder{}) < 105 * faces(half));
   CHECK(faces(CostLimit{0}) == soup.triangles.size());
   CHECK(faces(CostLimit{std::numeric_limits<double>::infinity()}) == faces(FaceCount{0}));

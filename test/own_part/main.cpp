@@ -60,7 +60,7 @@ bool follows(const Order& order, bool packs) {
   const std::size_t vertices = points.size(), faces = triangles.size();
   std::vector<std::size_t> images(vertices);
   simplify(points, triangles, FaceRatio{0.05}, order,
-           parameters::vertex_image_map(CGAL::make_property_map(images)));
+           parameters::vertex_to_vertex_map(CGAL::make_property_map(images)));
 
   std::vector<int> of(points.size());
   for (const std::size_t image : images)

@@ -222,7 +222,7 @@ TEST_CASE("Creases may lose their faces in passes") {
 
 TEST_CASE("Passes take no pair at which the stop policy would stop") {
   const Mesh input = read_model("bunny00");
-  const ErrorLimit limit = ErrorLimit::relative(1e-3);
+  const DistanceLimit limit = DistanceLimit::relative(1e-3);
   Mesh greedy = input, relaxed = input;
   const Report g = simplify<Quadric, OptimalPlacement>(greedy, limit);
   const Report r = simplify<Quadric, OptimalPlacement>(relaxed, limit, RelaxedOrder{});

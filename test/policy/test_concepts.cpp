@@ -33,7 +33,7 @@ static_assert(PlacementPolicy<EndpointPlacement, EdgeLength>);
 static_assert(PlacementPolicy<MidpointPlacement, EdgeLength>);
 static_assert(PairPolicy<EdgePairs> && PairPolicy<ThresholdPairs>);
 static_assert(StopPolicy<FaceCount> && StopPolicy<FaceRatio> && StopPolicy<VertexCount>);
-static_assert(StopPolicy<ErrorLimit> && StopPolicy<AnyOf<FaceCount, ErrorLimit>> &&
+static_assert(StopPolicy<DistanceLimit> && StopPolicy<AnyOf<FaceCount, DistanceLimit>> &&
               StopPolicy<AllOf<FaceCount, VertexCount>>);
 static_assert(FilterPolicy<NormalFlip, Quadric> && FilterPolicy<TriangleShape, ColorQuadric> &&
               FilterPolicy<HighestDegree, EdgeLength>);

@@ -84,7 +84,7 @@ TEST_CASE("An error limit holds in every order, and is used") {
   const Soup input = test::with_noise(test::grid(30, 30), 3, 0.002);
   const auto check = [&](const auto& order, double limit) {
     test::Mesh mesh = test::make_mesh(input);
-    const Report report = simplify<Quadric, OptimalPlacement>(mesh, ErrorLimit(limit), order);
+    const Report report = simplify<Quadric, OptimalPlacement>(mesh, DistanceLimit(limit), order);
     CHECK(report.distance_bound <= limit);
     CHECK(report.distance_bound > limit / 2);
     CHECK(report.stop == StopReason::target_met);

@@ -77,7 +77,7 @@ Report check_cells(const Soup& input, const Policies&... policies) {
   std::vector<std::size_t> image(input.points.size());
   const Report report =
       simplify(soup.points, soup.triangles, SameCell<in_passes>{size_of_cell}, FaceCount{0},
-               policies..., parameters::vertex_image_map(CGAL::make_property_map(image)));
+               policies..., parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   CHECK(cells_left(input, soup, image) == 0);
   return report;
 }
@@ -158,7 +158,7 @@ TEST_CASE("A guard sees the surface of the input, and each contraction, by the i
   std::vector<std::size_t> image(input.points.size());
   const Report report =
       simplify(soup.points, soup.triangles, FaceCount{40}, Follower{&told}, record_into(recorder),
-               parameters::vertex_image_map(CGAL::make_property_map(image)));
+               parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   CHECK(told.vertex_count == input.points.size());
   CHECK(told.face_count == input.triangles.size());
   CHECK(told.faces.size() == input.triangles.size() - 1);
@@ -252,7 +252,7 @@ TEST_CASE("Where floats are written, a guard sees the places that are written") 
   Told told;
   std::vector<std::size_t> image(points.size());
   simplify(points, triangles, FaceCount{300}, Follower{&told},
-           parameters::vertex_image_map(CGAL::make_property_map(image)));
+           parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   for (const auto& [v, place] : told.places)
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(static_cast<double>(points[image[v]][i]) == place[i]);
@@ -337,7 +337,7 @@ TEST_CASE("A guard holds with attributes, whatever carries them") {
   const auto with_colors = CGAL::parameters::vertex_color_map(CGAL::make_property_map(colors));
   const Report report = simplify<ColorQuadric>(
       soup.points, soup.triangles, SameCell<false>{size_of_cell}, FaceCount{0},
-      parameters::vertex_image_map(CGAL::make_property_map(image), with_colors));
+      parameters::vertex_to_vertex_map(CGAL::make_property_map(image), with_colors));
   CHECK(report.rejected(Rejection::shape) > 0);
   CHECK(report.faces_after < report.faces_before / 2);
   CHECK(cells_left(input, soup, image) == 0);

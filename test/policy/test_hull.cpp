@@ -366,8 +366,8 @@ TEST_CASE("Passes, eager order, limits, fixed vertices and labels go with hulls"
   check(CGAL::parameters::vertex_is_constrained_map(CGAL::make_property_map(is_fixed)));
   check(Labels{CGAL::make_property_map(labels)});
   test::PointSoup limited(soup);
-  const Report report =
-      simplify<MemorylessQuadric, OuterHull>(limited.points, limited.triangles, ErrorLimit{0.02});
+  const Report report = simplify<MemorylessQuadric, OuterHull>(limited.points, limited.triangles,
+                                                               DistanceLimit{0.02});
   CHECK(report.distance_bound <= 0.02);
   CHECK(report.faces_after < 2700);
   check_encloses(test::to_soup(limited), soup, 30);

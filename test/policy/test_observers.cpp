@@ -129,7 +129,7 @@ TEST_CASE("A placement that finds no place is told of, in any order") {
 TEST_CASE("A part that may not vanish is told without ends") {
   const Soup small = mapped(sphere(1), [](const Position& p) { return 0.05 * p; });
   const Soup soup = joined(sphere(3), small, {{5, 0, 0}});
-  const auto [observer, report] = observed(soup, ErrorLimit{0.09}, Topology::parts_may_vanish);
+  const auto [observer, report] = observed(soup, DistanceLimit{0.09}, Topology::parts_may_vanish);
   const bool has_one =
       std::any_of(observer.refusals.begin(), observer.refusals.end(), [](const auto& refusal) {
         return refusal.first == not_recorded && refusal.second == not_recorded;

@@ -61,7 +61,8 @@ TEST_CASE("One engine is compiled for a cost and the placements that are built i
                                                            RelaxedOrder{}, RefusesAll{&calls},
                                                            Topology::free, record_into(listener),
                                                            CGAL::parameters::visitor(Watcher()))));
-  CHECK(are_alike(plain, pick_policies<Quadric, MidpointPlacement>(ErrorLimit(1), NormalFlip(60))));
+  CHECK(are_alike(plain,
+                  pick_policies<Quadric, MidpointPlacement>(DistanceLimit(1), NormalFlip(60))));
   CHECK_FALSE(are_alike(plain, pick_policies<MemorylessQuadric, NotGiven>()));
   CHECK_FALSE(are_alike(plain, pick_policies<NotGiven, NotGiven>(OwnPlacement{})));
   std::vector<Vector<3>> colors;
@@ -81,7 +82,7 @@ TEST_CASE("What a call cannot need is not compiled for it") {
   CHECK(pick_policies<NotGiven, NotGiven>(RelaxedOrder{}).optional.run_passes != nullptr);
   CHECK(pick_policies<NotGiven, NotGiven>(record_into(listener)).optional.make_recording !=
         nullptr);
-  CHECK(pick_policies<NotGiven, NotGiven>(ErrorLimit(1)).optional.make_distances != nullptr);
+  CHECK(pick_policies<NotGiven, NotGiven>(DistanceLimit(1)).optional.make_distances != nullptr);
 }
 
 TEST_CASE("A stop policy needs what those in it need, and what that implies") {
@@ -92,7 +93,7 @@ TEST_CASE("A stop policy needs what those in it need, and what that implies") {
   const Needs both_ways{.distance = true, .distance_back = true};
   const Needs tolerance{.distance = true, .distance_back = true, .tolerance = true};
   CHECK(needs(OwnStop{}) == Needs{});
-  CHECK(needs(ErrorLimit(1)) == one_way);
+  CHECK(needs(DistanceLimit(1)) == one_way);
   CHECK(needs(HausdorffLimit(1)) == both_ways);
   CHECK(needs(ToleranceLimit{}) == tolerance);
   CHECK(needs(AnyOf{FaceCount{10}, AllOf{EdgeCount{10}, CostLimit(1)}}) ==

@@ -74,7 +74,7 @@ auto map_of(std::vector<Value>& values) {
 TEST_CASE("A std::optional of a policy is that policy, or as if it were not there") {
   const FaceCount count{100};
   check_optional(count);
-  check_optional(ErrorLimit(0.05));
+  check_optional(DistanceLimit(0.05));
   check_optional([](const Status& status) { return status.contractions == 10; });
   check_optional(ThresholdPairs(0.5), count);
   check_optional(RelaxedOrder{}, count);
@@ -178,9 +178,9 @@ TEST_CASE("AnyOf and AllOf pass over what is not there") {
   CHECK(simplified_by(AllOf{faces, vertices}).second.vertices_after == 200);
   CHECK(simplified_by(AnyOf{some, vertices}).second.vertices_after == 200);
   CHECK(simplified_by(AllOf{some, vertices}).second.faces_after == 100);
-  CHECK(simplified_by(AnyOf{std::optional<ErrorLimit>(), FaceCount{100}}).second.faces_after ==
+  CHECK(simplified_by(AnyOf{std::optional<DistanceLimit>(), FaceCount{100}}).second.faces_after ==
         100);
-  CHECK_THROWS_WITH(simplified_by(AnyOf{faces, std::optional<ErrorLimit>()}),
+  CHECK_THROWS_WITH(simplified_by(AnyOf{faces, std::optional<DistanceLimit>()}),
                     "quadrille: none of the stop policies of an AnyOf or AllOf is there");
   CHECK_THROWS_AS(simplified_by(AllOf{faces}), std::invalid_argument);
 }
@@ -189,8 +189,8 @@ TEST_CASE("What an empty std::optional could need is not needed") {
   const auto needs = [](const auto& stop) {
     return internal::pick_policies<internal::NotGiven, internal::NotGiven>(stop).stop.needs();
   };
-  CHECK(needs(std::optional<ErrorLimit>()) == Needs{});
-  CHECK(needs(std::optional(ErrorLimit(1))) == Needs{.distance = true});
+  CHECK(needs(std::optional<DistanceLimit>()) == Needs{});
+  CHECK(needs(std::optional(DistanceLimit(1))) == Needs{.distance = true});
   CHECK(needs(AnyOf{std::optional<HausdorffLimit>(), CostLimit(1)}) == Needs{.cost = true});
   CHECK(needs(AnyOf{std::optional(HausdorffLimit(1)), FaceCount{1}}) ==
         Needs{.distance = true, .distance_back = true});

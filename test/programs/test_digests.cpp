@@ -156,8 +156,8 @@ TEST_CASE("The same bits as before, free, with other pairs and with bounds") {
     const ThresholdPairs pairs{0.005 * diagonal(soup)};
     check(name + ", pairs", OnSoup::run(soup, Quadric{}, pairs, FaceRatio{0.1}));
   }
-  check_all("bounds", Quadric{}, ErrorLimit{0.01});
-  check_all("bounds in passes", Quadric{}, RelaxedOrder{}, ErrorLimit{0.01});
+  check_all("bounds", Quadric{}, DistanceLimit{0.01});
+  check_all("bounds in passes", Quadric{}, RelaxedOrder{}, DistanceLimit{0.01});
 }
 
 TEST_CASE("The same bits as before, of meshes") {

@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE("A surface is as it was if memory runs out", "", Mesh, Polyhe
   CHECK(survive(open, FaceCount{60}, MemorylessQuadric{}) > 20);
   CHECK(survive(open, FaceCount{60}, RelaxedOrder{}) > 20);
   CHECK(survive(open, FaceCount{60}, RelaxedOrder{.refresh = true}) > 20);
-  CHECK(survive(open, ErrorLimit::relative(0.01)) > 20);
+  CHECK(survive(open, DistanceLimit::relative(0.01)) > 20);
 
   // Contracted with each other, these two need a vertex twice.
   const Soup neighbours = test::joined(test::sphere(2), test::sphere(2), {{2.02, 0, 0}});

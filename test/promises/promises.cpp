@@ -78,7 +78,7 @@ public:
     tolerances("tolerances, passes", ToleranceLimit{}, RelaxedOrder{});
     claims("no self-intersection", {.no_self_intersection = true}, NoSelfIntersection{},
            FaceRatio{ratio});
-    claims("solid", {.no_self_intersection = true, .solid = true}, keep_solid(), FaceRatio{ratio});
+    claims("solid", {.no_self_intersection = true, .solid = true}, KeepSolid{}, FaceRatio{ratio});
     return all_hold_;
   }
 

@@ -61,7 +61,7 @@ public:
         [&](const FilterPromises& p, const quadrille::Level&) {
           return p.gained_faces(degree) == 0;
         });
-    run("distance", quadrille::ErrorLimit(limit),
+    run("distance", quadrille::DistanceLimit(limit),
         [&](const FilterPromises& p, const quadrille::Level& level) {
           return farthest(p.result(), surface_.soup, 3) <= level.distance_bound + rounding_ &&
                  level.distance_bound <= limit * (1 + 1e-6);

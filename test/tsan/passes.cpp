@@ -46,7 +46,7 @@ int main(int argc, char* argv[]) {
                     is_same<Quadric>(mesh, true, FaceRatio{0.1}) &&
                     is_same<MemorylessQuadric>(mesh, false, FaceRatio{0.1}) &&
                     is_same<Quadric>(mesh, false, FaceRatio{0.2}, Topology::free) &&
-                    is_same<Quadric>(mesh, false, ErrorLimit::relative(0.002));
+                    is_same<Quadric>(mesh, false, DistanceLimit::relative(0.002));
   std::cout << (same ? "the same with four threads\n" : "the threads show in the result\n");
   return same ? 0 : 1;
 }

@@ -91,7 +91,7 @@ TEST_CASE("verify: what a simplification promises is held") {
   const test::Mesh input = test::make_mesh(test::sphere(3));
   test::Mesh result = input;
   const Report report =
-      simplify(result, ErrorLimit::relative(0.01), NoSelfIntersection{}, Topology::kept);
+      simplify(result, DistanceLimit::relative(0.01), NoSelfIntersection{}, Topology::kept);
   REQUIRE(report.faces_after < report.faces_before);
   result.collect_garbage();
   const Verdict verdict = verify(input, result,
@@ -150,9 +150,9 @@ TEST_CASE("verify: tolerances and normals of a simplification are kept, and not 
   std::vector<test::Mesh::Vertex_index> images(tolerances.size());
   const auto image = CGAL::make_property_map(images);
   test::Mesh result = input;
-  const Report report =
-      simplify(result, ToleranceLimit{}, NormalDeviation{40}, Topology::kept,
-               parameters::vertex_image_map(image, parameters::vertex_tolerance_map(tolerance)));
+  const Report report = simplify(
+      result, ToleranceLimit{}, NormalDeviation{40}, Topology::kept,
+      parameters::vertex_to_vertex_map(image, parameters::vertex_tolerance_map(tolerance)));
   REQUIRE(5 * report.faces_after < 4 * report.faces_before);
   const auto verified = [&](double part, double degrees) {
     std::vector<double> parts = tolerances;
@@ -160,7 +160,7 @@ TEST_CASE("verify: tolerances and normals of a simplification are kept, and not 
       t *= part;
     const auto map = CGAL::make_property_map(parts);
     return verify(input, result, {.normal_deviation = degrees},
-                  parameters::vertex_image_map(image, parameters::vertex_tolerance_map(map)));
+                  parameters::vertex_to_vertex_map(image, parameters::vertex_tolerance_map(map)));
   };
   const Verdict verdict = verified(1, *report.normal_bound_degrees);
   INFO(verdict);

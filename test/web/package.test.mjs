@@ -90,7 +90,7 @@ const refused = [
   ["labels", [bad({ labels: new Uint32Array(2) })], /labels has 2 numbers for 1682 triangles/],
   ["an attribute that is an array", [bad({ attributes: { uv } })], /attributes\.uv is a value of Float32Array, not an object with values/],
   ["a kind", [ofUv({ kind: "textur" })], /attributes\.uv: kind is "textur", which is none of texture, normals, colors, attributes/],
-  ["seams", [ofUv({ seams: "keep" })], /attributes\.uv: seams is "keep", which is none of kept, held, priced, free/],
+  ["seams", [ofUv({ seams: "keep" })], /attributes\.uv: seams is "keep", which is none of kept, soft, priced, free/],
   ["a key of an attribute", [ofUv({ wrap: 1 })], /attributes\.uv has "wrap", which is none of/],
   ["values for points", [ofUv({ values: uv.slice(2) })], /attributes\.uv\.values has 1798 numbers for 1800 components of 900 points/],
   ["corners of an attribute", [ofUv({ indices: new Uint32Array(3) })], /attributes\.uv\.indices has 3 numbers for 5046 corners/],

@@ -343,7 +343,7 @@ private:
       return;
     text += " (" + refused(Rejection::seam) + " contractions refused)";
     if (holds_textures)
-      add(text, "--seams held lets seams vanish where that shows little");
+      add(text, "--seams soft lets seams vanish where that shows little");
     else
       hints_.push_back(text);
   }

@@ -167,14 +167,14 @@ inline void add_seams(CLI::App& app, Options& options) {
     options.seams = word == "kept"     ? Seams::kept
                     : word == "priced" ? Seams::priced
                     : word == "free"   ? Seams::free
-                                       : Seams::held;
+                                       : Seams::soft;
   };
   take_one_of(app.add_option_function<std::string>(
                   "--seams", set_seams,
                   "do charts of a texture stay, or may their seams vanish: for the price of all "
-                  "that this shows (held), of the jump of the values (priced), or for none? "
-                  "(default: held)"),
-              {"kept", "held", "priced", "free"})
+                  "that this shows (soft), of the jump of the values (priced), or for none? "
+                  "(default: soft)"),
+              {"kept", "soft", "priced", "free"})
       ->group("Policies");
 }
 

@@ -64,7 +64,7 @@ private:
         internal::pairs_of(options_), internal::stop_of(options_), options_.topology,
         internal::normal_deviation_of(options_), internal::no_self_intersection_of(options_),
         internal::keep_solid_of(options_), internal::record_into_given(recorder),
-        quadrille::parameters::vertex_image_map(internal::PointImages{&image_})
+        quadrille::parameters::vertex_to_vertex_map(internal::PointImages{&image_})
             .vertex_tolerance_map(internal::values_if_given(options_.tolerance))
             .vertex_attribute_map(CGAL::make_property_map(carried))
             .vertex_is_constrained_map(internal::values_if_given(options_.fixed))

@@ -55,7 +55,7 @@ inline std::vector<AskedTrial> trials_of(const Options& options, const quadrille
       o.topology = "free";
     });
   if (options.seams == quadrille::Seams::kept && report.rejected(quadrille::Rejection::seam) > 0)
-    add("--seams held", [](Options& o) { o.seams = quadrille::Seams::held; });
+    add("--seams soft", [](Options& o) { o.seams = quadrille::Seams::soft; });
   if (is_place_in_the_way(options, report))
     for (const char* const placement : {"endpoint", "optimal"})
       if (placement != (options.placement.empty() ? "optimal" : options.placement))

@@ -193,7 +193,7 @@ void add_channels(py::module_& m) {
       .value("attributes", SoupChannelView::Kind::attributes);
   py::enum_<Seams>(m, "Seams")
       .value("kept", Seams::kept)
-      .value("held", Seams::held)
+      .value("soft", Seams::soft)
       .value("priced", Seams::priced)
       .value("free", Seams::free);
   py::enum_<NewValues>(m, "NewValues")

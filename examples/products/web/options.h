@@ -47,7 +47,7 @@ inline constexpr std::array<Named<quadrille::SoupChannelView::Kind>, 4> kinds{
      {"attributes", quadrille::SoupChannelView::Kind::attributes}}};
 inline constexpr std::array<Named<quadrille::Seams>, 4> all_seams{
     {{"kept", quadrille::Seams::kept},
-     {"held", quadrille::Seams::held},
+     {"soft", quadrille::Seams::soft},
      {"priced", quadrille::Seams::priced},
      {"free", quadrille::Seams::free}}};
 inline constexpr std::array<Named<quadrille::NewValues>, 4> all_new_values{

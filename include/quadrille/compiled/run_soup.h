@@ -75,8 +75,8 @@ inline auto stop_of(const SoupOptions& options) {
   return AnyOf{faces,
                ratio,
                vertices,
-               limit_of<ErrorLimit>(options, !options.both_ways),
-               relative_limit_of<ErrorLimit>(options, !options.both_ways),
+               limit_of<DistanceLimit>(options, !options.both_ways),
+               relative_limit_of<DistanceLimit>(options, !options.both_ways),
                limit_of<HausdorffLimit>(options, options.both_ways),
                relative_limit_of<HausdorffLimit>(options, options.both_ways),
                tolerance,
@@ -190,7 +190,7 @@ Report simplify_by(SoupRun& run, const Cost& cost, const Placement& placement, c
   if constexpr (sizeof...(More) > 0)
     if (options.split_vertices)
       return simplify_soup(SplitVertices{}, named);
-  return simplify_soup(parameters::vertex_image_map(PointImages{&run.image}, named));
+  return simplify_soup(parameters::vertex_to_vertex_map(PointImages{&run.image}, named));
 }
 
 /// The same with whatever a soup carries, or may carry.

@@ -10,7 +10,7 @@
 namespace quadrille_examples {
 
 /// Of the vertices that have become each point that is left, the nearest, the first of equal ones.
-/// `images` is what quadrille::parameters::vertex_image_map was given.
+/// `images` is what quadrille::parameters::vertex_to_vertex_map was given.
 template <class Point>
 std::vector<std::uint32_t> nearest_vertices(const std::vector<Point>& before,
                                             const std::vector<std::size_t>& images,

@@ -12,7 +12,7 @@ OrderName = Literal["greedy", "relaxed"]
 WeightingName = Literal["by_area", "uniform", "by_squared_area"]
 TopologyName = Literal["kept", "free", "parts_may_vanish"]
 HullName = Literal["outer", "inner"]
-SeamsName = Literal["kept", "held", "priced", "free"]
+SeamsName = Literal["kept", "soft", "priced", "free"]
 NewValuesName = Literal["optimal", "weights", "existing", "recomputed"]
 KindName = Literal["texture", "normals", "colors", "attributes"]
 

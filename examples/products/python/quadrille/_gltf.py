@@ -69,7 +69,7 @@ def simplify_gltf(
     are where they are needed most. Texture coordinates, normals, tangents, colours, skins and morph
     targets go along; nodes, materials, images, animations and whatever else is in the document stay.
 
-    seams    what becomes of the seams of textures: 'kept', 'held' (by default), 'priced' or 'free'; see
+    seams    what becomes of the seams of textures: 'kept', 'soft' (by default), 'priced' or 'free'; see
              Channel
     labels   names of attributes of integers, such as '_PART': regions of their values stay, as those of
              materials do. Other such attributes hold nothing: a corner has one of the values that there were

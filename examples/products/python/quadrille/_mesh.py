@@ -33,11 +33,11 @@ class Channel:
                   0.02 diagonals of the bounding box for the range of the values, and for colors and
                   normals less, down to a tenth or a twentieth, the more they are noise, and for
                   smooth normals up to twice that
-    seams         what becomes of the edges at which values jump: 'kept' (they stay), 'held' (they may
+    seams         what becomes of the edges at which values jump: 'kept' (they stay), 'soft' (they may
                   vanish, which costs what it shows of what lies beside a chart; by default for uv),
                   'priced' (they may vanish, which costs the jump; by default for others) or 'free'
                   (values around a point are made one from the beginning)
-    border_weight how firmly charts of a texture with kept or held seams hold their borders; by default
+    border_weight how firmly charts of a texture with kept or soft seams hold their borders; by default
                   10, or between 0.1 and 1: the more, the fewer edges are seams
     new_values    'optimal' (what costs least), 'weights' (the same, at least 0 and of sum 1: of a
                   skin), 'existing' (one of those that have become one: for classes; not for uv) or

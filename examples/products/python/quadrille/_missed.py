@@ -15,7 +15,7 @@ _HINTS = {
     "normal flip": "faces would turn over, which normal_flip=180 allows",
     "normal deviation": "normal_deviation allows no more",
     "distance": "error, relative_error or tolerance allows no more",
-    "seam": "borders of labels stay, and so do seams of a Channel with seams='kept'; seams='held' lets them "
+    "seam": "borders of labels stay, and so do seams of a Channel with seams='kept'; seams='soft' lets them "
             "vanish where that shows little",
     "texture": "faces would turn over in the texture",
     "hull": "no place is left that a hull allows",

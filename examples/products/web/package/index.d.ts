@@ -18,8 +18,8 @@ export interface Attribute<V extends Reals = Reals> {
   importance?: number;
   /** Lengths that a step of 1 in each component counts as; by default found from the surface. */
   weights?: ArrayLike<number>;
-  /** What becomes of edges at which values differ. Default: `"held"` of a texture, `"priced"` of others. */
-  seams?: "kept" | "held" | "priced" | "free";
+  /** What becomes of edges at which values differ. Default: `"soft"` of a texture, `"priced"` of others. */
+  seams?: "kept" | "soft" | "priced" | "free";
   /** How firmly charts of a texture hold their borders; at least 0. */
   borderWeight?: number;
   /** What corners have whose values change. Default: `"optimal"`. */

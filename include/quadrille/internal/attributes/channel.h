@@ -82,7 +82,7 @@ public:
 
   bool is_texture() const { return is_texture_; }
   bool are_seams_kept() const { return seams_ == Seams::kept; }
-  bool are_seams_held() const { return seams_ == Seams::held; }
+  bool are_seams_soft() const { return seams_ == Seams::soft; }
   bool has_seams() const { return table_.has_seams(); }
   std::size_t components() const { return records_.components(); }
 
@@ -156,7 +156,7 @@ public:
     return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
   }
   /// Must charts hold their borders, and no face turn over in the texture?
-  bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_held()); }
+  bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_soft()); }
   double border_weight() const { return border_weight_.value_or(0); } ///< see ChannelOptions
   bool is_border_weight_given() const { return border_weight_.has_value(); }
   /// Of held seams, by which part of the edges they are: where they are few, holding them firmly

@@ -348,7 +348,7 @@ private:
     const Vector<3> along = geometry_.position(border.w) - geometry_.position(border.v);
     const double area = weight_of_area(squared_length(along));
     const QuadricForm<3> line =
-        channel.are_seams_held()
+        channel.are_seams_soft()
             ? squared_plane(off(border, along), 0, channel.border_weight() * area)
             : QuadricForm<3>();
     for (const auto& [end, other] :

@@ -18,7 +18,7 @@
 
 namespace quadrille::internal {
 
-/// ErrorLimit, HausdorffLimit or ToleranceLimit, as is told at run time.
+/// DistanceLimit, HausdorffLimit or ToleranceLimit, as is told at run time.
 class DistanceChoice {
 public:
   enum class Kind { one_way, both_ways, tolerances };

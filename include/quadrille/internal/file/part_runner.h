@@ -35,7 +35,7 @@ public:
   static_assert(((!is_guard<Policies> || works_in_parts<Policies>)&&...),
                 "quadrille: each part of a file is simplified without the others, in phases that "
                 "begin anew, so that guards are for surfaces in memory: NoSelfIntersection, "
-                "keep_solid(), NormalDeviation, or one without works_in_parts");
+                "KeepSolid{}, NormalDeviation, or one without works_in_parts");
   static_assert(!(is_recorder<Held<Policies>> || ...),
                 "quadrille: parts of a file are simplified several at a time and number vertices "
                 "anew: a recorder is for surfaces in memory");

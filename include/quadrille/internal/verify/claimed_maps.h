@@ -29,11 +29,11 @@ void add_tolerances(const Mesh& input, const NamedParameters& named, Claims& cla
   }
 }
 
-/// Of vertex_image_map, if it is given, as numbers.
+/// Of vertex_to_vertex_map, if it is given, as numbers.
 template <class MeshA, class MeshB, class NamedParameters>
 void add_images(const MeshA& input, const MeshB& result, const NamedParameters& named,
                 Claims& claims) {
-  const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_image);
+  const auto map = CGAL::parameters::get_parameter(named, parameters::vertex_to_vertex);
   if constexpr (is_map_given<decltype(map)>) {
     const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), result);
     std::size_t count = 0;

@@ -28,9 +28,9 @@ struct ChannelInput {
     weights = options.weights;
     importance = options.importance;
     attribute = held;
-    seams = options.seams.value_or(is_texture() ? Seams::held : Seams::priced);
+    seams = options.seams.value_or(is_texture() ? Seams::soft : Seams::priced);
     border_weight = options.border_weight;
-    if (seams != Seams::held && !border_weight)
+    if (seams != Seams::soft && !border_weight)
       border_weight = 10;
     new_values = options.new_values;
   }

@@ -333,7 +333,7 @@ template <class Order, class... Arguments>
 constexpr void check_guards() {
   static_assert((suits_order<Arguments, Order> && ...),
                 "A guard of this call needs GreedyOrder, since the blocks of a pass do not see "
-                "each other: NoSelfIntersection, keep_solid(), or one without works_in_passes. "
+                "each other: NoSelfIntersection, KeepSolid{}, or one without works_in_passes. "
                 "Leave RelaxedOrder out.");
 }
 

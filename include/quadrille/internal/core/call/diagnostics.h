@@ -73,7 +73,7 @@ void refuse_argument() {
   if constexpr (std::is_arithmetic_v<Argument>) {
     static_assert(!std::is_arithmetic_v<Argument>,
                   "A number does not tell what it counts: write FaceCount{1000}, FaceRatio{0.1} or "
-                  "ErrorLimit{0.01}.");
+                  "DistanceLimit{0.01}.");
   } else if constexpr (LooksLikeCost<Argument>) {
     static_assert(CostPolicy<Argument>, "It is no cost.");
   } else if constexpr (LooksLikePlacement<Argument, Cost>) {

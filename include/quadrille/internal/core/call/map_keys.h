@@ -45,7 +45,7 @@ constexpr bool check_keys() {
   using OfVertices = Names<np::vertex_is_constrained_t, np::vertex_point_t, np::vertex_index_t,
                            decltype(attribute_name<Cost>()), parameters::vertex_tolerance_t,
                            parameters::vertex_importance_t, parameters::vertex_is_shared_t,
-                           parameters::vertex_image_t, parameters::vertex_quadric_t>;
+                           parameters::vertex_to_vertex_t, parameters::vertex_quadric_t>;
   using OfFaces = Names<parameters::face_is_selected_t, np::face_patch_t>;
   constexpr bool vertices_fit = take_key<Vertex, NamedParameters>(OfVertices());
   constexpr bool faces_fit = take_key<Face, NamedParameters>(OfFaces());

@@ -76,13 +76,13 @@ using ReadNames =
 using WrittenNames = Names<CGAL::internal_np::vertex_point_t, CGAL::internal_np::vertex_color_map_t,
                            CGAL::internal_np::vertex_texture_map_t,
                            CGAL::internal_np::vertex_normal_map_t, parameters::vertex_attribute_t>;
-using NamesOfResult =
-    Names<parameters::vertex_image_t, parameters::vertex_quadric_t, parameters::duplicate_output_t>;
+using NamesOfResult = Names<parameters::vertex_to_vertex_t, parameters::vertex_quadric_t,
+                            parameters::duplicate_output_t>;
 
 template <class Tag, class T, class Mesh>
 T value_of_copy(const T& value, const Mesh& mesh, Mesh& copy) {
   static_assert(!NamesOfResult::contains<Tag>,
-                "quadrille::simplified: vertex_image_map, vertex_quadric_map and "
+                "quadrille::simplified: vertex_to_vertex_map, vertex_quadric_map and "
                 "duplicate_output_iterator speak of vertices that get others when the copy is "
                 "tidied up: copy the mesh and call simplify.");
   if constexpr (ReadNames::contains<Tag> || WrittenNames::contains<Tag>)

@@ -53,7 +53,7 @@ template <class NamedParameters>
 auto teller(const NamedParameters& named) {
   using CGAL::parameters::get_parameter;
   return Teller(get_parameter(named, parameters::vertex_quadric),
-                get_parameter(named, parameters::vertex_image),
+                get_parameter(named, parameters::vertex_to_vertex),
                 get_parameter(named, parameters::duplicate_output));
 }
 

@@ -30,7 +30,7 @@ public:
     if (const std::size_t pairs = report.self_intersections->before; pairs > 0) {
       const auto [a, b] = this->first_pair();
       throw std::invalid_argument(
-          "quadrille::keep_solid: the surface intersects itself: " + std::to_string(pairs) +
+          "quadrille::KeepSolid: the surface intersects itself: " + std::to_string(pairs) +
           " pairs of faces do, the first one near " + place(room_.complex.vertices(a)[0]) +
           " and " + place(room_.complex.vertices(b)[0]));
     }
@@ -45,7 +45,7 @@ private:
     });
     if (open > 0)
       throw std::invalid_argument(
-          "quadrille::keep_solid: the surface is not closed: " + std::to_string(open) +
+          "quadrille::KeepSolid: the surface is not closed: " + std::to_string(open) +
           " edges have not as many faces on one side as on the other, the first from " +
           place(first[0]) + " to " + place(first[1]));
   }

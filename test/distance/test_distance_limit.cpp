@@ -68,8 +68,9 @@ struct Outcome {
 template <class... Arguments>
 Outcome simplify_within(double limit, const test::Soup& input, const Arguments&... arguments) {
   test::PointSoup soup(input);
-  Outcome outcome{simplify<Quadric, OptimalPlacement>(
-                      soup.points, soup.triangles, ErrorLimit{limit}, Topology::kept, arguments...),
+  Outcome outcome{simplify<Quadric, OptimalPlacement>(soup.points, soup.triangles,
+                                                      DistanceLimit{limit}, Topology::kept,
+                                                      arguments...),
                   {}};
   for (const test::Point& p : soup.points)
     outcome.result.points.push_back(test::to_position(p));
@@ -323,7 +324,7 @@ TEMPLATE_TEST_CASE("No point of the result is further from the input than the li
                    MemorylessQuadric) {
   const auto check = [](const Model& model, double limit, const auto& order) {
     Mesh mesh = model.mesh;
-    const Report report = simplify<TestType, OptimalPlacement>(mesh, ErrorLimit{limit}, order);
+    const Report report = simplify<TestType, OptimalPlacement>(mesh, DistanceLimit{limit}, order);
     mesh.collect_garbage();
     INFO(model.name << ", limit " << limit << ": " << report);
     REQUIRE(report.stop == StopReason::target_met);
@@ -342,7 +343,7 @@ TEMPLATE_TEST_CASE("No point of the result is further from the input than the li
 }
 
 TEST_CASE("A limit in a stop policy that does not ask for distances lets nothing pass") {
-  const auto limit = [](const Status& status) { return ErrorLimit{1e9}(status); };
+  const auto limit = [](const Status& status) { return DistanceLimit{1e9}(status); };
   Mesh mesh = read_model("cow");
   const std::size_t faces = mesh.number_of_faces();
   CHECK(simplify<Quadric, OptimalPlacement>(mesh, limit).faces_after == faces);
@@ -353,7 +354,7 @@ TEST_CASE("Inside of a surface the limit is used, and not only kept") {
   const Mesh input = test::make_mesh(test::sphere(5));
   const double limit = 0.005 * bounding_box_diagonal(input);
   Mesh mesh = input;
-  const Report report = simplify(mesh, ErrorLimit{limit});
+  const Report report = simplify(mesh, DistanceLimit{limit});
   mesh.collect_garbage();
   INFO(report);
   CHECK(report.faces_after < report.faces_before / 3);
@@ -365,7 +366,7 @@ TEST_CASE("Where topology is free what contractions add up to is bounded, too") 
     const double limit = 0.2 * bounding_box_diagonal(input);
     Mesh mesh = input;
     const Report report =
-        simplify(mesh, ErrorLimit{limit}, EdgeLength{}, MidpointPlacement{}, Topology::free);
+        simplify(mesh, DistanceLimit{limit}, EdgeLength{}, MidpointPlacement{}, Topology::free);
     mesh.collect_garbage();
     INFO(report);
     CHECK(report.contractions > 100);
@@ -379,8 +380,8 @@ TEST_CASE("Inside of a surface a limit goes as far where topology is free as whe
     const Mesh input = read_model(name);
     const double limit = 0.005 * bounding_box_diagonal(input);
     Mesh kept = input, free = input;
-    const std::size_t faces = simplify(kept, ErrorLimit{limit}).faces_after;
-    const Report report = simplify(free, ErrorLimit{limit}, Topology::free);
+    const std::size_t faces = simplify(kept, DistanceLimit{limit}).faces_after;
+    const Report report = simplify(free, DistanceLimit{limit}, Topology::free);
     free.collect_garbage();
     INFO(name << ": " << report << ", kept: " << faces);
     CHECK(10 * report.faces_after < 11 * faces);
@@ -391,7 +392,7 @@ TEST_CASE("Inside of a surface a limit goes as far where topology is free as whe
 
 TEST_CASE("A flat part costs no distance at all") {
   Mesh mesh = test::make_mesh(test::cube(12));
-  const Report report = simplify(mesh, ErrorLimit{1e-6});
+  const Report report = simplify(mesh, DistanceLimit{1e-6});
   CHECK(report.distance_bound <= 1e-6);
   CHECK(report.faces_after < 100);
 }
@@ -626,8 +627,8 @@ TEST_CASE("A relative limit is one on a surface as large as numbers are") {
                                    [](const test::Position& p) { return 1.7e308 * p; }));
   CHECK(bounding_box_diagonal(input) == std::numeric_limits<double>::max());
   Mesh mesh = input;
-  CHECK(simplify<Quadric, OptimalPlacement>(mesh, ErrorLimit::relative(0)).contractions == 0);
-  const Report report = simplify<Quadric, OptimalPlacement>(mesh, ErrorLimit::relative(0.001));
+  CHECK(simplify<Quadric, OptimalPlacement>(mesh, DistanceLimit::relative(0)).contractions == 0);
+  const Report report = simplify<Quadric, OptimalPlacement>(mesh, DistanceLimit::relative(0.001));
   CHECK(report.contractions > 0);
   CHECK(report.stop == StopReason::target_met);
   CHECK(report.distance_bound <= 0.001 * std::numeric_limits<double>::max());
@@ -647,8 +648,8 @@ struct MayAsk {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("What a stop policy does not ask for this time is not measured", "[error_limit]",
-                   GreedyOrder, RelaxedOrder) {
+TEMPLATE_TEST_CASE("What a stop policy does not ask for this time is not measured",
+                   "[distance_limit]", GreedyOrder, RelaxedOrder) {
   const test::Soup noisy = test::with_noise(test::sphere(4), 1, 0.02);
   test::Soup plain = noisy, with = noisy, without = noisy;
   const auto simplified = [](test::Soup& soup, const auto& stop) {
