@@ -92,6 +92,30 @@ struct EdgeRatio {
   void validate() const { internal::require_ratio("EdgeRatio", ratio); }
 };
 
+/// A stop predicate of CGAL::Surface_mesh_simplification as a stop policy:
+/// `simplify(mesh, CgalStop(Count_ratio_stop_predicate<Mesh>(0.1)))`. It is asked as CGAL asks it,
+/// with the cost of the next contraction, the initial and the current number of edges. The cost is
+/// that of this library's cost policy, in the mesh's units. There is no edge profile: a predicate
+/// that reads one, as Edge_length_stop_predicate, does not compile.
+template <class Predicate>
+class CgalStop {
+public:
+  static constexpr Needs needs = {.cost = true, .edges = true}; ///< see StopPolicy
+
+  /// Keeps a copy of the predicate.
+  explicit CgalStop(Predicate predicate) : predicate_(std::move(predicate)) {}
+
+  /// Does the predicate stop?
+  bool operator()(const Status& status) const {
+    return predicate_(status.next_cost, NoEdgeProfile{}, status.initial_edges, status.edges);
+  }
+
+private:
+  struct NoEdgeProfile {};
+
+  Predicate predicate_;
+};
+
 /// Stops when so many seconds have passed since this policy was made: make it in the call itself,
 /// `simplify(mesh, AnyOf{FaceCount{1000}, TimeBudget{0.5}})`, and again for the next call. Reading
 /// the surface and costing pairs are among them; what these and writing take is taken all the same.

@@ -5,11 +5,11 @@
 
 int main() {
   using namespace quadrille;
-#ifdef REMEDY
-  const FaceRatio stop{0.1};
-#else
   const CGAL::Surface_mesh_simplification::Count_ratio_stop_predicate<CGAL::Surface_mesh<Point>>
       stop(0.1);
-#endif
+#ifdef REMEDY
+  simplify(mesh, CgalStop(stop));
+#else
   simplify(mesh, stop); // mistake
+#endif
 }

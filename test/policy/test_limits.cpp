@@ -6,6 +6,8 @@
 #include <quadrille/relaxed_order.h>
 #include <quadrille/simplify.h>
 
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/property_map.h>
 
 #include <catch2/catch.hpp>
@@ -256,4 +258,37 @@ TEST_CASE("EdgeRatio is a part of the edges, of those that are selected") {
   CHECK(gone < selected - selected / 2 + 3);
   CHECK_THROWS_AS(simplify(soup.points, soup.triangles, EdgeRatio{1.5}), std::invalid_argument);
   CHECK_FALSE(EdgeCount{1'000'000}(Status{})); // who does not ask never stops by edges
+}
+
+namespace {
+
+// A predicate written for CGAL's edge_collapse, by its own rules: generic in the edge profile.
+struct CostPredicate {
+  double limit;
+  template <class Profile>
+  bool operator()(double cost, const Profile&, std::size_t, std::size_t) const {
+    return cost > limit;
+  }
+};
+
+} // namespace
+
+TEST_CASE("CgalStop asks predicates of CGAL as CGAL does") {
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  const Soup soup = input();
+  const std::size_t edges = topology_of(soup).edges;
+  // CGAL asks before each contraction, and stops below the number.
+  const auto counted =
+      simplified_soup(soup, CgalStop(SMS::Count_stop_predicate<Mesh>(edges / 3))).first;
+  CHECK(topology_of(counted).edges < edges / 3);
+  CHECK(topology_of(counted).edges + 4 > edges / 3);
+  const auto ratio =
+      simplified_soup(soup, CgalStop(SMS::Count_ratio_stop_predicate<Mesh>(0.25))).first;
+  CHECK(topology_of(ratio).edges * 4 < edges);
+  CHECK(topology_of(ratio).edges * 4 + 16 > edges);
+  const double limit = 1e-7;
+  const auto by_cost = simplified_soup(soup, CgalStop(CostPredicate{limit})).first;
+  CHECK(is_identical(by_cost, simplified_soup(soup, CostLimit{limit}).first));
+  CHECK(by_cost.triangles.size() < soup.triangles.size());
+  CHECK(by_cost.triangles.size() > 100);
 }

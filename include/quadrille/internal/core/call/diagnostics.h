@@ -55,8 +55,8 @@ void refuse_nearly_known() {
                 "placement, a channel and SplitVertices are told by their types: what "
                 "this one holds is one of these, or no policy.");
   static_assert(!is_levels, "Levels are no policy: write record_into(levels).");
-  static_assert(!is_stop_of_cgal, "A stop predicate of CGAL's is no stop policy here: write "
-                                  "FaceCount{n}, FaceRatio{r} or VertexCount{n}.");
+  static_assert(!is_stop_of_cgal, "A stop predicate of CGAL is no stop policy: write "
+                                  "CgalStop(predicate), or EdgeCount{n}, EdgeRatio{r}.");
   static_assert(is_optional || is_levels || is_stop_of_cgal,
                 "A filter or stop policy is asked as a constant: declare its member function "
                 "const, and leave mutable out of a lambda.");
