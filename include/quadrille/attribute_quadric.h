@@ -16,9 +16,9 @@
 namespace quadrille {
 
 /// The quadric of Garland and Heckbert in 3 + N dimensions: position and N attributes of a vertex
-/// are one point, a face is a triangle of such points, and a vertex remembers the squared distances
-/// to the planes of its triangles in that space. The contracted vertex gets the position and the
-/// attributes of least cost together.
+/// are one point, a face is a triangle of such points, and the quadric of a vertex is the sum of
+/// the squared distances to the planes of its triangles in that space. The contracted vertex gets
+/// the position and the attributes that together cost least.
 ///
 /// An attribute counts as a length: its difference times its weight. By default all N have the
 /// weight
@@ -27,9 +27,9 @@ namespace quadrille {
 ///
 /// (1 if the attributes are constant), so a step across their whole range counts as much as a step
 /// of `importance` times the size of the model. By default that is 0.2 for texture coordinates,
-/// whose range goes once across the model, and 0.02 for others, which may cross theirs from a
-/// vertex to the next: a higher one costs shape and gains hardly any colour (see
-/// doc/design/quadrics-and-costs.md).
+/// whose range usually spans the model once, and 0.02 for others, which may span their range
+/// between two adjacent vertices: a higher value degrades the shape and hardly improves the colours
+/// (see doc/design/quadrics-and-costs.md).
 /// Memory: the (N + 4)(N + 5) / 2 doubles of a QuadricForm<3 + N> a vertex: 28 for colours.
 ///
 /// Source: Garland and Heckbert, Simplifying Surfaces with Color and Texture using Quadric Error
@@ -37,22 +37,24 @@ namespace quadrille {
 template <std::size_t N, Attribute A = Attribute::any>
 struct AttributeQuadric {
   static constexpr std::size_t dimension = 3 + N; ///< of space, and the attributes
-  using ScaleFree = AttributeQuadric;             ///< as well in any unit: see CostPolicy
-  using TieBreak = AttributeQuadric;              ///< on the scale of the values of this class
-  static constexpr Attribute attribute = A;       ///< where the attributes come from
+  using ScaleFree = AttributeQuadric;             ///< gives the same result in any unit: see
+                                                  ///< CostPolicy
+  using TieBreak = AttributeQuadric;              ///< has the scale of this class's values
+  static constexpr Attribute attribute = A;       ///< the source of the attributes
   using Position = Vector<dimension>;    ///< a point with its attributes times their weights
   using Memory = QuadricForm<dimension>; ///< a quadric in all dimensions
 
   double importance = A == Attribute::texture ? 0.2 : 0.02; ///< above 0
-  /// Of each attribute, in mesh units a unit of the attribute; by default as above.
+  /// The weight of each attribute, in mesh units per unit of the attribute; by default as above.
   std::optional<Vector<N>> weights = {};
   double boundary_weight = 100;             ///< as in Quadric
   Weighting weighting = Weighting::by_area; ///< as in Quadric, but not by_squared_area
 
-  /// Values grow with that power of lengths, of which attributes times their weights are some.
+  /// Returns the power of lengths with which the cost grows. Attributes times their weights count
+  /// as lengths.
   double degree() const { return weighting == Weighting::by_area ? 4 : 2; }
 
-  /// The weights for attributes between `low` and `high`, see above.
+  /// Returns the weights for attributes that range from `low` to `high`: see above.
   Vector<N> attribute_weights(const Vector<N>& low, const Vector<N>& high, double diagonal) const {
     if (weights)
       return *weights;
@@ -64,8 +66,9 @@ struct AttributeQuadric {
     return result;
   }
 
-  /// The plane of the triangle pqr in all dimensions, about p: A = I − e₁e₁ᵀ − e₂e₂ᵀ, where e₁ and
-  /// e₂ are an orthonormal basis of the triangle. Nothing for a face without a normal in space.
+  /// Returns the quadric of the plane of the triangle pqr in all dimensions, about p: A = I − e₁e₁ᵀ
+  /// − e₂e₂ᵀ, where e₁ and e₂ are an orthonormal basis of the triangle. It is zero for a face
+  /// without a normal in space.
   Memory face(const Position& p, const Position& q, const Position& r) const {
     const double doubled_area =
         std::sqrt(squared_length(normal_vector(space(p), space(q), space(r))));
@@ -80,26 +83,26 @@ struct AttributeQuadric {
     memory += Memory::plane(e2, -weight);
     return memory;
   }
-  /// All corners of a face get the same plane.
+  /// The plane of a face is the same at all its corners.
   static constexpr bool face_is_alike_at_corners = true;
 
-  /// The line of the boundary edge pq of a face pqr, in space: see Quadric.
+  /// Returns the quadric of the line of the boundary edge pq of a face pqr, in space: see Quadric.
   Memory boundary(const Position& p, const Position& q, const Position& r) const {
     return in_all_dimensions(
         Quadric::constraint_line(space(p), space(q), space(r), boundary_weight));
   }
 
-  /// The sum of the weighted squared distances of x to the planes that both ends remember.
+  /// Returns the sum of the weighted squared distances of x to the planes accumulated at both ends.
   double operator()(const auto& pair, const Position& x) const {
     return pair.memory(x - pair.first);
   }
 
-  /// Tells pairs of equal costs apart: see CostPolicy.
+  /// Orders pairs of equal cost: see CostPolicy.
   double tie_break(const auto& pair, const Position& x) const {
     return tie_break_of(pair)(x - pair.first);
   }
 
-  /// The position of least cost with its attributes, if there is one.
+  /// Returns the position of least cost with its attributes, if it exists.
   std::optional<Position> minimizer(const auto& pair) const {
     std::optional<Position> x = tie_break_of(pair).minimizer(pair.memory);
     if (x)
@@ -107,14 +110,14 @@ struct AttributeQuadric {
     return x;
   }
 
-  /// The square of the root mean square distance to the planes, attributes times their weights
-  /// included.
+  /// Returns the square of the root mean square distance to the planes. Attributes times their
+  /// weights are included.
   double squared_error(const auto& pair, double cost) const {
     const double weight = pair.memory.trace() / (dimension - 2); // a plane leaves N + 1 directions
     return weight > 0 ? cost / weight : 0;
   }
 
-  /// Throws std::invalid_argument for a weight that makes no sense.
+  /// Throws std::invalid_argument for a weight that is negative, infinite or not a number.
   void validate() const {
     internal::require_weight("quadrille::AttributeQuadric", "boundary_weight", boundary_weight);
     if (weighting == Weighting::by_squared_area)

@@ -20,8 +20,8 @@ namespace quadrille {
 
 namespace internal {
 
-/// Which vertices of the borders go, by their indices in the input. Filled in when pairs are
-/// selected, and read by policies that share it.
+/// Lists the boundary vertices that are to be removed, by their indices in the input. It is filled
+/// when pairs are selected, and the policies that share it read it.
 class ThinnedBorders {
 public:
   explicit ThinnedBorders(double tolerance) : tolerance_(tolerance) {}
@@ -51,7 +51,7 @@ private:
   std::size_t count_ = 0;
 };
 
-/// The edges of the border at which one end goes.
+/// Selects the boundary edges of which at least one end is to be removed.
 struct ThinnedBorderPairs {
   ThinnedBorders* borders;
   void operator()(const SurfaceView& surface, const EmitPair& emit) const {
@@ -59,7 +59,7 @@ struct ThinnedBorderPairs {
   }
 };
 
-/// The end that stays; the cheaper one where both go.
+/// Returns the end that stays; where both are to be removed, the cheaper one.
 struct ThinnedBorderPlacement {
   using ScaleFree = ThinnedBorderPlacement;
   static constexpr bool asks_for_indices = true;
@@ -73,7 +73,7 @@ struct ThinnedBorderPlacement {
   }
 };
 
-/// Two that stay are not contracted.
+/// Rejects a contraction of two vertices that both stay.
 struct ThinnedBorderFilter {
   using ScaleFree = ThinnedBorderFilter;
   static constexpr Rejection cause = Rejection::constraint;
@@ -84,7 +84,8 @@ struct ThinnedBorderFilter {
   }
 };
 
-/// Until all are gone that go. It is about borders, and no count of a surface that has no faces.
+/// Stops once all vertices that are to be removed are gone. It concerns the boundary only: it does
+/// not count the faces of a surface.
 struct ThinnedBorderStop {
   const ThinnedBorders* borders;
   bool operator()(const Status& status) const {
@@ -92,7 +93,7 @@ struct ThinnedBorderStop {
   }
 };
 
-/// Calls run(policies...) with what thins out borders.
+/// Calls run(policies...) with the policies that simplify the boundary.
 template <class Run>
 Report thin_borders(double tolerance, Run run) {
   if (!(tolerance >= 0))
@@ -109,26 +110,27 @@ Report thin_borders(double tolerance, Run run) {
 
 inline namespace QUADRILLE_THREADING {
 
-/// Thins out the open borders of a mesh, and changes nothing else: neighbours that have the same
-/// border get the same one, to the bit, each simplified by itself and whatever it looks like
-/// inside. So the tiles of a terrain, whose borders are constrained afterwards, fit without gaps
-/// and need not keep all vertices of their borders.
+/// Simplifies the open boundary of a mesh, and changes nothing else. Two meshes with the same
+/// boundary get bit-identical new boundaries, although each is simplified by itself and whatever
+/// its interior is. So adjacent tiles of a terrain fit without gaps once their boundaries are
+/// constrained, and need not keep all boundary vertices.
 ///
-/// The border is cut into lines at vertices that are constrained and at those that have not two
-/// edges of the border; constrain those at which a third tile begins. Of a line the vertices stay
-/// without which another one would be further from it than `tolerance`, in the mesh's units
-/// (Douglas and Peucker); the others are contracted into their neighbours along the border. A loop
-/// without constrained vertices keeps three at least. Inner vertices stay where they are, and so do
-/// all that is left of the border.
+/// The boundary is cut into lines at constrained vertices and at vertices that do not have exactly
+/// two boundary edges; constrain the vertices at which a third tile begins. A line keeps the
+/// vertices that are needed so that no removed vertex is further from it than `tolerance`, in the
+/// mesh's units (Douglas and Peucker). The other vertices are contracted into their neighbours
+/// along the boundary. A loop without constrained vertices keeps at least three. Inner vertices and
+/// the boundary vertices that are left do not move.
 ///
-/// The other arguments are those of simplify but for cost, placement, pairs, stop and topology,
-/// which is kept: filters, channels, labels, an order and named parameters. StopReason::target_met
-/// says that all are gone that had to go, so that the border depends on nothing but itself. Else a
-/// filter or the topology holds some of them (Report::rejections counts): constrain these in all
-/// tiles, or allow more.
+/// The other arguments are those of simplify except cost, placement, pairs, stop and topology:
+/// filters, channels, labels, an order and named parameters. The topology is kept.
+/// StopReason::target_met means that every vertex that was to be removed is gone, so that the new
+/// boundary depends on the old boundary only. Otherwise a filter or the topology rejected some
+/// contractions (Report::rejections counts them): constrain these vertices in all tiles, or relax
+/// the filters.
 ///
-/// Time O(n log n) as a rule. Throws std::invalid_argument for a tolerance that is negative or not
-/// a number, and what simplify throws.
+/// The expected time is O(n log n). Throws std::invalid_argument for a tolerance that is negative
+/// or not a number, and whatever simplify throws.
 template <class Mesh, class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify_borders(Mesh& mesh, double tolerance,
                                                            const Arguments&... arguments) {
@@ -137,7 +139,7 @@ requires internal::FaceGraph<Mesh> Report simplify_borders(Mesh& mesh, double to
   });
 }
 
-/// The same of a polygon soup, as simplify takes one.
+/// Simplifies the open boundary of a polygon soup, which it takes as simplify does.
 template <class Points, class Triangles, class... Arguments>
 Report simplify_borders(Points&& points, Triangles&& triangles, double tolerance,
                         const Arguments&... arguments) {

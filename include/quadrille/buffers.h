@@ -14,8 +14,8 @@
 #include <utility>
 
 /// \file
-/// Attributes of the vertices of a soup that lie in a matrix, or in vertices as renderers have
-/// them: records in one piece of memory, of which each has a position and its other attributes.
+/// Attributes of a soup's vertices that are stored in a matrix or in a renderer's vertex
+/// buffer: contiguous records, each with a position and other attributes.
 ///
 /// ```cpp
 /// struct Vertex {
@@ -30,27 +30,29 @@
 
 namespace quadrille {
 
-/// N numbers of type T of each vertex: what glVertexAttribPointer and an accessor of glTF describe.
+/// A view of N numbers of type T for each vertex, as glVertexAttribPointer and a glTF accessor
+/// describe them.
 ///
-/// As the points of a soup (T is float or double, N is 3) it stands for whole vertices: those that
-/// are left come to the front with all their bytes, and with their new positions. There are
-/// Report::vertices_after of them; what follows them is unspecified, and the memory stays the
-/// caller's. As the map of a channel (`Normals{…}`, `Texture{…}`) it is that attribute, in the same
-/// memory or elsewhere. It is a read-write property map over the index of a vertex, whose values
-/// are std::array<T, N>; it owns nothing, and is copied as a pointer is.
+/// As the points of a soup (T is float or double, N is 3) it stands for whole vertices: the
+/// Report::vertices_after vertices that are left are moved to the front with all their bytes and
+/// get their new positions. The content after them is unspecified, and the caller keeps the buffer.
+/// As the map of a channel (`Normals{…}`, `Texture{…}`) it is that attribute, in the same buffer or
+/// in another one. It is a read-write property map from vertex indices to std::array<T, N>. It owns
+/// nothing and is as cheap to copy as a pointer.
 template <class T, std::size_t N>
 class VertexAttribute {
   static_assert(std::is_arithmetic_v<T> && N > 0);
 
 public:
   using key_type = std::size_t; ///< the index of a vertex
-  /// N numbers.
+  /// The N numbers of a vertex.
   using value_type = std::array<T, N>;
   using reference = value_type;                        ///< a copy
   using category = boost::read_write_property_map_tag; ///< of property maps
 
-  /// `count` vertices of `stride` bytes each, in which it is `offset` bytes from the beginning.
-  /// Throws std::invalid_argument if it does not lie inside of a vertex, or there is no memory.
+  /// Views `count` vertices of `stride` bytes each, with the attribute `offset` bytes after the
+  /// start of the vertex. Throws std::invalid_argument if the attribute does not lie inside the
+  /// vertex, or if `vertices` is null.
   VertexAttribute(void* vertices, std::size_t count, std::size_t stride = sizeof(value_type),
                   std::size_t offset = 0)
       : vertices_(static_cast<std::byte*>(vertices)), count_(count), stride_(stride),
@@ -65,7 +67,7 @@ public:
     require(vertices || count == 0, "no memory of " + std::to_string(count) + " vertices");
   }
 
-  /// A member of each vertex in a container that is one piece of memory.
+  /// Views a member of each vertex in a contiguous container.
   template <std::ranges::contiguous_range Vertices, class Member, class Vertex>
   requires std::same_as<std::ranges::range_value_t<Vertices>, Vertex>
   VertexAttribute(Vertices& vertices, Member Vertex::*member)
@@ -78,21 +80,21 @@ public:
   }
 
   std::byte* data() const { return vertices_; }  ///< of the first vertex
-  std::size_t size() const { return count_; }    ///< how many vertices
-  std::size_t stride() const { return stride_; } ///< bytes a vertex
-  std::size_t offset() const { return offset_; } ///< bytes from its beginning
+  std::size_t size() const { return count_; }    ///< the number of vertices
+  std::size_t stride() const { return stride_; } ///< bytes per vertex
+  std::size_t offset() const { return offset_; } ///< bytes from the start of a vertex
 
-  /// Throws std::out_of_range for a vertex that is not there.
+  /// Throws std::out_of_range if there is no such vertex.
   value_type operator[](std::size_t vertex) const {
     value_type value;
     std::memcpy(value.data(), at(vertex), sizeof value);
     return value;
   }
-  /// The same, as of a property map.
+  /// Reads the attribute of a vertex, as for a property map.
   friend value_type get(const VertexAttribute& attribute, std::size_t vertex) {
     return attribute[vertex];
   }
-  /// Throws std::out_of_range for a vertex that is not there.
+  /// Throws std::out_of_range if there is no such vertex.
   friend void put(const VertexAttribute& attribute, std::size_t vertex, const value_type& value) {
     std::memcpy(attribute.at(vertex), value.data(), sizeof value);
   }
@@ -121,33 +123,33 @@ VertexAttribute(Vertices&, T (Vertex::*)[N]) -> VertexAttribute<T, N>;
 template <class Vertices, class T, std::size_t N, class Vertex>
 VertexAttribute(Vertices&, std::array<T, N> Vertex::*) -> VertexAttribute<T, N>;
 
-/// The rows of a matrix of Eigen, or of what looks like one, as the map of a channel: N numbers of
-/// each vertex. It is a read-write property map over row numbers, and refers to the matrix, which
-/// keeps its size.
+/// A view of the rows of an Eigen matrix, or of a type with the same interface, as the map of a
+/// channel: N numbers for each vertex. It is a read-write property map over row numbers. It refers
+/// to the matrix, whose size does not change.
 template <class Matrix, std::size_t N>
 class MatrixRows {
 public:
   using key_type = std::size_t; ///< the index of a row
-  /// N numbers.
+  /// The N numbers of a row.
   using value_type = std::array<typename Matrix::Scalar, N>;
   using reference = value_type;                        ///< a copy
   using category = boost::read_write_property_map_tag; ///< of property maps
 
-  /// Throws std::invalid_argument if it has fewer columns.
+  /// Throws std::invalid_argument if the matrix has fewer than N columns.
   explicit MatrixRows(Matrix& matrix) : matrix_(&matrix) {
     if (matrix.cols() < static_cast<Index>(N))
       throw std::invalid_argument("quadrille::matrix_rows: " + std::to_string(matrix.cols()) +
                                   " columns are fewer than " + std::to_string(N));
   }
 
-  /// Throws std::out_of_range for a row that is not there.
+  /// Throws std::out_of_range if there is no such row.
   friend value_type get(const MatrixRows& rows, std::size_t row) {
     value_type value;
     for (std::size_t i = 0; i < N; ++i)
       value[i] = rows.at(row, i);
     return value;
   }
-  /// Throws std::out_of_range for a row that is not there.
+  /// Throws std::out_of_range if there is no such row.
   friend void put(const MatrixRows& rows, std::size_t row, const value_type& value) {
     for (std::size_t i = 0; i < N; ++i)
       rows.at(row, i) = value[i];
@@ -165,6 +167,7 @@ private:
 
   Matrix* matrix_;
 };
+/// Makes a view of the first N columns:
 /// `simplify(V, F, Colors{matrix_rows<3>(C)}); C.conservativeResize(V.rows(), 3);`
 template <std::size_t N, class Matrix>
 MatrixRows<Matrix, N> matrix_rows(Matrix& matrix) {

@@ -27,30 +27,30 @@
 
 namespace quadrille {
 
-/// What `calibrated` makes of a mesh.
+/// The result of `calibrated` for a mesh.
 template <class Mesh>
 struct Calibrated {
   Mesh mesh;         ///< the simplified copy
-  Report report;     ///< of its run; Report::hausdorff_bound is the one that is proved
-  double factor = 1; ///< of the limit, with which it ran
+  Report report;     ///< the report of its run; Report::hausdorff_bound is the proven bound
+  double factor = 1; ///< the multiple of the limit with which it ran
 };
 
-/// The same of a soup.
+/// The result of `calibrated` for a soup.
 template <class Points, class Triangles>
 struct CalibratedSoup {
-  Points points;       ///< of the simplified copy
-  Triangles triangles; ///< of the simplified copy
-  Report report;       ///< of its run; Report::hausdorff_bound is the one that is proved
-  double factor = 1;   ///< of the limit, with which it ran
+  Points points;       ///< the points of the simplified copy
+  Triangles triangles; ///< the triangles of the simplified copy
+  Report report;       ///< the report of its run; Report::hausdorff_bound is the proven bound
+  double factor = 1;   ///< the multiple of the limit with which it ran
 };
 
-/// How calibrated() looks for it.
+/// Options of the search in calibrated().
 struct Calibration {
-  double largest_factor = 64; ///< of the limit that is tried, at least 1
-  int refinements = 2;        ///< between the last two powers of two, each of which halves the rest
-  double error = 0.05;        ///< of what is measured, as a part of the limit, in (0, 1)
+  double largest_factor = 64; ///< the largest multiple of the limit that is tried, at least 1
+  int refinements = 2;        ///< bisections between the last two powers of two
+  double error = 0.05;        ///< error of the measurement as a fraction of the limit, in (0, 1)
 
-  /// Throws std::invalid_argument for what makes no sense.
+  /// Throws std::invalid_argument if a member is out of its range.
   void validate() const {
     if (!(largest_factor >= 1 && std::isfinite(largest_factor) && refinements >= 0 && error > 0 &&
           error < 1))
@@ -61,8 +61,9 @@ struct Calibration {
 
 namespace internal {
 
-/// If both surfaces are proved to be within a distance of each other, a bound of it that is at most
-/// `error` too large; else infinity. Samples refuse what is clearly beyond.
+/// Returns a bound on the distance of the two surfaces that is at most `error` too large, if both
+/// are proven to be within `distance` of each other; otherwise infinity. Samples reject surfaces
+/// that are clearly further apart.
 inline double proved_distance(const SurfaceView& a, const SurfaceView& b, double distance,
                               double error) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -77,8 +78,9 @@ inline double proved_distance(const SurfaceView& a, const SurfaceView& b, double
   return bound <= distance ? bound : infinity;
 }
 
-/// The coarsest of what run(factor) makes of the input within multiples of a limit, a report and a
-/// factor among it, of which measuring proves that surface_of(it) is within the limit itself.
+/// Returns the coarsest result of run(factor), with its report and factor, for which measuring
+/// proves that surface_of(result) is within the limit itself. run(factor) simplifies the input with
+/// a multiple of the limit.
 template <class Run, class SurfaceOf>
 auto calibrate(const SurfaceView& input, double distance, const Calibration& calibration, Run run,
                SurfaceOf surface_of) {
@@ -102,14 +104,14 @@ auto calibrate(const SurfaceView& input, double distance, const Calibration& cal
     factor *= 2;
   if (factor > calibration.largest_factor)
     return best;
-  double step = factor / 4; // from the least that is known to be too large
+  double step = factor / 4; // the smallest factor known to be too large
   for (int i = 0; i < calibration.refinements; ++i, step /= 2)
     if (!try_with(factor - step))
       factor -= step;
   return best;
 }
 
-/// The distance of a limit, of a surface.
+/// Returns the distance that a limit allows for a surface.
 inline double distance_of(const HausdorffLimit& limit, const SurfaceView& surface) {
   return limit.distance(surface.triangles.empty() ? 0 : diagonal(box_of(surface)));
 }
@@ -118,18 +120,19 @@ inline double distance_of(const HausdorffLimit& limit, const SurfaceView& surfac
 
 inline namespace QUADRILLE_THREADING {
 
-/// A simplified copy of a mesh that is within a limit both ways, with about as few faces as there
-/// can be: proved by measuring, not by adding up.
+/// Returns a simplified copy of a mesh that is within a limit in both directions, with about as few
+/// faces as possible. Measuring proves the limit; the bound is not accumulated.
 ///
-/// The bound of a HausdorffLimit adds up what contractions move, and is several times what is
-/// measured. So this runs with 2, 4, 8, … times the limit as long as the result, measured with an
-/// error that Calibration tells, is within the limit itself, then between the last two; and gives
-/// back the coarsest that was. That with the limit itself needs no measuring. The arguments are
-/// those of `simplified`; maps that `simplify` writes to, and visitors, see each run.
+/// The bound of a HausdorffLimit accumulates the displacement of each contraction and is several
+/// times the measured distance. So this function runs with 2, 4, 8, … times the limit as long as
+/// the measured result is within the limit itself (Calibration::error is the error of the
+/// measurement), then bisects between the last two factors. It returns the coarsest result within
+/// the limit. The run with the limit itself needs no measurement. The arguments are those of
+/// `simplified`; maps that `simplify` writes to, and visitors, see each run.
 ///
 /// Complexity: up to log₂ of the largest factor + refinements + 1 runs, and as many measurements,
-/// which take longer. Throws what `simplified` throws, and std::invalid_argument for a surface that
-/// cannot be measured: see verify().
+/// which take longer. Throws whatever `simplified` throws, and std::invalid_argument for a surface
+/// that cannot be measured: see verify().
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
@@ -152,16 +155,16 @@ requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
       [&](const Calibrated<Mesh>& coarse) { return surface_of(coarse.mesh); });
 }
 
-/// The same with the usual calibration.
+/// Runs with the default calibration.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh>
 requires internal::FaceGraph<Mesh> Calibrated<Mesh> calibrated(const Mesh& mesh,
                                                                HausdorffLimit limit) {
   return calibrated<Cost, Placement>(mesh, limit, Calibration{});
 }
 
-/// The same of a soup, which may be non-manifold: of points with x(), y() and z(), or three numbers
-/// by index, and of triples of indices. Maps and vectors of channels and labels would be written by
-/// each run: pass none.
+/// Calibrates a soup, which may be non-manifold: points with x(), y() and z(), or three numbers by
+/// index, and triples of indices. Pass no maps or vectors of channels and labels: each run would
+/// write to them.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>
@@ -184,7 +187,7 @@ calibrated(const Points& points, const Triangles& triangles, HausdorffLimit limi
       [&](const Coarse& coarse) { return surface_of(coarse.points, coarse.triangles); });
 }
 
-/// The same with the usual calibration.
+/// Runs on a soup with the default calibration.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles>
 requires internal::ReadableSoup<Points, Triangles> CalibratedSoup<Points, Triangles>

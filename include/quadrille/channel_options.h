@@ -11,7 +11,8 @@
 
 namespace quadrille {
 
-/// Which property of the vertices the attributes are, and so which named parameter they come from.
+/// The property of the vertices that the attributes are; it decides which named parameter they come
+/// from.
 enum class Attribute {
   any,     ///< quadrille::parameters::vertex_attribute_map
   color,   ///< vertex_color_map; clamped to the range of colours
@@ -19,53 +20,55 @@ enum class Attribute {
   normal   ///< vertex_normal_map; made unit vectors again
 };
 
-/// What a simplification does with the edges at which a channel is discontinuous.
+/// The treatment of the edges at which a channel is discontinuous.
 enum class Seams {
-  kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or turned over
-  soft,   ///< they may vanish, at the price of what that shows: the disagreement of the values, and
-          ///< the area over which faces show what lies beside their chart of a texture. No face is
-          ///< turned over in a texture. Of other channels the same as priced
-  priced, ///< they may vanish; what that costs is in the error. Wedges stay apart until then
-  free    ///< the values around a vertex are one from the beginning: their mean, or the first if
-          ///< only existing values may be
+  kept,   ///< they stay, as a graph in the surface: no chart is torn, merged, or flipped
+  soft,   ///< they may vanish, at a cost for the visible damage: the difference of the values, and
+          ///< the area over which faces show texture outside of their chart. No face is flipped in
+          ///< a texture. Channels other than textures are treated as with priced
+  priced, ///< they may vanish; the cost includes the error. Wedges stay apart until then
+  free    ///< the values around a vertex are merged from the start: into their mean, or the first
+          ///< one if only existing values are allowed
 };
 
-/// What the corners have whose values a simplification changes.
+/// The way in which the values of changed corners are computed.
 enum class NewValues {
-  optimal,   ///< the values of least cost, between those that there were
-  weights,   ///< the same, at least 0 and with the sum 1: weights of a skin
-  existing,  ///< of the values that have become one, the closest to the optimal ones: for indices,
-             ///< classes and whatever has nothing in between. Not for a Texture
-  recomputed ///< of Normals: sums over the faces of the result around the corner, weighted by their
-             ///< angles. Corners that a simplification does not touch get them too
+  optimal,   ///< the values of least cost, within the range of the existing values
+  weights,   ///< as optimal, but non-negative and with the sum 1: weights of a skin
+  existing,  ///< the one of the merged values that is closest to the optimum: for indices, classes
+             ///< and anything that cannot be interpolated. Not for a Texture
+  recomputed ///< for Normals: the angle-weighted sum over the faces of the result around the
+             ///< corner. Corners that the simplification does not touch are recomputed too
 };
 
-/// How a channel counts.
+/// Options that say how a channel counts.
 struct ChannelOptions {
-  /// By how much more than by default it counts; above 0.
+  /// The factor on the default importance of the channel; above 0.
   double importance = 1;
-  /// Lengths in the mesh's unit that a step of 1 in each component counts as, times importance. By
-  /// default, for texture coordinates, √(area of the surface / area of the texture), of each label
-  /// by itself, so that a texture that slides counts as it slides; for Attributes 0.02 · (diagonal
-  /// of the bounding box) / (largest range of the components). For Colors and Normals that times a
-  /// factor of 0.05 to 1, or of 0.1 to 2, by which they come to be half as hard to tell from what
-  /// is beside as the shape is, and as hard: what is noise counts little, what is smooth much.
+  /// The length in the mesh's unit that a step of 1 in each component counts as, times importance.
+  /// The default for texture coordinates is √(area of the surface / area of the texture), for each
+  /// label separately, so that a texture that slides counts by the distance it slides. The default
+  /// for Attributes is 0.02 · (diagonal of the bounding box) / (largest range of the components).
+  /// For Colors and Normals this is multiplied by a factor of 0.05 to 1, or of 0.1 to 2, so that
+  /// colours become half as hard to predict from their surroundings as the shape is, and normals as
+  /// hard: noise counts little, smooth values much.
   std::vector<double> weights = {};
   /// By default soft for texture coordinates, priced for others.
   std::optional<Seams> seams = {};
-  /// How firmly charts of a texture whose seams are kept or soft hold their borders in the texture,
-  /// for each square of an edge's length; at least 0. The same along an edge as off it is 1. Where
-  /// seams are soft, also how firmly borders hold their place in the surface, by lines as open
-  /// borders do, which count 100: 0 is priced, and the higher the more is given up of the shape. By
-  /// default 10 where seams are kept. Where they are soft it is 0.0036 / p² for the part p of all
-  /// edges that they are, but at most 1, as up to 6 %, and at least 0.1, as from 19 % on.
+  /// The weight of chart boundaries in the texture, for kept or soft seams, per squared edge
+  /// length; at least 0. With 1 a deviation along an edge counts as much as one across it. For soft
+  /// seams it is also the weight of chart boundaries in the surface, whose lines are constrained as
+  /// those of open boundaries are, which count 100: 0 is the same as priced, and higher values give
+  /// up more of the shape. The default is 10 for kept seams. For soft seams it is 0.0036 / p²,
+  /// where p is the fraction of all edges that are seams, but at most 1 (reached at 6 % and below)
+  /// and at least 0.1 (reached at 19 % and above).
   std::optional<double> border_weight = {};
-  NewValues new_values = NewValues::optimal; ///< what corners have whose values change
-  /// Of Colors in sRGB, numbers in [0, 1] or in the whole range of an integral type: they are
-  /// averaged as light is, and so are their default weights. Alpha is linear already.
+  NewValues new_values = NewValues::optimal; ///< the values of changed corners
+  /// True for Colors in sRGB, as numbers in [0, 1] or in the whole range of an integral type: they
+  /// are averaged as linear light, and so are their default weights. Alpha is always linear.
   bool linear_light = false;
 
-  /// Throws std::invalid_argument for an importance or a weight that makes no sense.
+  /// Throws std::invalid_argument for an importance or a weight that is out of range.
   void validate() const {
     const auto require_positive = [](const char* name, double x) {
       if (!(x > 0) || !std::isfinite(x))
@@ -81,35 +84,36 @@ struct ChannelOptions {
   }
 };
 
-/// Values of a channel of a soup with an index triple for each triangle, as in an OBJ file.
+/// The values of a channel of a soup, with an index triple for each triangle, as in an OBJ file.
 template <class Values, class Triples>
 struct IndexedValues {
-  Values* values;   ///< any container of them, rewritten with the soup
+  Values* values;   ///< any container of the values; it is rewritten with the soup
   Triples* triples; ///< three indices of values for each triangle
 };
 
-/// Labels of the faces (materials, regions, patches), which a simplification keeps, as an argument
-/// of `simplify`: `simplify(mesh, Labels{materials}, FaceCount{1000})`. The same with its default
-/// is CGAL's named parameter `face_patch_map`.
+/// Labels of the faces (materials, regions, patches), which a simplification preserves. They are an
+/// argument of `simplify`: `simplify(mesh, Labels{materials}, FaceCount{1000})`. CGAL's named
+/// parameter `face_patch_map` has the same effect with the default weight.
 ///
 /// `map` is a property map over the faces of a mesh, or over the indices of a soup's triangles, to
-/// values that are compared with <. A face that is left keeps its label: in a mesh with its
-/// descriptor; of a soup the map is written, so that the labels of the triangles that are left are
-/// in front.
+/// values that are compared with <. A face that is left keeps its label: in a mesh it keeps its
+/// descriptor; in a soup the map is written, so that the labels of the remaining triangles come
+/// first.
 ///
-/// Where topology is kept, the regions of equal labels keep theirs: none is torn, vanishes, or
-/// meets another one than before. Edges between two labels and edges of other than two faces are
-/// one graph in the surface. Contractions that would change that graph are refused and counted as
-/// Rejection::seam; where other than two of its edges meet, the vertex stays. Source: the link
-/// condition of a complex with a subcomplex, Vivodtzev, Bonneau and Le Texier 2005.
+/// Where topology is kept, the regions of equal labels keep their topology: none is torn or
+/// vanishes, and no two regions meet that did not. Edges between two labels, and edges that do not
+/// have exactly two faces, form one graph in the surface. Contractions that would change this graph
+/// are rejected and counted as Rejection::seam; a vertex stays where the number of its edges in the
+/// graph is not two. Source: the link condition of a complex with a subcomplex, Vivodtzev, Bonneau
+/// and Le Texier 2005.
 template <class Map>
 struct Labels {
   Map map; ///< from faces, or indices of triangles, to labels
-  /// How firmly borders between labels hold their shape, as Quadric::crease_weight; at least 0. For
-  /// costs that know creases.
+  /// The weight of the boundaries between labels, as Quadric::crease_weight; at least 0. It applies
+  /// to costs with crease terms.
   double border_weight = 1;
 
-  /// Throws std::invalid_argument for a weight that makes no sense.
+  /// Throws std::invalid_argument for a weight that is negative or not finite.
   void validate() const {
     if (!(border_weight >= 0) || !std::isfinite(border_weight))
       throw std::invalid_argument("quadrille::Labels: border_weight " +

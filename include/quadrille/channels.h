@@ -22,8 +22,8 @@
 #include <utility>
 
 /// \file
-/// Attributes of a surface as *channels*, which any cost in space takes along and counts, any
-/// number of them at once, each with seams of its own:
+/// Attributes of a surface as *channels*. Any cost in space carries them and includes them in
+/// its error. There may be any number of them at once, each with its own seams:
 ///
 /// ```cpp
 /// simplify(mesh, FaceRatio{0.1}, Texture{uv});
@@ -33,9 +33,9 @@
 /// simplify(points, triangles, SplitVertices{}, Texture{uvs}, Normals{normals}); // as in glTF
 /// ```
 ///
-/// Positions stay one for each vertex, so no seam can tear. The values at a corner (a face at one
-/// of its vertices) are those of a *wedge*: corners of one value around a vertex that are connected
-/// by edges. A channel of one value a vertex has one wedge a vertex.
+/// Each vertex keeps a single position, so no seam can tear. The values at a corner (a face at one
+/// of its vertices) are those of a *wedge*: corners around a vertex that share one value and are
+/// connected by edges. A channel with one value per vertex has one wedge per vertex.
 ///
 /// Source: Hoppe, New Quadric Metric for Simplifying Meshes with Appearance Attributes, 1999: the
 /// quadric of a wedge with its attributes eliminated, which leaves sums of squares in space.
@@ -47,7 +47,7 @@ namespace internal {
 template <class T>
 concept NotOptions = !std::same_as<T, ChannelOptions>;
 
-/// What the kinds of channels have in common. A source is a property map, or IndexedValues.
+/// The common base of the kinds of channels. A source is a property map, or IndexedValues.
 template <class Source_>
 struct ChannelArgument {
   using Source = Source_;
@@ -66,19 +66,19 @@ struct ChannelArgument {
 
 } // namespace internal
 
-/// Texture coordinates of two components, as an argument of `simplify`.
+/// Two-component texture coordinates, as an argument of `simplify`.
 ///
-/// Of a property map `Texture{map}`: over the vertices or the halfedges of a mesh (told by the key;
-/// a halfedge stands for the corner of its face at the vertex that it points to), or over the
-/// indices of a soup's points. Of a soup with index triples, as in an OBJ file,
-/// `Texture{values, triples}`: vectors, which are rewritten with the soup, so that values that
-/// nothing uses any more are gone. What a value may be: see AttributeQuadric's maps.
+/// `Texture{map}` takes a property map over the vertices or the halfedges of a mesh (the key type
+/// decides; a halfedge stands for the corner of its face at its target vertex), or over the indices
+/// of a soup's points. `Texture{values, triples}` is for a soup with index triples, as in an OBJ
+/// file: both are vectors that are rewritten with the soup, and unused values are removed.
+/// AttributeQuadric's maps document the accepted value types.
 ///
-/// A contraction that would turn a face over in the texture is refused and counted as
-/// Rejection::texture, unless seams are priced or free. Where they are kept, one that would tear or
-/// merge charts, or make their borders meet elsewhere, is refused as Rejection::seam. Edges where
-/// the texture is mirrored are seams too. Coordinates that change stay in the range of those that
-/// there were.
+/// A contraction that would flip a face in the texture is rejected and counted as
+/// Rejection::texture, unless seams are priced or free. Where seams are kept, a contraction that
+/// would tear or merge charts, or make chart boundaries meet elsewhere, is rejected as
+/// Rejection::seam. Edges where the texture is mirrored are seams too. Changed coordinates stay in
+/// the range of the original ones.
 template <class Source>
 struct Texture : internal::ChannelArgument<Source> {
   using internal::ChannelArgument<Source>::ChannelArgument;
@@ -88,7 +88,7 @@ Texture(Map, ChannelOptions = {}) -> Texture<Map>;
 template <class Values, internal::NotOptions Triples>
 Texture(Values&, Triples&, ChannelOptions = {}) -> Texture<IndexedValues<Values, Triples>>;
 
-/// Normals of three components; those that change get unit length. Otherwise as Texture.
+/// Three-component normals; changed normals get unit length. Otherwise as Texture.
 template <class Source>
 struct Normals : internal::ChannelArgument<Source> {
   using internal::ChannelArgument<Source>::ChannelArgument;
@@ -98,8 +98,8 @@ Normals(Map, ChannelOptions = {}) -> Normals<Map>;
 template <class Values, internal::NotOptions Triples>
 Normals(Values&, Triples&, ChannelOptions = {}) -> Normals<IndexedValues<Values, Triples>>;
 
-/// Colours of three components, or of four with alpha; those that change stay in the range of those
-/// that there were, or in [0, 1] where these lie there. Otherwise as Texture.
+/// Colours of three components, or of four with alpha. Changed colours stay in the range of the
+/// original ones, or in [0, 1] if the original ones lie there. Otherwise as Texture.
 template <class Source>
 struct Colors : internal::ChannelArgument<Source> {
   using internal::ChannelArgument<Source>::ChannelArgument;
@@ -109,8 +109,8 @@ Colors(Map, ChannelOptions = {}) -> Colors<Map>;
 template <class Values, internal::NotOptions Triples>
 Colors(Values&, Triples&, ChannelOptions = {}) -> Colors<IndexedValues<Values, Triples>>;
 
-/// Anything else of as many components as the type of the values tells: weights of a skin, heat, a
-/// second channel of anything. Otherwise as Texture.
+/// Any other attribute, with as many components as its value type has: weights of a skin, heat, a
+/// second channel of any kind. Otherwise as Texture.
 template <class Source>
 struct Attributes : internal::ChannelArgument<Source> {
   using internal::ChannelArgument<Source>::ChannelArgument;
@@ -120,10 +120,10 @@ Attributes(Map, ChannelOptions = {}) -> Attributes<Map>;
 template <class Values, internal::NotOptions Triples>
 Attributes(Values&, Triples&, ChannelOptions = {}) -> Attributes<IndexedValues<Values, Triples>>;
 
-/// An argument of `simplify` for a soup whose vertices are split at seams, as the buffers of a
-/// renderer: points at exactly the same place are one vertex, and are told apart by the channels.
-/// Points that are left keep their order; there may be as many at a place as there are combinations
-/// of wedges.
+/// An argument of `simplify` for a soup whose vertices are split at seams, as in a renderer's
+/// buffers: points at exactly the same place are one vertex, and the channels distinguish them. The
+/// remaining points keep their order; a place may have as many points as there are combinations of
+/// wedges.
 struct SplitVertices {};
 
 namespace internal {
@@ -162,7 +162,8 @@ struct ChannelKind<Attributes<Source>> {
   static constexpr std::size_t components = component_count<Value>();
 };
 
-/// The channel of a named parameter as a tuple, if it is given.
+/// Returns the channel of a named parameter as a tuple, which is empty if the parameter is not
+/// given.
 template <template <class> class Channel, class Named, class Tag>
 auto channel_of(const Named& named, Tag tag) {
   const auto map = CGAL::parameters::get_parameter(named, tag);
@@ -172,7 +173,7 @@ auto channel_of(const Named& named, Tag tag) {
     return std::tuple();
 }
 
-/// Attributes that are named parameters as channels with defaults.
+/// Makes channels with default options of the attributes that are named parameters.
 template <class Named>
 struct NamedChannels {
   static auto of(const Named& named) {

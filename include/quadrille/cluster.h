@@ -25,46 +25,48 @@
 #include <vector>
 
 /// \file
-/// Uniform vertex clustering: what simplification by pairs is compared with, and a
-/// fast way for surfaces that are too large for anything else.
+/// Uniform vertex clustering: the usual baseline for simplification by pair contraction, and a fast
+/// method for surfaces that are too large for anything else.
 
 namespace quadrille {
 
-/// That many cells along each axis, from 1 to 2⁵². They fill the bounding box.
+/// The number of cells along each axis, from 1 to 2⁵². The cells fill the bounding box.
 struct Grid {
   std::size_t x; ///< cells along the first axis
   std::size_t y; ///< cells along the second axis
   std::size_t z; ///< cells along the third axis
 
-  friend bool operator==(const Grid&, const Grid&) = default; ///< equal along each axis
+  /// compares the counts along each axis
+  friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// Cubes with an edge of that length, in the unit of the points, from the lower corner of the
-/// bounding box on.
+/// Cubes with an edge of this length, in the unit of the points. The first one starts at the lower
+/// corner of the bounding box.
 struct CellSize {
   double edge; ///< above 0 and finite
 };
 
-/// What the cells of cluster_vertices() are. FaceCount{n}: cubes as small as the box can be cut
-/// into, a whole number of them along its longest side, that leave at most n faces.
+/// The cells of cluster_vertices(). FaceCount{n} chooses the smallest cubes that leave at most n
+/// faces, with a whole number of them along the longest side of the box.
 using ClusterCells = std::variant<Grid, CellSize, FaceCount>;
 
-/// Where in its cell a vertex is.
+/// The position of a vertex in its cell.
 enum class ClusterPlacement {
   mean,   ///< at the mean of the cell's points
-  quadric ///< where it is nearest to the planes of the triangles at these points
+  quadric ///< where the squared distance to the planes of the triangles at these points is least
 };
 
-/// What cluster_vertices() did. It prints itself in one line.
+/// The report of cluster_vertices(). It can be printed in one line.
 struct ClusterReport {
   std::size_t faces_before = 0;    ///< triangles of the soup
   std::size_t faces_after = 0;     ///< triangles of the result
   std::size_t vertices_before = 0; ///< points of the soup
   std::size_t vertices_after = 0;  ///< points of the result
-  /// Triangles that went because one between the same three cells is left.
+  /// Triangles that were removed because another one joins the same three cells.
   std::size_t doubled_faces = 0;
   Grid cells{};   ///< along each axis
-  Vector<3> cell; ///< the lengths of its edges: no point has moved by more than its diagonal
+  Vector<3> cell; ///< the lengths of a cell's edges: no point has moved by more than the cell's
+                  ///< diagonal
 };
 
 /// Prints a report in one line, without an end of line.
@@ -77,7 +79,7 @@ inline std::ostream& operator<<(std::ostream& out, const ClusterReport& report) 
 
 namespace internal {
 
-/// The points of a soup as clustering takes them.
+/// The points of a soup that clustering accepts.
 template <class P>
 concept ClusteredPoints = std::ranges::random_access_range<P> && requires(P& points) {
   points.push_back(points[0]);
@@ -105,7 +107,7 @@ CellGrid grid_of(const Soup& soup, const FaceCount& count, Clusters& scratch) {
   return FaceCountSearch::grid(soup, count.faces, scratch);
 }
 
-/// Writes the cells with a face to the soup, in their order.
+/// Writes the cells that have a face to the soup, in their order.
 template <class Soup>
 void write_clusters(Soup& soup, const Clusters& clusters, const CellVertices& vertices) {
   std::vector<Index> number(clusters.cell_count(), none);
@@ -128,31 +130,32 @@ void write_clusters(Soup& soup, const Clusters& clusters, const CellVertices& ve
 
 } // namespace internal
 
-/// Makes the points in each cell of a grid one, in place, whatever the soup.
+/// Merges the points in each cell of a grid, in place. It accepts any soup.
 ///
-/// `points` and `triangles` are random-access containers: of points of a CGAL kernel or of three
-/// floating-point numbers, as std::array<float, 3>, and of three indices each. The box of the grid
-/// is that of the points that triangles use; a point on the side between two cells is in the upper
-/// one. Triangles with two corners in one cell go, and with them edges and points that Rossignac
-/// and Borrel keep; of those between the same three cells, whichever way they look, the first is
-/// left. So the two sheets of a wall that is thinner than a cell become one, with the orientation
-/// of one of them; parts that are close to each other grow together, those that are smaller than a
-/// cell vanish, and edges of any number of faces may arise. Points and triangles that are left keep
-/// their order, a point that is alone in its cell its place; points of no triangle are dropped.
+/// `points` and `triangles` are random-access containers: points are those of a CGAL kernel or
+/// three floating-point numbers each, as std::array<float, 3>, and triangles have three indices
+/// each. The grid covers the bounding box of the points that triangles use; a point on the face
+/// between two cells belongs to the upper one. Triangles with two corners in one cell are removed,
+/// and with them edges and points that Rossignac and Borrel keep. Among triangles between the same
+/// three cells, in either orientation, the first one stays. So the two sides of a wall thinner than
+/// a cell become one, with the orientation of one of them; components that are close to each other
+/// are joined; components smaller than a cell vanish; and edges may get any number of faces. The
+/// remaining points and triangles keep their order, and a point that is alone in its cell keeps its
+/// position. Points without a triangle are dropped.
 ///
 /// With ClusterPlacement::quadric a vertex is where the sum of the squared distances to the planes
 /// of the triangles at its cell's points, weighted by area, is least: on the edge or at the corner
-/// of a box. Where planes leave directions free, it is as near to the mean as that, and where its
-/// cell ends, it goes no further.
+/// of a box. Where the planes leave directions free, it is the minimizer nearest to the mean, and
+/// it never leaves its cell.
 ///
 /// Expected time O(n + m) for n points and m triangles; with FaceCount three to five times that.
-/// Memory beside the soup and the result: 5 bytes a point, for each cell with points 80 to 100,
-/// with quadrics 80 more, and for each triangle that is left 24 to 48.
+/// Memory in addition to the soup and the result: 5 bytes per point, 80 to 100 bytes per cell with
+/// points (80 more with quadrics), and 24 to 48 bytes per remaining triangle.
 ///
-/// Throws std::invalid_argument for a face that is not a triangle or names a point that is not
-/// there, a point that is not finite, a grid of no cells, of more than 2⁵² along an axis or more
-/// than 2⁶³ in all, a CellSize that is no length; std::length_error above 2³² − 2 points or
-/// triangles. If it throws, the soup is as it was.
+/// Throws std::invalid_argument for a face that is not a triangle or has an index without a point,
+/// a point that is not finite, a grid without cells, with more than 2⁵² along an axis or more than
+/// 2⁶³ in total, and a CellSize that is not positive and finite; std::length_error for more than
+/// 2³² − 2 points or triangles. If it throws, the soup is unchanged.
 ///
 /// Source: Rossignac and Borrel, Multi-resolution 3D approximations for rendering complex scenes,
 /// 1993 (without their weights); placement by quadrics: Lindstrom, Out-of-core simplification of

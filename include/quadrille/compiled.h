@@ -17,9 +17,9 @@
 #include <vector>
 
 /// \file
-/// Quadrille without templates, for polygon soups of doubles: what takes its time to compile is
-/// compiled once, in the target quadrille::compiled, which a program that includes this header
-/// links.
+/// Quadrille without templates, for polygon soups of doubles. The code that is slow to compile is
+/// compiled once, in the target quadrille::compiled. A program that includes this header links this
+/// target.
 ///
 /// ```cpp
 /// SoupView soup{points, triangles}; // looks at arrays of the caller's
@@ -29,11 +29,11 @@
 
 namespace quadrille {
 
-/// The recorder of a call, of any type: `options.recorder = record_into(levels)`. It is told of
-/// contractions, and not of refusals.
+/// A type-erased recorder of a call: `options.recorder = record_into(levels)`. It receives
+/// contractions, but not rejections.
 class SoupRecorder {
 public:
-  /// One that is not owned.
+  /// Refers to a recorder that it does not own.
   template <ContractionRecorder R>
   SoupRecorder(const RecordInto<R>& into) {
     R& recorder = *into.recorder;
@@ -44,16 +44,16 @@ public:
       stop_ = [&recorder](StopReason reason) { recorder.stop(reason); };
   }
 
-  /// Tells it, as ContractionRecorder has it.
+  /// Passes the surface to the recorder: see ContractionRecorder.
   void begin(RecordedSurface surface) const { begin_(std::move(surface)); }
-  /// Tells it of a contraction.
+  /// Passes a contraction to the recorder.
   void record(const RecordedContraction& contraction) const { record_(contraction); }
-  /// Tells it if it wants to know.
+  /// Passes the reason of the stop to a recorder that wants it.
   void stop(StopReason reason) const {
     if (stop_)
       stop_(reason);
   }
-  /// As begin().
+  /// Ends the record: see ContractionRecorder.
   void end() const { end_(); }
 
 private:
@@ -69,158 +69,164 @@ struct SoupBox {
   std::array<double, 3> high; ///< the greatest, each at least the least
 };
 
-/// A contraction as a filter of the options sees it, see FilterPolicy: places are in the unit of
-/// the points, indices those of the input; with SoupOptions::split_vertices those of points are of
-/// places, in the order of the first point at each.
+/// A contraction as a filter in the options sees it: see FilterPolicy. Positions are in the unit of
+/// the points, and indices are those of the input. With SoupOptions::split_vertices the indices of
+/// points are those of distinct positions, in the order of the first point at each.
 struct SoupContraction {
-  /// A face that changes: its moving corner and its two others.
+  /// A face that changes: its moving corner and its two other corners.
   struct Face {
     std::size_t index;            ///< in the input
-    std::array<double, 3> before; ///< where its moving corner is
-    std::array<double, 3> after;  ///< where that will be
-    std::array<double, 3> second; ///< where its next corner is
-    std::array<double, 3> third;  ///< where its last corner is
+    std::array<double, 3> before; ///< the position of its moving corner
+    std::array<double, 3> after;  ///< the new position of this corner
+    std::array<double, 3> second; ///< the position of its next corner
+    std::array<double, 3> third;  ///< the position of its last corner
   };
   std::size_t first;                      ///< an end of the pair
-  std::size_t second;                     ///< the other one
-  std::array<double, 3> target;           ///< where the vertex goes that both become
-  std::vector<Face> faces;                ///< those that stay and change
-  std::vector<std::size_t> removed_faces; ///< the indices of those that go
-  std::size_t highest_degree;             ///< of the ends, in faces
+  std::size_t second;                     ///< the other end
+  std::array<double, 3> target;           ///< the position of the new vertex
+  std::vector<Face> faces;                ///< the faces that stay and change
+  std::vector<std::size_t> removed_faces; ///< the indices of the removed faces
+  std::size_t highest_degree;             ///< the higher degree of the two ends, in faces
 };
 
-/// What simplified_soup() and simplify_soup() are asked for. Each field is a policy of `simplify`,
-/// by its name.
+/// The options of simplified_soup() and simplify_soup(). Each field has the name of a policy of
+/// `simplify`.
 struct SoupOptions {
-  /// The costs by their names: see Quadric and the others.
+  /// The names of the costs: see Quadric and the others.
   enum class Cost { quadric, memoryless_quadric, thin_feature_quadric, edge_length };
-  /// The placements: see OptimalPlacement and the others.
+  /// The names of the placements: see OptimalPlacement and the others.
   enum class Placement { optimal, endpoint, midpoint };
-  /// The orders: see GreedyOrder and RelaxedOrder.
+  /// The names of the orders: see GreedyOrder and RelaxedOrder.
   enum class Order { greedy, relaxed };
 
-  // --- Targets: it stops at the first that is met; FaceRatio{0.5} where there is none.
+  // --- Targets: the simplification stops at the first one that is met; without any it stops at
+  // FaceRatio{0.5}.
   std::optional<std::size_t> faces = {};    ///< see FaceCount
   std::optional<double> ratio = {};         ///< see FaceRatio, in [0, 1]
   std::optional<std::size_t> vertices = {}; ///< see VertexCount
   std::optional<double> error = {};         ///< see DistanceLimit: a distance, at least 0
-  std::optional<double> relative_error =
-      {};                 ///< see DistanceLimit::relative: a part of the diagonal
-  bool both_ways = false; ///< these limits hold both ways: see HausdorffLimit
-  /// Instead of these, how far each point may move: empty, or a distance for each. See
-  /// ToleranceLimit.
+  /// See DistanceLimit::relative: a fraction of the diagonal.
+  std::optional<double> relative_error = {};
+  bool both_ways = false; ///< these limits apply in both directions: see HausdorffLimit
+  /// Replaces the limits above with a distance for each point that it may move: empty, or one value
+  /// per point. See ToleranceLimit.
   std::vector<double> tolerance = {};
   std::optional<double> cost_limit = {}; ///< see CostLimit: at least 0
-  /// A stop policy beside these: true is enough. See StopPolicy.
+  /// A stop policy in addition to these; the run stops once it returns true. See StopPolicy.
   std::function<bool(const Status&)> stop = {};
 
-  Cost cost = Cost::quadric;                          ///< what a contraction costs
-  double boundary_weight = Quadric{}.boundary_weight; ///< of costs that have one; at least 0
-  std::optional<Placement> placement = std::nullopt;  ///< the best that the cost has by default
-  Order order = Order::greedy;                        ///< which pair is next
-  std::optional<double> pairs_closer_than = {};       ///< see ThresholdPairs; only edges without
-  std::optional<Topology> topology = std::nullopt;    ///< kept, or free with pairs by default
+  Cost cost = Cost::quadric;                          ///< the cost of a contraction
+  double boundary_weight = Quadric{}.boundary_weight; ///< for costs that have one; at least 0
+  std::optional<Placement> placement = std::nullopt;  ///< by default the best one for the cost
+  Order order = Order::greedy;                        ///< the order in which pairs are contracted
+  std::optional<double> pairs_closer_than = {};       ///< see ThresholdPairs; without it the pairs
+                                                      ///< are the edges
+  std::optional<Topology> topology = std::nullopt;    ///< kept, or by default free with pairs
   double normal_flip = 90;                            ///< degrees, see NormalFlip
   std::optional<double> normal_deviation;             ///< degrees, see NormalDeviation
   bool no_self_intersection = false;                  ///< see NoSelfIntersection
-  bool keep_solid = false;                            ///< see KeepSolid{}
-  /// A filter beside these: may this contraction be done? See FilterPolicy; with several threads it
-  /// is asked by several at a time.
+  bool keep_solid = false;                            ///< see KeepSolid
+  /// A filter in addition to these: may this contraction be done? See FilterPolicy; with several
+  /// threads it is called concurrently.
   std::function<bool(const SoupContraction&)> allows = {};
-  /// Points that stay where they are: empty, or a value for each point.
+  /// Points that must not move: empty, or a value for each point.
   std::vector<bool> fixed = {};
-  /// How much what happens at points counts, at least 0: empty, or a value for each point. See
+  /// The importance of each point, at least 0: empty, or a value for each point. See
   /// vertex_importance_map.
   std::vector<double> importance = {};
-  /// Triangles that may be changed, and count for the targets: empty, or a value for each. See
+  /// Triangles that may be changed and that count for the targets: empty, or a value for each. See
   /// face_is_selected_map.
   std::vector<bool> selected = {};
-  /// Points that other pieces of the surface have as well: empty, or a value for each point. See
-  /// vertex_is_shared_map; relative limits, and the scale, are those of bounding_box.
+  /// Points that other tiles of the surface have too: empty, or a value for each point. See
+  /// vertex_is_shared_map; relative limits and the scale are those of bounding_box.
   std::vector<bool> shared = {};
-  /// Edges of one triangle between shared points that are borders of the whole surface: see
+  /// Edges of one triangle between shared points that are on the boundary of the whole surface: see
   /// border_edges.
   std::vector<std::array<std::uint32_t, 2>> borders = {};
-  /// In the scale of which the surface is simplified: see parameters::bounding_box.
+  /// The box that sets the scale of the simplification: see parameters::bounding_box.
   std::optional<SoupBox> bounding_box = {};
-  /// Will the points of the result become floats? See parameters::coordinates_are_floats.
+  /// True if the points of the result will be rounded to floats: see
+  /// parameters::coordinates_are_floats.
   bool coordinates_are_floats = false;
-  /// Asked now and then; the simplification ends early when it returns false. See Visitor.
+  /// Called from time to time; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 
   bool eager = false;          ///< see GreedyOrder
   double share = 0.5;          ///< see RelaxedOrder
   bool refresh = false;        ///< see RelaxedOrder
-  unsigned threads = 1;        ///< more than one need oneTBB where the library is compiled
-  double crease_weight = 100;  ///< see Quadric, as the next
-  double crease_degrees = 180; ///< other costs know no creases
-  Weighting weighting = Weighting::by_area; ///< of Cost::quadric, as the next three: see Quadric
-  double line_weight = 0;                   ///< how firmly vertices keep to lines along normals
-  double normal_noise = 0;                  ///< of unit normals
-  double position_noise = 0;                ///< of places, in the unit of the points
+  unsigned threads = 1;        ///< more than one need oneTBB when the library is compiled
+  double crease_weight = 100;  ///< see Quadric, as for the next one
+  double crease_degrees = 180; ///< other costs have no crease terms
+  Weighting weighting = Weighting::by_area; ///< for Cost::quadric, as the next three: see Quadric
+  double line_weight = 0;                   ///< the weight of lines along the vertex normals
+  double normal_noise = 0;                  ///< the standard deviation of unit normals
+  double position_noise = 0;                ///< the standard deviation of positions, in the unit of
+                                            ///< the points
   double label_border_weight = 1;           ///< see Labels::border_weight
-  /// See SplitVertices: points at exactly one place are one vertex. There is no image then.
+  /// See SplitVertices: points at exactly the same place are one vertex. The result then has no
+  /// vertex map.
   bool split_vertices = false;
-  /// Is told of all contractions, as Levels: see record_into.
+  /// Receives all contractions, as Levels does: see record_into.
   std::optional<SoupRecorder> recorder = {};
 };
 
 using SoupPoints = std::vector<std::array<double, 3>>;           ///< coordinates, finite
 using SoupTriangles = std::vector<std::array<std::uint32_t, 3>>; ///< indices of points
 
-/// A channel of attributes, in arrays of the caller's.
+/// A view of a channel of attributes in arrays of the caller.
 struct SoupChannelView {
-  /// What a channel holds: see Texture, Normals, Colors and Attributes.
+  /// The kinds of channels: see Texture, Normals, Colors and Attributes.
   enum class Kind { texture, normals, colors, attributes };
-  Kind kind = Kind::texture;  ///< what it holds
-  std::size_t components = 2; ///< 2 of a texture, 3 of normals, 3 or 4 of colours, else at least 1
-  std::span<const double> values; ///< one value after the other, each of that many components
-  /// Of each triangle, the values of its corners; empty: a value has the index of its point.
+  Kind kind = Kind::texture;  ///< the kind of its attributes
+  std::size_t components = 2; ///< 2 for a texture, 3 for normals, 3 or 4 for colours, otherwise at
+                              ///< least 1
+  std::span<const double> values; ///< consecutive values, each with that many components
+  /// For each triangle, the values of its corners; if empty, a value has the index of its point.
   std::span<const std::array<std::uint32_t, 3>> triangles = {};
-  ChannelOptions options = {}; ///< how it counts
+  ChannelOptions options = {}; ///< options that say how it counts
 };
 
-/// A polygon soup of triangles with what it carries, in arrays of the caller's, which are not
+/// A view of a polygon soup of triangles with its attributes, in arrays of the caller that are not
 /// changed.
 struct SoupView {
   std::span<const std::array<double, 3>> points;           ///< coordinates, finite
   std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
-  std::span<const std::uint32_t> labels = {}; ///< see Labels: empty, or one for each triangle
+  std::span<const std::uint32_t> labels = {}; ///< see Labels: empty, or one per triangle
   std::vector<SoupChannelView> channels = {}; ///< any number, of any kinds
 };
 
-/// Values of a channel of a result, as SoupChannelView has them.
+/// The values of a channel of a result: see SoupChannelView.
 struct SoupChannel {
-  std::size_t components = 0; ///< of each value
-  std::vector<double> values; ///< one value after the other
-  SoupTriangles triangles;    ///< of each triangle, the values of its corners; or empty
+  std::size_t components = 0; ///< the number of components of each value
+  std::vector<double> values; ///< consecutive values
+  SoupTriangles triangles;    ///< for each triangle, the values of its corners; or empty
 };
 
-/// What becomes of a soup. What is left keeps its order.
+/// The simplified soup. The remaining points and triangles keep their order.
 struct SoupResult {
-  SoupPoints points;                      ///< those that are left
-  SoupTriangles triangles;                ///< the same, of these points
-  std::vector<std::uint32_t> labels;      ///< of the triangles, if the soup had any
-  std::vector<SoupChannel> channels;      ///< as many as the soup had, in their order
-  std::vector<std::uint32_t> input_faces; ///< of each triangle, which one of the input it is
+  SoupPoints points;                      ///< the remaining points
+  SoupTriangles triangles;                ///< the remaining triangles, with indices of these points
+  std::vector<std::uint32_t> labels;      ///< the labels of the triangles, if the soup had any
+  std::vector<SoupChannel> channels;      ///< as many channels as the soup had, in their order
+  std::vector<std::uint32_t> input_faces; ///< for each triangle, its index in the input
   /// Of each point of the input, which one it has become, or parameters::vanished. Empty with
   /// SoupOptions::split_vertices.
   std::vector<std::size_t> image;
-  Report report; ///< what was done
+  Report report; ///< the report of the simplification
 };
 
 /// Simplifies a polygon soup as `simplify(points, triangles, …)` does with the same policies, to
-/// the same bits. No array of the input is copied or changed. Of a soup without triangles nothing
-/// is left, neither points nor values.
+/// the same bits. No array of the input is copied or changed. The result of a soup without
+/// triangles is empty: it has neither points nor values.
 ///
-/// Throws std::invalid_argument for options, labels or channels that make no sense, and what
-/// `simplify` throws.
+/// Throws std::invalid_argument for invalid options, labels or channels, and whatever `simplify`
+/// throws.
 SoupResult simplified_soup(const SoupView& soup, const SoupOptions& options = {});
 
 /// The same in place, of a soup that carries nothing. `image`, if there is one, becomes a list of
 /// what became of each point of the input: an index of the result, or parameters::vanished.
 ///
-/// Throws as simplified_soup() does; the soup is then as it was.
+/// Throws as simplified_soup() does; the soup is then unchanged.
 Report simplify_soup(SoupPoints& points, SoupTriangles& triangles, const SoupOptions& options = {},
                      std::vector<std::size_t>* image = nullptr);
 

@@ -35,8 +35,8 @@ namespace quadrille {
 /// The distance between two surfaces, in the unit of their coordinates. Divide by
 /// bounding_box_diagonal() of the reference surface for a figure without unit.
 ///
-/// The one-sided figures look from samples of one surface to the nearest point of the other; the
-/// two directions differ when one surface has a part that the other lacks.
+/// The one-sided figures go from samples of one surface to the nearest point of the other. The two
+/// directions differ when one surface has a region that the other lacks.
 struct SurfaceDistance {
   double rms;              ///< root of the mean of both squared one-sided figures
   double hausdorff;        ///< the larger of both one-sided figures
@@ -68,12 +68,12 @@ inline DistancePoint at(const DistanceTriangle& triangle, double s, double t) {
   return triangle[0] + s * (triangle[1] - triangle[0]) + t * (triangle[2] - triangle[0]);
 }
 
-/// Points spread evenly by area, of faces that come one after the other and have this area in all.
-/// One point is drawn in each of `samples` strips of equal area along the list of faces, so that no
-/// face has more than its share, which makes the mean converge faster than with independent points.
+/// Points spread evenly by area over consecutive faces whose total area is given. One point is
+/// drawn in each of `samples` strips of equal area along the list of faces, so that no face gets
+/// more than its share. The mean then converges faster than with independent points.
 class StripSampling {
 public:
-  /// Both are above 0.
+  /// Both arguments are above 0.
   StripSampling(double area, const DistanceSampling& sampling)
       : samples_(sampling.samples), strip_(area / static_cast<double>(sampling.samples)),
         generator_(sampling.seed) {
@@ -87,7 +87,7 @@ public:
     while (drawn_ <= samples_ && area_of_next_ < area_up_to_)
       append(face, points);
   }
-  /// After the last face, to which those belong that roundings have left.
+  /// Draws the points that rounding has left, on the last face.
   void end(std::vector<DistancePoint>& points) {
     while (drawn_ <= samples_)
       append(last_, points);
@@ -107,7 +107,7 @@ private:
   DistanceTriangle last_;
 };
 
-/// A surface without area is given by its vertices.
+/// Samples a surface. One without area is represented by its vertices.
 inline std::vector<DistancePoint> sample(const DistanceSurface& surface,
                                          const DistanceSampling& sampling) {
   const double area = surface.area();
@@ -141,7 +141,7 @@ inline OneSidedDistance one_sided_distance(const DistanceSurface& from, const Di
   return {std::sqrt(sum / static_cast<double>(points.size())), std::sqrt(largest)};
 }
 
-/// Of both sides, in the unit outside of the frame.
+/// Combines both directions, in the unit outside of the frame.
 inline SurfaceDistance symmetric_distance(const OneSidedDistance& ab, const OneSidedDistance& ba,
                                           const DistanceFrame& frame) {
   return {.rms = frame.from(std::hypot(ab.rms, ba.rms) / std::sqrt(2.0)),
@@ -164,7 +164,7 @@ inline SurfaceDistance distance_between(DistanceSurface a, DistanceSurface b,
 
 using DistanceMesh = CGAL::Surface_mesh<DistancePoint>;
 
-/// The box of the vertices that faces use. Throws where the mesh cannot be measured.
+/// Returns the box of the vertices that faces use. Throws if the mesh cannot be measured.
 template <class Mesh>
 CGAL::Bbox_3 measured_box(const char* caller, const Mesh& mesh) {
   return bounding_box(measured_surface(caller, mesh).vertices);
@@ -186,18 +186,18 @@ DistanceMesh distance_mesh(const Mesh& mesh, const DistanceFrame& frame) {
 /// Each surface is sampled evenly by area, and every sample looks for the nearest point of the
 /// other surface (the method of Cignoni, Rocchini and Scopigno, "Metro: measuring error on
 /// simplified surfaces", 1998). The vertices count for the Hausdorff figures only. Sampling makes a
-/// Hausdorff figure a lower bound; with the default 100,000 samples an RMS figure is good to about
-/// one per cent. Equal inputs give equal figures.
+/// Hausdorff figure a lower bound; with the default 100,000 samples an RMS figure is accurate to
+/// about one per cent. Equal inputs give equal figures.
 ///
 /// `MeshA` and `MeshB` are models of CGAL's `FaceListGraph` with a `vertex_point` map; kernels and
 /// mesh types may differ. Isolated vertices do not count.
 ///
 /// Complexity: O((n + s) log n) for n faces and s samples.
-/// Throws std::invalid_argument when a mesh has no face, a face that is no triangle, or a vertex
-/// that is not finite, with its number.
+/// Throws std::invalid_argument when a mesh has no face, a face that is not a triangle, or a vertex
+/// that is not finite; the message has its number.
 ///
-/// The unit of the coordinates does not matter, as far as doubles hold them: what is measured is a
-/// copy of both surfaces, scaled by a power of two.
+/// The unit of the coordinates does not matter as long as doubles can represent them: the function
+/// measures a copy of both surfaces, scaled by a power of two.
 template <internal::ReadableGraph MeshA, internal::ReadableGraph MeshB>
 SurfaceDistance surface_distance(const MeshA& a, const MeshB& b,
                                  const DistanceSampling& sampling = {}) {
@@ -208,9 +208,9 @@ SurfaceDistance surface_distance(const MeshA& a, const MeshB& b,
 
 /// The sampled distance between two polygon soups, which may be non-manifold.
 ///
-/// Points are anything with x(), y() and z(), or three numbers by index, in a range;
-/// triangles are random access ranges of three indices. Otherwise as for meshes;
-/// std::invalid_argument also when an index names no point.
+/// Points are anything with x(), y() and z(), or three numbers by index, in a range; triangles are
+/// random access ranges of three indices. Otherwise as for meshes; std::invalid_argument also for
+/// an index without a point.
 template <class PointsA, class TrianglesA, class PointsB, class TrianglesB>
 requires internal::ReadableSoup<PointsA, TrianglesA> && internal::ReadableSoup<PointsB, TrianglesB>
     SurfaceDistance surface_distance(const PointsA& points_a, const TrianglesA& triangles_a,
@@ -225,15 +225,16 @@ requires internal::ReadableSoup<PointsA, TrianglesA> && internal::ReadableSoup<P
 /// The Hausdorff distance between two triangle meshes, the larger of both directions, in the unit
 /// of their coordinates and wrong by at most `error`, which is in the same unit.
 ///
-/// Where surface_distance() samples, this bounds: CGAL subdivides the triangles that may still hold
-/// the largest distance (Tang, Lee and Kim, "Interactive Hausdorff distance computation for general
-/// polygonal models", 2009). An error of 1e-4 of the bounding-box diagonal costs seconds on 100,000
-/// faces; the time grows as the error falls, fastest where both surfaces are equally far apart over
-/// whole faces. A result below `error` says no more than that. An error below 2^-40 of the size of
-/// both surfaces together counts as that.
+/// This function computes a bound where surface_distance() samples: CGAL subdivides the triangles
+/// that may still contain the largest distance (Tang, Lee and Kim, "Interactive Hausdorff distance
+/// computation for general polygonal models", 2009). An error of 1e-4 of the bounding-box diagonal
+/// costs seconds on 100,000 faces; the time grows as the error falls, fastest where both surfaces
+/// are equally far apart over whole faces. A result below `error` only says that the distance is
+/// below `error`. An error below 2^-40 of the size of both surfaces together is raised to this
+/// value.
 ///
-/// Mesh types, the scaled copies, and what is thrown, are as for surface_distance();
-/// std::invalid_argument also when `error` is not positive.
+/// Mesh types, scaled copies and exceptions are as for surface_distance(); std::invalid_argument
+/// also when `error` is not positive.
 template <internal::ReadableGraph MeshA, internal::ReadableGraph MeshB>
 double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
   if (!(error > 0))
@@ -242,19 +243,19 @@ double bounded_hausdorff(const MeshA& a, const MeshB& b, double error) {
                            internal::measured_box("quadrille::bounded_hausdorff: surface b", b);
   const double farthest = internal::diagonal(box);
   if (farthest == 0)
-    return 0; // all is one point, which CGAL does not measure
+    return 0; // both surfaces are one point, which CGAL cannot measure
   const internal::DistanceFrame frame(box);
-  // CGAL does not come to an end where an error is lost in rounding, and squares the error.
+  // CGAL squares the error, and does not terminate if an error is lost in rounding.
   const double error_in_frame = std::clamp(frame.to(error), 0x1p-40, 0x1p500);
   const double distance = CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<
       CGAL::Sequential_tag>(internal::distance_mesh(a, frame), internal::distance_mesh(b, frame),
                             error_in_frame);
-  // Far below a large error CGAL's answer is that error.
+  // CGAL returns the error itself where the distance is far below a large error.
   return (std::min)(frame.from(distance), farthest);
 }
 
-/// The length of the diagonal of the axis-parallel box around the vertices of a mesh; 0 when there
-/// are none. Vertices that no edge has belong to no surface, and do not count.
+/// Returns the length of the diagonal of the axis-parallel box around the vertices of a mesh, or 0
+/// without vertices. Vertices without an edge belong to no surface and do not count.
 template <internal::ReadableGraph Mesh>
 double bounding_box_diagonal(const Mesh& mesh) {
   const auto position = get(CGAL::vertex_point, mesh);
@@ -269,7 +270,7 @@ double bounding_box_diagonal(const Mesh& mesh) {
   return points.empty() ? 0 : internal::diagonal(internal::bounding_box(points));
 }
 
-/// The same for points, all of which count.
+/// Returns the length of the diagonal for points, all of which count.
 template <std::ranges::input_range Points>
 requires(!internal::ReadableGraph<Points>) double bounding_box_diagonal(const Points& points) {
   std::vector<internal::DistancePoint> copies;

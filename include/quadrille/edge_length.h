@@ -11,43 +11,43 @@
 
 namespace quadrille {
 
-/// The shortest pair first: the scheme that quadrics are always compared with. A vertex remembers
-/// nothing, and every position costs the squared distance of the two ends, so there is none of
-/// least cost: it goes with MidpointPlacement or EndpointPlacement.
+/// Contracts the shortest pair first: the baseline that quadrics are compared with. Vertices have
+/// no state, and every position costs the squared distance of the two ends. So there is no position
+/// of least cost, and the cost is used with MidpointPlacement or EndpointPlacement.
 struct EdgeLength {
   static constexpr std::size_t dimension = 3; ///< positions only
-  using ScaleFree = EdgeLength;               ///< as well in any unit: see CostPolicy
+  using ScaleFree = EdgeLength;               ///< gives the same result in any unit: see CostPolicy
 
-  /// Values grow with that power of lengths.
+  /// Returns the power of lengths with which the cost grows.
   double degree() const { return 2; }
 
-  /// Nothing.
+  /// The empty state of a vertex.
   struct Memory {
-    Memory& operator+=(const Memory&) { return *this; } ///< nothing and nothing is nothing
+    Memory& operator+=(const Memory&) { return *this; } ///< adds nothing
   };
 
-  /// Leaves nothing.
+  /// Returns the empty state.
   Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
 
-  /// The squared distance between the ends of the pair, wherever it goes.
+  /// Returns the squared distance between the ends of the pair, for any target.
   double operator()(const auto& pair, const Vector<3>& /*x*/) const {
     return squared_distance(pair.first, pair.second);
   }
 };
 
 /// Stops, with the cost EdgeLength, when each pair that may be contracted is longer than `length`,
-/// in the mesh's units: `simplify<EdgeLength, MidpointPlacement>(mesh, ShortestEdge{0.5})`. Edges
-/// that are left and not longer are those of which the contraction is refused: by the link
-/// condition, so in narrow necks, and by filters. With Topology::free and NormalFlip{180} there are
-/// none.
+/// in the mesh's units: `simplify<EdgeLength, MidpointPlacement>(mesh, ShortestEdge{0.5})`. A
+/// shorter edge is only left if its contraction is rejected: by the link condition, as in narrow
+/// necks, or by filters. With Topology::free and NormalFlip{180} there is none.
 ///
-/// To other costs the length is a limit of Status::next_error.
+/// For other costs the length is a limit on Status::next_error.
 struct ShortestEdge {
   double length; ///< at least 0
 
-  /// Is it enough? The queue keeps costs as floats, so a pair may have its turn before one that is
-  /// shorter by less than a part in 2^24: one that is longer than the limit by up to a part in 2^22
-  /// is contracted, so that none is left below.
+  /// Returns true once the next pair is longer than the limit. The queue keeps costs as floats, so
+  /// a pair may come before one that is shorter by less than a part in 2^24. A pair that is longer
+  /// than the limit by up to a part in 2^22 is therefore contracted, so that none is left below the
+  /// limit.
   bool operator()(const Status& status) const { return status.next_error > length * (1 + 0x1p-22); }
 
   /// Throws std::invalid_argument for a length that is negative or not a number.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How far apart are two surfaces that lie in files and do not fit into memory, and does one keep
-// what was promised of it? This header measures; it takes no part in simplifying, and
-// quadrille/file.h never includes it.
+// Measures how far apart two surfaces are that lie in files and do not fit into memory, and
+// verifies the claims made of a result. This header only measures, and quadrille/file.h never
+// includes it.
 //
 // Licence: this file is MIT, but it includes <quadrille/distance.h>, which includes parts of CGAL
 // that are GPL-3.0-or-later (or commercial). A program that includes it is bound by their terms.
@@ -15,12 +15,12 @@
 #include <quadrille/internal/file/job_folder.h>
 #include <quadrille/internal/file/job_lock.h>
 #include <quadrille/internal/file/job_watch.h>
-#include <quadrille/internal/file/surface_source.h>
-#include <quadrille/internal/verify/check_progress.h>
-#include <quadrille/internal/verify/distance_findings.h>
 #include <quadrille/internal/file/parted_distance.h>
 #include <quadrille/internal/file/parted_nearest.h>
 #include <quadrille/internal/file/parted_surface.h>
+#include <quadrille/internal/file/surface_source.h>
+#include <quadrille/internal/verify/check_progress.h>
+#include <quadrille/internal/verify/distance_findings.h>
 #include <quadrille/verdict.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ namespace quadrille {
 
 namespace internal {
 
-/// The folder of a job while two files are compared in it, which is gone then.
+/// The folder in which two files are compared; it is removed afterwards.
 class FolderOfCheck {
 public:
   explicit FolderOfCheck(const std::filesystem::path& scratch) : folder_(scratch), lock_(folder_) {
@@ -52,7 +52,7 @@ public:
     try {
       if (folder_.phase_at_work() == 0)
         lock_.remove_job();
-    } catch (const std::exception&) { // what can't be removed stays
+    } catch (const std::exception&) { // a folder that cannot be removed stays
     }
   }
 
@@ -63,10 +63,10 @@ private:
   JobLock lock_;
 };
 
-/// Two files, cut into parts that are compared.
+/// Two files, cut into chunks that are compared.
 class FileComparison {
 public:
-  /// `a` may have tolerances, by a name.
+  /// `a` may have tolerances, under a name.
   FileComparison(const SurfaceFiles& a, const SurfaceFiles& b, const OutOfCore& options,
                  const std::string& tolerance = {})
       : options_(options), folder_(options.scratch), a_(cut(1, a, tolerance, 0)),
@@ -88,7 +88,7 @@ public:
     return verdict;
   }
 
-  /// Of the tolerances.
+  /// Verifies the tolerances.
   Verdict verdict_of_tolerances() const {
     Verdict verdict;
     CheckProgress progress = told_progress(2);
@@ -98,8 +98,8 @@ public:
   }
 
 private:
-  // Of a part that is measured, with what it is measured against; parts may have twice as many as
-  // they are meant to.
+  // Bounds the size of a chunk that is measured, with the faces that it is measured against. Chunks
+  // may have twice as many faces as intended.
   static constexpr std::uint64_t base = 64'000'000, bytes_of_face = 1000;
   std::size_t most_faces() const {
     const std::uint64_t fit = ((std::max)(options_.memory, base) - base) / bytes_of_face;
@@ -126,7 +126,7 @@ private:
     return surface;
   }
 
-  // As one_sided_distance() has it of surfaces in memory.
+  // Measures the one-sided distance, as one_sided_distance() does in memory.
   OneSidedDistance one_sided(const PartedSurface& from, const PartedSurface& to,
                              const DistanceSampling& sampling, double begin) const {
     std::optional<StripSampling> strips;
@@ -149,7 +149,7 @@ private:
     return {std::sqrt(sum / static_cast<double>(count)), std::sqrt(largest)};
   }
 
-  // Returns how many are samples, which come first.
+  // Returns how many of the points are samples, which come first.
   static std::size_t add_points(const PartedSurface& from, std::size_t p,
                                 std::optional<StripSampling>& strips,
                                 std::vector<DistancePoint>& points) {
@@ -182,34 +182,35 @@ private:
 
 } // namespace internal
 
-/// The sampled distance between two surfaces in files, as surface_distance() has it of surfaces in
-/// memory: of as many samples, other ones, and all vertices.
+/// Returns the sampled distance between two surfaces in files, as surface_distance() does for
+/// surfaces in memory. It takes as many samples, at other places, and all vertices.
 ///
-/// Files are what simplify_file reads and writes. They are cut into compact parts in
-/// `options.scratch`, in a folder of their own that is gone at the end, about 30 bytes for each
-/// face of both; a part is measured against those of the other surface that are near it, one at a
-/// time, so that `options.memory` is kept. Of OutOfCore nothing else counts but `part_faces` and
-/// `proceed`, which is told FileStage::check and the progress.
+/// The files are those that simplify_file reads and writes. They are cut into compact chunks in
+/// `options.scratch`, in a folder of their own that is removed at the end, with about 30 bytes for
+/// each face of both. A chunk is measured against the chunks of the other surface near it, one at a
+/// time, so that the limit `options.memory` is kept. The only other options that apply are
+/// `part_faces` and `proceed`, which receives FileStage::check and the progress.
 ///
-/// Complexity: O((n + s) log n) for n faces and s samples, as far as parts are near to those that
-/// they are measured against. Throws std::runtime_error with the name of the file for one that
-/// can't be read or has no faces, and for a scratch folder that has a job in it; and
-/// internal::JobCancelled where `proceed` ends it.
+/// Complexity: O((n + s) log n) for n faces and s samples, if the two surfaces are close to each
+/// other. Throws std::runtime_error with the name of the file for a file that cannot be read or has
+/// no faces, and for a scratch folder that contains a job; and internal::JobCancelled if `proceed`
+/// ends it.
 inline SurfaceDistance file_distance(const SurfaceFiles& a, const SurfaceFiles& b,
                                      const OutOfCore& options,
                                      const DistanceSampling& sampling = {}) {
   return internal::FileComparison(a, b, options).distance(sampling);
 }
 
-/// Looks whether a result in a file keeps the distances that are claimed of it, as verify() does of
-/// surfaces in memory: by pieces of faces, and not by samples.
+/// Verifies that a result in a file keeps the distances claimed of it, as verify() does for
+/// surfaces in memory: by subdividing faces, not by samples.
 ///
-/// Claims are of distances, one way or both; for others, which need a surface as a whole, it throws
-/// std::invalid_argument. `options.tolerance` claims the tolerances that the input has under that
-/// name, see ToleranceLimit, beside or instead of these. `claims.progress` is not asked, but
-/// `options.proceed`. A part is measured against all faces within what is claimed of it, which
-/// keeps `options.memory` as long as there are no more of them than a part has: where much more is
-/// broken than was claimed, it takes more. Otherwise as file_distance().
+/// Claims may be about distances, in one direction or both. For other claims, which need the whole
+/// surface, it throws std::invalid_argument. `options.tolerance` claims the tolerances that the
+/// input has under that name (see ToleranceLimit), in addition to distances or instead of them.
+/// `claims.progress` is ignored, and `options.proceed` is called. A chunk is measured against all
+/// faces within the claimed distance. This keeps the limit `options.memory` as long as these are no
+/// more faces than a chunk has: a result that breaks its claim by far takes more. Otherwise as
+/// file_distance().
 inline Verdict verify_files(const SurfaceFiles& input, const SurfaceFiles& result,
                             const Claims& claims, const OutOfCore& options) {
   internal::DistanceFindings::require_sense(claims);
