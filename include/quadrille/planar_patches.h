@@ -24,6 +24,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -42,7 +43,8 @@
 namespace quadrille {
 
 /// What counts as planar, as an argument of remesh_planar_patches(). Without a word it is what is
-/// planar but for rounding: a 10⁻⁹ of the diagonal of the bounding box.
+/// planar but for rounding: a 10⁻⁹ of the diagonal of the bounding box. Attributes may be as far
+/// from affine on a patch, as a part of the range of each component, and by 10⁻⁶ of it at least.
 class PlanarTolerance : public internal::DistanceOrPart {
 public:
   /// `distance`, in the mesh's units: how far the surface may move.
@@ -51,8 +53,6 @@ public:
   static PlanarTolerance relative(double fraction) { return PlanarTolerance(fraction, true); }
 
   double degrees = 10; ///< between the normals of a face and of its patch at most, below 90
-  /// How far attributes may be from affine on a patch, in parts of the range of each component.
-  double attributes = 1e-6;
 
   /// Throws std::invalid_argument for a number that is negative, not a number, or an angle of 90
   /// degrees or more.
@@ -61,9 +61,6 @@ public:
     if (!(degrees >= 0 && degrees < 90))
       throw std::invalid_argument("quadrille::PlanarTolerance: degrees " +
                                   internal::text_of(degrees) + " are not from 0 to below 90");
-    if (!(attributes >= 0))
-      throw std::invalid_argument("quadrille::PlanarTolerance: attributes " +
-                                  internal::text_of(attributes) + " is no part of a range");
   }
 
 private:
@@ -139,11 +136,11 @@ PlanarReport remesh_with(Adapter& adapter, InputWithChannels input,
   PlanarReport report;
   report.faces_before = input.triangles.size();
   report.vertices_before = input.positions.size();
-  const double distance = tolerance.distance(input.box().diagonal());
+  const double diagonal = input.box().diagonal(), distance = tolerance.distance(diagonal);
   const auto [surface, patches] =
       remesh(std::move(input),
              {distance / std::sqrt(5.0), std::cos(tolerance.degrees * (std::numbers::pi / 180)),
-              tolerance.attributes});
+              (std::max)(1e-6, distance / diagonal)});
   report.faces_after = surface.face_count();
   report.vertices_after = surface.input_vertices().size();
   report.patches = patches.all;

@@ -592,6 +592,22 @@ TEST_CASE("a border bends where it is further from straight than the tolerance")
   CHECK(vertices(0.051) == 4);
 }
 
+TEST_CASE("texture coordinates that a file has rounded lie on one patch within a tolerance") {
+  const Soup before = test::grid(10, 10); // of the unit square
+  const auto faces = [&](const PlanarTolerance& tolerance) {
+    std::vector<std::array<double, 2>> values; // of four digits
+    for (const Position& p : before.points)
+      values.push_back(
+          {std::round(1e4 * (2 * p[0] + p[1]) / 3) / 1e4, std::round(1e4 * p[1] / 1.3) / 1e4});
+    test::PointSoup soup(before);
+    return remesh_planar_patches(soup.points, soup.triangles, SplitVertices{},
+                                 Texture{CGAL::make_property_map(values)}, tolerance)
+        .faces_after;
+  };
+  CHECK(faces(PlanarTolerance::relative(1e-9)) > 20);
+  CHECK(faces(PlanarTolerance::relative(3e-4)) == 2);
+}
+
 TEST_CASE("normals that differ by more than the angle end a patch") {
   const Soup before = test::open_cylinder(72, 4); // of 5 degrees a column
   const auto patches = [&](double degrees) {
@@ -652,9 +668,6 @@ TEST_CASE("what makes no sense is refused before anything changes") {
   PlanarTolerance steep = usual;
   steep.degrees = 90;
   refused(good, steep, "degrees 90");
-  PlanarTolerance no_part = usual;
-  no_part.attributes = -1;
-  refused(good, no_part, "attributes -1");
   Soup bad = good;
   bad.points[3][1] = std::numeric_limits<double>::infinity();
   refused(bad, usual, "quadrille::remesh_planar_patches: vertex 3 is not finite");
