@@ -34,27 +34,21 @@ public:
   static constexpr bool ignores_indices = true; ///< points may come in another order
 
   /// t is in the mesh's units, at least 0 and finite. A vertex can have O(n) others within t, so
-  /// a number of pairs above `max_pairs_per_vertex` times that of vertices is refused.
-  explicit ThresholdPairs(double t, double max_pairs_per_vertex = 64)
-      : t_(t), max_pairs_per_vertex_(max_pairs_per_vertex) {}
+  /// more than 64 times as many pairs as vertices are refused.
+  explicit ThresholdPairs(double t) : t_(t) {}
 
   /// t as a fraction of the diagonal of the bounding box.
-  static ThresholdPairs relative(double fraction, double max_pairs_per_vertex = 64) {
-    ThresholdPairs pairs(fraction, max_pairs_per_vertex);
+  static ThresholdPairs relative(double fraction) {
+    ThresholdPairs pairs(fraction);
     pairs.is_relative_ = true;
     return pairs;
   }
 
-  /// Throws std::invalid_argument for a threshold that is negative or not finite, and for a limit
-  /// that is negative or not a number.
+  /// Throws std::invalid_argument for a threshold that is negative or not finite.
   void validate() const {
     if (!(t_ >= 0) || !std::isfinite(t_))
       throw std::invalid_argument("quadrille::ThresholdPairs: the threshold " +
                                   internal::text_of(t_) + " is not a distance");
-    if (!(max_pairs_per_vertex_ >= 0))
-      throw std::invalid_argument("quadrille::ThresholdPairs: the limit of " +
-                                  internal::text_of(max_pairs_per_vertex_) +
-                                  " pairs a vertex is no number of pairs");
   }
 
   /// Calls emit(i, j) for each pair of points i < j closer than t, ordered by i, then by j. Throws
@@ -79,8 +73,10 @@ public:
   }
 
 private:
+  static constexpr int most_pairs_a_vertex = 64;
+
   void require_few(const internal::ClosePoints& finder, std::size_t points, double t) const {
-    const double limit = max_pairs_per_vertex_ * static_cast<double>(points);
+    const double limit = most_pairs_a_vertex * static_cast<double>(points);
     const double pairs = finder.count_pairs(limit);
     if (pairs > limit)
       refuse((std::max)(pairs, estimated_pairs(finder, points)), is_relative_ ? t : t_);
@@ -102,12 +98,11 @@ private:
     throw std::length_error("quadrille::ThresholdPairs: about " +
                             std::to_string(std::llround(pairs)) +
                             " pairs of vertices are closer than " + internal::text_of(t) +
-                            ", more than the limit of " + internal::text_of(max_pairs_per_vertex_) +
-                            " a vertex (the second argument of ThresholdPairs)");
+                            ", more than the limit of " + std::to_string(most_pairs_a_vertex) +
+                            " a vertex");
   }
 
   double t_;
-  double max_pairs_per_vertex_;
   bool is_relative_ = false;
 };
 

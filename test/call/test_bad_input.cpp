@@ -184,7 +184,6 @@ TEST_CASE("Policies that make no sense are refused") {
     require_refused(mesh, "quadrille::DistanceLimit", DistanceLimit::relative(distance));
     require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(distance));
     require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs::relative(distance));
-    require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(0.1, distance));
   }
   require_refused(mesh, "quadrille::ThresholdPairs", ThresholdPairs(infinity));
   for (double weight : {-1.0, not_a_number, infinity}) {

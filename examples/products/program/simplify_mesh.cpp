@@ -57,12 +57,10 @@ std::vector<double> values_ahead(const IndexedMesh& mesh, const std::vector<doub
 } // namespace
 
 std::string in_words_of_program(std::string message) {
-  constexpr std::string_view scope = "quadrille::", argument = " (the second argument of ";
+  constexpr std::string_view scope = "quadrille::";
   if (message.starts_with(scope))
     if (const std::size_t end = message.find(": "); end != std::string::npos)
       message.erase(0, end + 2);
-  if (const std::size_t begin = message.find(argument); begin != std::string::npos)
-    message.erase(begin, message.find(')', begin) + 1 - begin);
   for (std::size_t at = 0; (at = message.find(scope)) != std::string::npos;)
     message.erase(at, scope.size());
   return message;

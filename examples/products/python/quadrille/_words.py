@@ -157,7 +157,6 @@ _NAMES: List[Tuple[str, str]] = [
     (r"; CGAL::Polygon_mesh_processing::orient_to_bound_a_volume changes that",
      ": turn its faces round, faces[:, [0, 2, 1]]"),
     (r"; CGAL::Polygon_mesh_processing .*", "; orient=True winds faces alike, split_vertices=True joins points at one place"),
-    (r"\(the second argument of ThresholdPairs\)", "that this module has"),
     (r"quadrille::ThresholdPairs: the threshold", "pairs_closer_than: the distance"),
     (r"quadrille::ThresholdPairs", "pairs_closer_than"),
     (r"quadrille::NoSelfIntersection needs GreedyOrder", "no_self_intersection=True is for order='greedy'"),
