@@ -256,7 +256,7 @@ concept StopPolicy = std::copy_constructible<S> && requires(const S stop, const 
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** NormalFlip, TriangleShape, HighestDegree, SmallestAngle, LongestEdge,
+/// **Has models** NormalFlip, SmallestAngle, LongestEdge, HighestDegree and
 /// HeightField. NoSelfIntersection and NormalDeviation are none: they have to follow contractions,
 /// which a filter does not see: see GuardPolicy in <quadrille/guard.h>.
 ///

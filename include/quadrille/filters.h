@@ -124,42 +124,6 @@ private:
   bool allows_everything_, allows_folds_;
 };
 
-/// Refuses a contraction that makes a sliver out of a better triangle: one of less than `quality`
-/// and of less than its quality before. The quality of a triangle is 4√3 · area / Σ|edge|²: 1 for
-/// an equilateral one, 0 for one without area.
-class TriangleShape {
-public:
-  using ScaleFree = TriangleShape;                     ///< as well in any unit of length
-  static constexpr Rejection cause = Rejection::shape; ///< what refusals count as
-
-  /// quality lies in [0, 1]; throws std::invalid_argument otherwise.
-  explicit TriangleShape(double quality = 0.05) : quality_(quality) {
-    if (!(quality >= 0 && quality <= 1))
-      throw std::invalid_argument("quadrille::TriangleShape: the quality " +
-                                  internal::text_of(quality) + " is not in [0, 1]");
-  }
-
-  /// False where the contraction is to be refused: see FilterPolicy.
-  bool allows(const auto& contraction) const {
-    for (const auto& face : contraction.faces()) {
-      const double after = quality(face.after, face.second, face.third);
-      if (after < quality_ && after < quality(face.before, face.second, face.third))
-        return false;
-    }
-    return true;
-  }
-
-private:
-  static double quality(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
-    const double edges = squared_distance(p, q) + squared_distance(q, r) + squared_distance(r, p);
-    return edges > 0 ? 2 * std::numbers::sqrt3 *
-                           std::sqrt(squared_length(double_area_vector(p, q, r))) / edges
-                     : 0;
-  }
-
-  double quality_;
-};
-
 /// Refuses a contraction that makes a face with a smaller angle than `degrees`, unless that angle
 /// is as large as the smallest that the face had before.
 class SmallestAngle {

@@ -226,8 +226,6 @@ TEST_CASE("Weights of attributes that make no sense are refused") {
 TEST_CASE("Filters that make no sense are refused") {
   for (double degrees : {-90.0, 0.0, 180.1, not_a_number, infinity})
     CHECK_THROWS_AS(NormalFlip(degrees), std::invalid_argument);
-  for (double quality : {-0.1, 1.1, not_a_number})
-    CHECK_THROWS_AS(TriangleShape(quality), std::invalid_argument);
   CHECK_THROWS_AS(HighestDegree(2), std::invalid_argument);
   for (double degrees : {-1.0, 61.0, not_a_number})
     CHECK_THROWS_AS(SmallestAngle(degrees), std::invalid_argument);

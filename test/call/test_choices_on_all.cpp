@@ -162,7 +162,7 @@ namespace {
 // Looks at what the filters before it have let pass.
 struct Onlooker {
   double* largest_turn;   // of the normal of a face that has one, in degrees
-  double* lowest_quality; // of a face that was better before
+  double* smallest_angle; // of a face that had a larger one before, in degrees
   std::size_t* highest_degree;
   bool allows(const auto& contraction) const {
     *highest_degree = std::max(*highest_degree, contraction.faces().size());
@@ -173,25 +173,29 @@ struct Onlooker {
       const double cosine = lengths > 0 ? dot(before, after) / lengths : 1;
       *largest_turn = std::max(*largest_turn,
                                std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi);
-      const double quality_after = quality(face.after, face);
-      if (quality_after < quality(face.before, face))
-        *lowest_quality = std::min(*lowest_quality, quality_after);
+      const double angle_after = angle(face.after, face);
+      if (angle_after < angle(face.before, face))
+        *smallest_angle = std::min(*smallest_angle, angle_after);
     }
     return true;
   }
 
-  static double quality(const Position& p, const auto& face) {
-    return 2 * std::sqrt(3.0) *
-           std::sqrt(squared_length(double_area_vector(p, face.second, face.third))) /
-           (squared_distance(p, face.second) + squared_distance(face.second, face.third) +
-            squared_distance(face.third, p));
+  // The smallest of a face, by the law of cosines.
+  static double angle(const Position& p, const auto& face) {
+    std::array<double, 3> edges{squared_distance(p, face.second),
+                                squared_distance(face.second, face.third),
+                                squared_distance(face.third, p)};
+    std::sort(edges.begin(), edges.end());
+    const double sides = 2 * std::sqrt(edges[1] * edges[2]);
+    const double cosine = sides > 0 ? (edges[1] + edges[2] - edges[0]) / sides : 1;
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
   }
 };
 
 struct Seen {
-  double largest_turn = 0, lowest_quality = 1;
+  double largest_turn = 0, smallest_angle = 60;
   std::size_t highest_degree = 0;
-  Onlooker onlooker() { return {&largest_turn, &lowest_quality, &highest_degree}; }
+  Onlooker onlooker() { return {&largest_turn, &smallest_angle, &highest_degree}; }
 };
 
 std::size_t highest_degree(const Soup& soup) {
@@ -210,7 +214,7 @@ void check_filters() {
   Seen freely, turning, shaped, slim;
   Kind::run(soup, Quadric{}, stop, NormalFlip{180}, freely.onlooker());
   CHECK(freely.largest_turn > 90);
-  CHECK(freely.lowest_quality < 0.3);
+  CHECK(freely.smallest_angle < 10);
 
   for (const double degrees : {30.0, 90.0, 120.0}) {
     CAPTURE(degrees);
@@ -221,9 +225,9 @@ void check_filters() {
     CHECK(turning.largest_turn > 0.5 * degrees);
   }
 
-  const Result with_shape = Kind::run(soup, Quadric{}, stop, TriangleShape{0.4}, shaped.onlooker());
+  const Result with_shape = Kind::run(soup, Quadric{}, stop, SmallestAngle{20}, shaped.onlooker());
   CHECK(with_shape.report.rejected(Rejection::shape) > 0);
-  CHECK(shaped.lowest_quality >= 0.4 - 1e-9);
+  CHECK(shaped.smallest_angle >= 20 - 1e-5);
 
   const std::size_t before = highest_degree(soup);
   REQUIRE(before <= 10);
@@ -236,10 +240,10 @@ void check_filters() {
   CHECK(slim.highest_degree <= 10);
 
   Seen all;
-  const Result with_all = Kind::run(soup, Quadric{}, stop, HighestDegree{10}, TriangleShape{0.1},
+  const Result with_all = Kind::run(soup, Quadric{}, stop, HighestDegree{10}, SmallestAngle{5},
                                     NormalFlip{60}, all.onlooker());
   CHECK(highest_degree(with_all.soup) <= 10);
-  CHECK(all.lowest_quality >= 0.1 - 1e-9);
+  CHECK(all.smallest_angle >= 5 - 1e-5);
   CHECK(all.largest_turn < 60 * (1 + 1e-9));
 }
 

@@ -76,7 +76,7 @@ Call make_call(Bytes& bytes, std::size_t faces) {
     call.threshold = std::ldexp(1 + bytes.byte() / 256.0, static_cast<int>(bytes.below(24)) - 20);
   call.flip_degrees = degrees[bytes.below(degrees.size())];
   if (bytes.one_in(4))
-    call.shape = bytes.byte() / 255.0;
+    call.smallest_angle = 60 * (bytes.byte() / 255.0);
   if (bytes.one_in(4))
     call.degree = 3 + bytes.below(20);
   if (bytes.one_in(4))
@@ -293,7 +293,8 @@ std::ostream& operator<<(std::ostream& out, const Call& call) {
              << (call.topology == Topology::kept   ? "kept"
                  : call.topology == Topology::free ? "free"
                                                    : "kept, parts may vanish")
-             << ", normals turn by " << call.flip_degrees << " degrees, shape " << call.shape
+             << ", normals turn by " << call.flip_degrees << " degrees, angles of at least "
+             << call.smallest_angle
              << ", degree " << call.degree << ", cancelled at call " << call.cancel_at;
 }
 

@@ -104,7 +104,7 @@ struct Call {
   bool eager = false;                             ///< that
   quadrille::Topology topology = quadrille::Topology::free;
   double flip_degrees = 90;
-  double shape = 0;
+  double smallest_angle = 0; ///< in degrees
   std::size_t degree = std::numeric_limits<std::size_t>::max();
   std::size_t cancel_at = std::numeric_limits<std::size_t>::max(); ///< the call of the visitor
 };

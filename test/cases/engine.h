@@ -54,7 +54,7 @@ template <class Cost, class Pairs, class Simplify>
 quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify simplify) {
   const auto with_order = [&](const auto& order) {
     return simplify(placement_of<Cost>(call.placement), pairs, call.stop, order, call.topology,
-                    quadrille::NormalFlip(call.flip_degrees), quadrille::TriangleShape(call.shape),
+                    quadrille::NormalFlip(call.flip_degrees), quadrille::SmallestAngle(call.smallest_angle),
                     quadrille::HighestDegree(call.degree));
   };
   return call.relaxed ? with_order(*call.relaxed)

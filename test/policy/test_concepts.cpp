@@ -35,8 +35,7 @@ static_assert(PairPolicy<EdgePairs> && PairPolicy<ThresholdPairs>);
 static_assert(StopPolicy<FaceCount> && StopPolicy<FaceRatio> && StopPolicy<VertexCount>);
 static_assert(StopPolicy<DistanceLimit> && StopPolicy<AnyOf<FaceCount, DistanceLimit>> &&
               StopPolicy<AllOf<FaceCount, VertexCount>>);
-static_assert(FilterPolicy<NormalFlip, Quadric> && FilterPolicy<TriangleShape, ColorQuadric> &&
-              FilterPolicy<HighestDegree, EdgeLength>);
+static_assert(FilterPolicy<NormalFlip, Quadric> && FilterPolicy<HighestDegree, EdgeLength>);
 static_assert(FilterPolicy<HeightField, Quadric> && FilterPolicy<SmallestAngle, ColorQuadric> &&
               FilterPolicy<LongestEdge, EdgeLength>);
 static_assert(StopPolicy<ShortestEdge> && StopPolicy<AnyOf<FaceCount, TimeBudget>>);

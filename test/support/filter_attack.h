@@ -41,17 +41,13 @@ public:
 
   /// What is broken, in a line each.
   std::vector<std::string> broken() {
-    const double degrees = random_(3, 40), quality = random_(0.05, 0.8),
+    const double degrees = random_(3, 40),
                  length = edge_ * std::pow(10, random_(-0.5, 1)),
                  limit = diagonal_ * std::pow(10, random_(-3.5, -1));
     const std::size_t degree = 6 + random_.below(6);
     run("smallest angle", quadrille::SmallestAngle(degrees),
         [&](const FilterPromises& p, const quadrille::Level&) {
           return p.lost_degrees(degrees) <= 1e-5;
-        });
-    run("shape", quadrille::TriangleShape(quality),
-        [&](const FilterPromises& p, const quadrille::Level&) {
-          return p.lost_quality(quality) <= 1e-9;
         });
     run("longest edge", quadrille::LongestEdge(length),
         [&](const FilterPromises& p, const quadrille::Level&) {

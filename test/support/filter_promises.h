@@ -41,12 +41,6 @@ public:
       return std::min(degrees, smallest_angle(input_, before)) - smallest_angle(result_, now);
     });
   }
-  /// By how much a face is less good than TriangleShape says, at most.
-  double lost_quality(double quality) const {
-    return worst([&](const Triangle& now, const Triangle& before) {
-      return std::min(quality, quality_of(input_, before)) - quality_of(result_, now);
-    });
-  }
   /// By what part of it an edge is longer than LongestEdge says, at most. An edge of a face of the
   /// result is that between the same corners as in the input.
   double gained_length(double length) const {
@@ -105,12 +99,6 @@ private:
     return below > 0
                ? 2 * std::atan(std::sqrt(std::max(0.0, above) / below)) * 180 / std::numbers::pi
                : 0;
-  }
-  static double quality_of(const Soup& soup, const Triangle& t) {
-    const auto [a, b, c] = lengths(soup, t);
-    const Position area = area_vector(soup, t);
-    const double edges = a * a + b * b + c * c;
-    return edges > 0 ? 4 * std::numbers::sqrt3 * std::sqrt(dot(area, area)) / edges : 0;
   }
   /// Faces of the same three vertices count once.
   static std::vector<std::size_t> degrees(const Soup& soup) {
