@@ -151,7 +151,6 @@ struct SoupOptions {
   /// Called from time to time; the simplification ends early when it returns false. See Visitor.
   std::function<bool(const Status&)> proceed = {};
 
-  bool eager = false;          ///< see GreedyOrder
   double share = 0.5;          ///< see RelaxedOrder
   bool refresh = false;        ///< see RelaxedOrder
   unsigned threads = 1;        ///< more than one need oneTBB when the library is compiled

@@ -8,18 +8,12 @@ namespace quadrille {
 /// large surface is in no spatial order. Of a vertex of more than 64 faces only the cheapest pairs
 /// take part at first, the others when these are done, so that it does not take the square of its
 /// faces at every contraction.
-struct GreedyOrder {
-  /// For costs that look at the surface as it is now (MemorylessQuadric, ThinFeatureQuadric): after
-  /// each contraction, cost the pairs of the neighbouring vertices anew as well, since the faces
-  /// around them have changed; but not where the vertex or its neighbour has more than 64 faces.
-  /// Without it, a pair that has become more costly goes back when its turn comes, and one that has
-  /// become cheaper may wait for too long: only where the unevenness of the faces around a vertex
-  /// has fallen to 0.7 of what it was are its pairs costed anew. Takes two to three times the time,
-  /// for an error that is lower by half a percent.
-  ///
-  /// Source: as Lindstrom and Turk do, Fast and Memory Efficient Polygonal Simplification, 1998.
-  bool eager = false;
-};
+///
+/// Costs that look at the surface as it is now (MemorylessQuadric, ThinFeatureQuadric) change beside
+/// each contraction. A pair that has become more costly goes back when its turn comes; where the
+/// unevenness of the faces around a vertex has fallen to 0.7 of what it was, its pairs are costed
+/// anew.
+struct GreedyOrder {};
 
 struct RelaxedOrder; // is in <quadrille/relaxed_order.h>: include that to use it
 

@@ -180,15 +180,14 @@ TEST_CASE("Options of channels are those of the templates") {
   check(torn, others, options_of(SoupOptions::Cost::quadric), FaceCount{60});
 }
 
-TEST_CASE("Passes, keys that are kept up to date, creases and weights of borders are options") {
+TEST_CASE("Passes, greedy order, creases and weights of borders are options") {
   SoupOptions options = options_of(SoupOptions::Cost::quadric);
   options.order = SoupOptions::Order::relaxed;
   options.share = 0.3;
   options.refresh = true;
   check(in_charts, {}, options, FaceCount{60}, RelaxedOrder{.share = 0.3, .refresh = true});
   options = options_of(SoupOptions::Cost::memoryless_quadric);
-  options.eager = true;
-  check(in_charts, {}, options, FaceCount{60}, MemorylessQuadric{}, GreedyOrder{.eager = true});
+  check(in_charts, {}, options, FaceCount{60}, MemorylessQuadric{}, GreedyOrder{});
   options = options_of(SoupOptions::Cost::quadric);
   options.crease_degrees = 20;
   options.crease_weight = 7;

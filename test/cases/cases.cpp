@@ -89,8 +89,6 @@ Call make_call(Bytes& bytes, std::size_t faces) {
     call.cancel_at = 1 + bytes.below(32);
   if (call.cost == CostName::memoryless && bytes.one_in(2))
     call.cost = CostName::thin_feature;
-  const bool is_current = call.cost == CostName::memoryless || call.cost == CostName::thin_feature;
-  call.eager = is_current && !call.relaxed && bytes.one_in(2);
   return call;
 }
 
@@ -287,8 +285,6 @@ std::ostream& operator<<(std::ostream& out, const Call& call) {
   if (call.relaxed)
     out << ", relaxed order, share " << call.relaxed->share << ", refresh "
         << call.relaxed->refresh;
-  if (call.eager)
-    out << ", eager order";
   return out << ", topology "
              << (call.topology == Topology::kept   ? "kept"
                  : call.topology == Topology::free ? "free"

@@ -101,7 +101,6 @@ struct Call {
   double threshold = 0; ///< of the ThresholdPairs; 0 is the same as EdgePairs
   AnyStop stop;
   std::optional<quadrille::RelaxedOrder> relaxed; ///< GreedyOrder without it
-  bool eager = false;                             ///< that
   quadrille::Topology topology = quadrille::Topology::free;
   double flip_degrees = 90;
   double smallest_angle = 0; ///< in degrees

@@ -58,7 +58,7 @@ quadrille::Report with_policies(const Call& call, const Pairs& pairs, Simplify s
                     quadrille::HighestDegree(call.degree));
   };
   return call.relaxed ? with_order(*call.relaxed)
-                      : with_order(quadrille::GreedyOrder{.eager = call.eager});
+                      : with_order(quadrille::GreedyOrder{});
 }
 
 // The attributes that a cost looks at, if any.

@@ -91,7 +91,6 @@ TEST_CASE("Pairs of a vertex of many faces are not all looked at again at each c
       const Mesh mesh = test::make_mesh(soup);
       require_little_work<Quadric>(mesh, ratio);
       require_little_work<MemorylessQuadric>(mesh, ratio);
-      require_little_work<MemorylessQuadric>(mesh, ratio, GreedyOrder{.eager = true});
       require_little_work<Quadric>(mesh, ratio, RelaxedOrder{});
     }
 }

@@ -352,7 +352,6 @@ TEST_CASE("An order that is chosen at run time is that order, bit for bit") {
     return a.points == b.points && a.triangles == b.triangles;
   };
   CHECK(is_same(GreedyOrder{}));
-  CHECK(is_same(GreedyOrder{.eager = true}));
   CHECK(is_same(RelaxedOrder{}));
   CHECK(is_same(RelaxedOrder{.share = 0.2, .refresh = true}));
   Mesh mesh = input;

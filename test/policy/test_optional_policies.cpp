@@ -79,7 +79,7 @@ TEST_CASE("A std::optional of a policy is that policy, or as if it were not ther
   check_optional(ThresholdPairs(0.5), count);
   check_optional(RelaxedOrder{}, count);
   check_optional(AnyOrder(RelaxedOrder{}), count);
-  check_optional(GreedyOrder{.eager = true}, count, MemorylessQuadric{});
+  check_optional(GreedyOrder{}, count, MemorylessQuadric{});
   check_optional(RefusesAll{}, count);
   check_optional(NormalFlip(10), count); // and 90 degrees without one
   check_optional(Topology::free, FaceCount{2});

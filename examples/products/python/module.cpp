@@ -135,7 +135,6 @@ void add_options(py::module_& m) {
       .def_readwrite("position_noise", &SoupOptions::position_noise)
       .def_readwrite("placement", &SoupOptions::placement)
       .def_readwrite("order", &SoupOptions::order)
-      .def_readwrite("eager", &SoupOptions::eager)
       .def_readwrite("share", &SoupOptions::share)
       .def_readwrite("refresh", &SoupOptions::refresh)
       .def_readwrite("threads", &SoupOptions::threads)

@@ -51,7 +51,7 @@ SoupResult soup_placed_by(const Placement& placement, const SoupView& soup,
                           const SoupOptions& options) {
   return internal::run_soup(soup, options, [&](internal::SoupRun& run) {
     return internal::simplify_with_all(run, internal::with_weights(MemorylessQuadric{}, options),
-                                       placement, GreedyOrder{options.eager});
+                                       placement, GreedyOrder{});
   });
 }
 

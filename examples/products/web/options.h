@@ -108,8 +108,8 @@ inline void set_number(Options& options, std::string_view name, double value) {
       set("no_self_intersection", &Options::no_self_intersection) ||
       set("keep_solid", &Options::keep_solid) ||
       set("label_border_weight", &Options::label_border_weight) ||
-      set("split_vertices", &Options::split_vertices) || set("eager", &Options::eager) ||
-      set("share", &Options::share) || set("refresh", &Options::refresh);
+      set("split_vertices", &Options::split_vertices) || set("share", &Options::share) ||
+      set("refresh", &Options::refresh);
   if (!is_known)
     refuse_option(name);
 }

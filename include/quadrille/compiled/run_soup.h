@@ -132,7 +132,7 @@ inline std::optional<CGAL::Bbox_3> bounding_box_of(const SoupOptions& options) {
 /// The order of the options: one engine is compiled for both.
 inline AnyOrder order_of(const SoupOptions& options) {
   if (options.order == SoupOptions::Order::greedy)
-    return GreedyOrder{options.eager};
+    return GreedyOrder{};
   return RelaxedOrder{options.share, options.refresh, options.threads};
 }
 

@@ -80,7 +80,6 @@ class Options:
     position_noise: float
     placement: Optional[Placement]
     order: Order
-    eager: bool
     share: float
     refresh: bool
     threads: int

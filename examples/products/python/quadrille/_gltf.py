@@ -45,7 +45,6 @@ class GltfOptions(TypedDict, total=False):
     normal_deviation: Optional[float]
     no_self_intersection: bool
     keep_solid: bool
-    eager: bool
     share: float
     refresh: bool
 

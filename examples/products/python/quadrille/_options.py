@@ -44,7 +44,6 @@ def make_options(
     normal_deviation: Optional[float] = None,
     no_self_intersection: bool = False,
     keep_solid: bool = False,
-    eager: bool = False,
     share: float = 0.5,
     refresh: bool = False,
 ) -> _core.Options:
@@ -76,7 +75,7 @@ def make_options(
     for name, number in numbers.items():
         setattr(options, name, read_number(name, number))
     options.threads = read_count("threads", threads)
-    options.eager, options.refresh = bool(eager), bool(refresh)
+    options.refresh = bool(refresh)
     options.no_self_intersection = bool(no_self_intersection)
     options.keep_solid = bool(keep_solid)
     return options

@@ -67,7 +67,6 @@ def simplify(
     orient: bool = False,
     levels: Optional[Levels] = None,
     progress: Optional[Callable[[_core.Status], Optional[bool]]] = None,
-    eager: bool = False,
     share: float = 0.5,
     refresh: bool = False,
 ) -> Simplified:
@@ -146,7 +145,6 @@ def simplify(
                      of these; all points of others stay where they are
     importance       a number for each point, at least 0, of the shape (n,): where it is large more faces
                      stay, for 8 times the number about twice as many; only ratios matter
-    eager            for 'greedy' and costs but 'quadric': half a percent more accurate, half as fast
     share, refresh   for 'relaxed': see RelaxedOrder in order.h
 
     What goes along with the surface. Arrays here stand for those of a Mesh; see Mesh and Channel for
@@ -197,7 +195,7 @@ def simplify(
         line_weight=line_weight, normal_noise=normal_noise, position_noise=position_noise,
         topology=topology, pairs_closer_than=pairs_closer_than, normal_flip=normal_flip,
         normal_deviation=normal_deviation, no_self_intersection=no_self_intersection,
-        keep_solid=keep_solid, eager=eager, share=share, refresh=refresh)
+        keep_solid=keep_solid, share=share, refresh=refresh)
     functions = Functions(cost if callable(cost) else None, function_of("filter", filter),
                           function_of("stop", stop), function_of("progress", progress))
     way = _way_of(options, cost, hull, bool(keep_volume), bool(calibrated))

@@ -106,8 +106,6 @@ export interface Options {
   /** Points at exactly one place are one point, as in meshes that are split at seams (glTF, three.js); the result is
    *  split again. */
   splitVertices?: boolean;
-  /** Of order greedy, and costs but quadric: half a percent more accurate, half as fast. */
-  eager?: boolean;
   /** Of order relaxed: which part of the pairs a pass takes; in (0, 1], default 0.5. */
   share?: number;
   /** Of order relaxed: memories are made anew between passes. */

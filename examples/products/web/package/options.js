@@ -8,7 +8,7 @@ const numbers = [
   "ratio", "error", "relativeError", "costLimit", "boundaryWeight", "creaseWeight", "creaseDegrees", "lineWeight",
   "normalNoise", "positionNoise", "pairsCloserThan", "normalFlip", "normalDeviation", "labelBorderWeight", "share",
 ];
-const booleans = ["bothWays", "noSelfIntersection", "keepSolid", "splitVertices", "eager", "refresh"];
+const booleans = ["bothWays", "noSelfIntersection", "keepSolid", "splitVertices", "refresh"];
 const choices = ["cost", "placement", "order", "topology", "weighting"];
 const masks = ["fixed", "selected"];
 const arrays = ["tolerance", "importance"];

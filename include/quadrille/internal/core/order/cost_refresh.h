@@ -61,7 +61,7 @@ private:
 };
 
 /// Which pairs are costed anew because a contraction beside them has changed what they cost, for a
-/// cost that looks at the surface as it is: see GreedyOrder::eager and FlattenedVertices.
+/// cost that looks at the surface as it is: those of flattened vertices.
 template <class Policies>
 class CostRefresh {
 public:
@@ -69,7 +69,7 @@ public:
 
   CostRefresh(WorkingSurface<Policies>& surface, PairStamps& stamps)
       : surface_(surface), stamps_(stamps),
-        flattened_(looks_for_flattened() ? stamps.size() : 0, tolerated_fall<Cost>,
+        flattened_(looks_for_flattened ? stamps.size() : 0, tolerated_fall<Cost>,
                    surface.complex().workspace()) {
     for (Index v = 0; v < stamps.size(); ++v)
       note(v);
@@ -77,63 +77,25 @@ public:
 
   /// The pairs of a vertex have just been costed.
   void note(Index v) {
-    if (looks_for_flattened())
+    if constexpr (looks_for_flattened)
       flattened_.note(v, surface_.evaluator().terms().unevenness(v));
   }
   /// The faces around a vertex have changed.
   void look_at(Index v) {
-    if (looks_for_flattened())
+    if constexpr (looks_for_flattened)
       flattened_.look_at(v, surface_.evaluator().terms().unevenness(v));
   }
 
-  /// Calls push(v, w, key) for the pairs that are to be costed anew now that a contraction has left
-  /// the vertex `kept`, each once.
+  /// Once enough vertices are flattened, calls push(v, w, key) for their pairs, each once.
   template <class Push>
-  void run(Index kept, Push push) {
-    if (is_eager())
-      push_around(kept, push);
-    else if (flattened_.are_many())
-      push_flattened(push);
-  }
-
-  /// The same, where a vertex has come to a hub, of which only these neighbours have been touched.
-  template <class Push>
-  void run_at_hub(const std::vector<Index>& neighbours, Push push) {
-    if (is_eager()) {
-      ring_.clear();
-      for (Index w : neighbours)
-        add_to_ring(w);
-      push_pairs_of_ring([](Index) { return true; }, push);
-    } else if (flattened_.are_many()) {
-      push_flattened(push);
-    }
+  void run(Push push) {
+    if constexpr (looks_for_flattened)
+      if (flattened_.are_many())
+        push_flattened(push);
   }
 
 private:
-  // Does a contraction change what pairs of its neighbours cost, and are these costed at once?
-  bool is_eager() const { return has_local_terms<Cost> && surface_.policies().order.greedy.eager; }
-  // Where a cost tells how uneven they are. Eager order costs their pairs anyway.
-  bool looks_for_flattened() const { return tells_unevenness<Cost> && !is_eager(); }
-
-  // The pairs of the neighbours of a vertex that has just been contracted, but its own.
-  template <class Push>
-  void push_around(Index v, Push push) {
-    ring_.clear();
-    const TriangleComplex& complex = surface_.complex();
-    surface_.complex().prune_corners(v, [&](Index face, Index i) {
-      const StarFace f = star_face_at(complex, face, i);
-      add_to_ring(f.second);
-      add_to_ring(f.third);
-    });
-    push_pairs_of_ring([v](Index x) { return x != v; }, push);
-  }
-
-  void add_to_ring(Index w) {
-    if (!stamps_.is_new(w) && surface_.complex().degree_bound(w) <= WaitingPairs::few_faces) {
-      stamps_.renew(w);
-      ring_.push_back(w);
-    }
-  }
+  static constexpr bool looks_for_flattened = tells_unevenness<Cost>;
 
   template <class Push>
   QUADRILLE_NOINLINE void push_flattened(Push push) {
@@ -148,21 +110,15 @@ private:
       stamps_.renew(v);
       ring_.push_back(v);
     });
-    push_pairs_of_ring([](Index) { return true; }, push);
-  }
-
-  // With the vertices x for which is_wanted(x) holds.
-  template <class IsWanted, class Push>
-  void push_pairs_of_ring(IsWanted is_wanted, Push push) {
     surface_.pairs().for_each_of(
         surface_.scratch(), ring_,
-        [&](Index w, Index x) { return is_wanted(x) && (!stamps_.is_new(x) | (w < x)); }, push);
+        [&](Index w, Index x) -> bool { return !stamps_.is_new(x) | (w < x); }, push);
   }
 
   WorkingSurface<Policies>& surface_;
   PairStamps& stamps_;
   FlattenedVertices flattened_;
-  std::vector<Index> ring_;
+  std::vector<Index> ring_; // vertices whose pairs are costed anew
 };
 
 } // namespace quadrille::internal

@@ -103,7 +103,7 @@ private:
         queue_.push(star.hub, w, surface_.evaluator().key_of({star.hub, w}));
     }
     refresh_.note(star.hub);
-    refresh_.run_at_hub(neighbours_, push_pair());
+    refresh_.run(push_pair());
   }
 
   // A vertex that is no hub any more may move. What boundary edges add to the others is known anew.
@@ -150,7 +150,7 @@ private:
         waiting_.release(partner, push_again());
       refresh_.look_at(partner);
     });
-    refresh_.run(v, push_pair());
+    refresh_.run(push_pair());
   }
 
   // Of a vertex of many faces. Its other pairs wait as if they were refused.

@@ -22,7 +22,6 @@ struct PassSettings {
 
 /// The order of a call: greedy, behind passes if there are any.
 struct CallOrder {
-  GreedyOrder greedy = {};
   std::optional<PassSettings> passes = {};
 
   /// How many threads it may use.
@@ -31,13 +30,13 @@ struct CallOrder {
 
 /// An order as the engine has it. Throws std::invalid_argument for one that makes no sense. A
 /// RelaxedOrder is known where it is passed: see <quadrille/relaxed_order.h>.
-inline CallOrder call_order(const GreedyOrder& greedy) {
-  return {greedy, std::nullopt};
+inline CallOrder call_order(const GreedyOrder&) {
+  return {};
 }
 template <std::same_as<RelaxedOrder> Relaxed>
 CallOrder call_order(const Relaxed& relaxed) {
   relaxed.validate();
-  return {{}, PassSettings{relaxed.share, relaxed.refresh, relaxed.threads}};
+  return {PassSettings{relaxed.share, relaxed.refresh, relaxed.threads}};
 }
 template <class... Orders>
 CallOrder call_order(const std::variant<Orders...>& order) {
