@@ -112,7 +112,7 @@ links() {
 # The names of classes and functions in the documents that tell what is where are names of the library:
 # each `Name`, `Name::member` or `name.h` in code is looked up in its headers.
 names() {
-  documents="doc/architecture.md doc/manual/algorithm.md doc/manual/policies.md doc/manual/units.md doc/manual/guarantees.md"
+  documents="doc/architecture.md doc/manual/algorithm.md doc/manual/policies.md doc/manual/units.md doc/manual/guarantees.md $(echo doc/design/*.md)"
   names=$folder/names
   for document in $documents; do
     awk -v document="$document" '
@@ -129,7 +129,7 @@ names() {
     CGAL::* | FaceGraph | MutableFaceGraph | FaceListGraph | SurfaceMesh) continue ;;
     *.h) find include examples -path "*/$name" | grep -q . || { echo "$place: there is no $name" >&2; status=1; } ;;
     *) for part in $(echo "$name" | sed 's/::/ /g'); do
-         grep -rqw -e "$part" include || { echo "$place: there is no $name" >&2; status=1; }
+         grep -rqw -e "$part" include examples/products || { echo "$place: there is no $name" >&2; status=1; }
        done ;;
     esac
   done < "$names"
