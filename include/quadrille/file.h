@@ -29,18 +29,19 @@
 #include <vector>
 
 /// \file
-/// Surfaces that do not fit into memory: from a file to a file, by parts.
+/// Simplification from file to file, for surfaces that do not fit into memory.
 ///
-/// The file is cut into parts by a kd-tree. Each part is simplified by itself, up to the same cost
-/// limit in all of them, while vertices that parts share stay. What is left is cut elsewhere, so
-/// that old borders lie inside of new parts, and simplified up to the limit of a lower count; and
-/// so on, until the whole fits into memory, which then is simplified to the target itself; or each
-/// part gives its share of the last few faces. For POSIX systems.
+/// A kd-tree cuts the file into chunks. Each chunk is simplified by itself, up to a cost limit that
+/// is the same for all of them, while the vertices shared by several chunks stay. The result is cut
+/// elsewhere, so that the old chunk boundaries lie inside new chunks, and simplified up to the
+/// limit of a lower count. This is repeated until the whole surface fits into memory and is
+/// simplified to the target, or until each chunk contributes its share of the last few faces. It
+/// needs a POSIX system.
 
 namespace quadrille {
 
-/// The steps of simplify_file one by one, so that any driver may run parts: threads, processes of
-/// one computer, or of several that see the same folder.
+/// The single steps of simplify_file, so that any driver can run the chunks: threads, processes of
+/// one computer, or processes of several computers that share a folder.
 ///
 /// ```cpp
 /// PartitionedSimplifier<Quadric, OptimalPlacement> job("in.ply", FaceCount{1000000}, options);
@@ -52,27 +53,28 @@ namespace quadrille {
 /// FileReport report = job.sew("out.ply");
 /// ```
 ///
-/// A process that runs parts only makes the same object, and calls join(), which takes up the phase
-/// that is at work. Each step writes its files as a whole or not at all, and is left out if they
-/// are there: so a job that was stopped anywhere goes on.
+/// A process that only runs chunks makes the same object and calls join(), which joins the current
+/// phase. Each step writes its files completely or not at all, and is skipped if they exist. So a
+/// job can be continued wherever it was stopped.
 ///
-/// partition(), close() and sew() drive the job, the last two when all parts are simplified. The
-/// object that has called one of them holds a lock in the scratch folder until it is destroyed or
-/// has sewn: no other object may drive the job meanwhile, of whatever process. The lock of a
-/// process that has ended counts for nothing.
+/// partition(), close() and sew() drive the job; close() and sew() need all chunks to be
+/// simplified. The object that has called one of them owns a lock in the scratch folder until it is
+/// destroyed or sew() has ended: no other object of any process may drive the job meanwhile. The
+/// lock of a process that has ended is ignored.
 ///
-/// All functions throw std::runtime_error, with the name of the file, for one that can't be read or
-/// written, is not what it should be or has changed, and what `simplify` throws. What is done stays
-/// in the scratch folder then; but if partition() throws, the job leaves nothing behind. All that a
-/// job has there is in a folder of its own, quadrille-job; nothing else is read, written or
+/// All functions throw std::runtime_error, with the name of the file, for a file that cannot be
+/// read or written, is invalid or has changed, and whatever `simplify` throws. The finished work
+/// then stays in the scratch folder; but if partition() throws, the job removes its files. All
+/// files of a job are in its own subfolder, quadrille-job; nothing else is read, written or
 /// removed.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class... Policies>
 class PartitionedSimplifier {
 public:
-  /// `stop` is a FaceCount or a FaceRatio; `policies` are what `simplify` takes beside, as it is
-  /// told to each part: filters, a Topology, an order. And, among them, an DistanceLimit, a
-  /// HausdorffLimit or a ToleranceLimit, which the whole keeps: without a target of faces besides,
-  /// that is FaceCount{0}. Throws std::invalid_argument for options that make no sense.
+  /// `stop` is a FaceCount or a FaceRatio; `policies` are further arguments of `simplify`, which
+  /// are passed on for each chunk: filters, a Topology, an order. They may include an
+  /// DistanceLimit, a HausdorffLimit or a ToleranceLimit, which applies to the whole surface;
+  /// without a target of faces in addition, the target is FaceCount{0}. Throws
+  /// std::invalid_argument for invalid options.
   template <class Stop>
   PartitionedSimplifier(const SurfaceFiles& input, const Stop& stop, const OutOfCore& options,
                         Cost cost, Placement placement, Policies... policies)
@@ -91,27 +93,28 @@ public:
       throw std::invalid_argument("quadrille::OutOfCore: nothing holds the tolerances of '" +
                                   options.tolerance + "': pass ToleranceLimit as stop policy");
   }
-  /// The same with policies that need not be told.
+  /// Takes default-constructed policies.
   template <class Stop>
   PartitionedSimplifier(const SurfaceFiles& input, const Stop& stop, const OutOfCore& options)
       : PartitionedSimplifier(input, stop, options, Cost(), Placement(), Policies()...) {}
 
-  /// Cuts the file into the parts of the first phase; or, with OutOfCore::restart, takes up the
-  /// phase that is at work.
+  /// Cuts the file into the chunks of the first phase; with OutOfCore::restart, resumes the current
+  /// phase.
   void partition() {
     cut();
     try {
       find_limit();
-    } catch (const std::invalid_argument&) { // what policies refuse
+    } catch (const std::invalid_argument&) { // policies reject their arguments
       if (phase() == 1)
         remove_job();
       throw;
     }
   }
 
-  /// partition() and close() look for the cost at which parts of the phase end, by samples of some
-  /// parts. Those who share that out as well call cut() and regroup() instead of them, and then, in
-  /// each phase, sample(i) for i < samples(), in any order, by any process, and settle().
+  /// partition() and close() sample some chunks to estimate the cost at which the chunks of the
+  /// phase stop. A driver that distributes the sampling too calls cut() and regroup() instead of
+  /// them. In each phase it then calls sample(i) for i < samples(), in any order, by any process,
+  /// and settle().
   void cut() {
     lock();
     if (job_.folder().phase_at_work() > 0 && !options_.restart)
@@ -132,52 +135,60 @@ public:
     }
   }
 
-  /// What the job will take, about, as far as the sizes of its files tell.
+  /// Returns an estimate of the job's resources, from the sizes of its files.
   const FileEstimate& estimate() const { return job_.estimate(); }
-  /// Throws std::runtime_error if the output could not be written, or there is no space for it, as
-  /// far as is known now: at the end of hours is too late. cut() looks for space in the scratch
-  /// folder; both may lie together, since that has less at the end, by more than the output has.
+  /// Throws std::runtime_error if the output cannot be written or the disk has too little space for
+  /// it, as far as this is known now, since at the end of a long job it would be too late. cut()
+  /// checks the space in the scratch folder. Both may be on one disk, since the scratch folder
+  /// shrinks at the end by more than the size of the output.
   void require_output(const std::filesystem::path& output) const {
     if (!options_.keeps_tiles)
       internal::require_writable(output);
     internal::require_space(output, estimate().output, "what is left of the surface");
   }
 
-  /// How many are to be taken in this phase; none if it needs none, or is settled.
+  /// Returns the number of samples to take in this phase: 0 if it needs none, or if settle() was
+  /// called.
   std::size_t samples() const {
     return job_.plan().is_settled ? 0 : internal::LimitSearch(job_).size();
   }
-  /// Takes a sample. False, with nothing done, if `is_cancelled`, which is asked now and then, says
-  /// so.
+  /// Takes a sample. Returns false, without having done anything, if `is_cancelled`, which is
+  /// called from time to time, returns true.
   template <class IsCancelled>
   bool sample(std::size_t i, const IsCancelled& is_cancelled) const {
     return internal::LimitSearch(job_).sample(i, runner_, is_cancelled);
   }
-  /// The same to its end.
+  /// Takes a sample and cannot be cancelled.
   void sample(std::size_t i) const {
     sample(i, [] { return false; });
   }
-  /// When all are taken. Throws std::logic_error if some are missing.
+  /// Computes the cost limit of the phase once all samples are taken. Throws std::logic_error if
+  /// some are missing.
   void settle() {
     lock();
     if (!job_.plan().is_settled)
       job_.settle(internal::LimitSearch(job_).limit());
   }
 
-  /// Takes up the phase that is at work, to simplify parts of it.
+  /// Joins the current phase, to simplify chunks of it.
   void join() {
     if (!job_.take_up())
       internal::fail_file(job_.folder().scratch(), "has no job in it whose parts are cut");
   }
 
-  unsigned phase() const { return job_.plan().phase; }                   ///< at work, from 1 on
-  std::size_t parts() const { return job_.plan().parts.size(); }         ///< of this phase
-  unsigned parts_in_flight() const { return job_.budget().in_flight(); } ///< that fit, as asked
-  /// Where a driver may have files of its own; it is gone with the phase.
+  /// the current phase, from 1 on
+  unsigned phase() const { return job_.plan().phase; }
+  /// the number of chunks of this phase
+  std::size_t parts() const { return job_.plan().parts.size(); }
+  /// the number of chunks that fit into memory at a time, as requested
+  unsigned parts_in_flight() const { return job_.budget().in_flight(); }
+  /// Returns a folder in which a driver may have its own files; it is removed at the end of the
+  /// phase.
   std::filesystem::path phase_folder() const { return job_.folder().phase(phase()); }
 
-  /// Simplifies a part of the phase; nothing to do if that is done. Several threads may do so at a
-  /// time. False, with nothing done, if `is_cancelled`, which is asked now and then, says so.
+  /// Simplifies a chunk of the phase, unless it is done already. Several threads may call it at a
+  /// time. Returns false, without having done anything, if `is_cancelled`, which is called from
+  /// time to time, returns true.
   template <class IsCancelled>
   bool simplify(std::size_t part, const IsCancelled& is_cancelled) const {
     if (!job_.plan().is_settled)
@@ -185,13 +196,13 @@ public:
                              " is not settled");
     return job_.is_done(part) || runner_.simplify(job_, part, is_cancelled);
   }
-  /// The same to its end.
+  /// Simplifies a chunk and cannot be cancelled.
   void simplify(std::size_t part) const {
     simplify(part, [] { return false; });
   }
 
-  /// Tells OutOfCore::proceed that so many parts, or samples, of the phase are done; false if it
-  /// says that the job shall end.
+  /// Reports to OutOfCore::proceed how many chunks, or samples, of the phase are done; returns
+  /// false if the job should end.
   bool proceeds(std::size_t done) const {
     try {
       const bool is_settled = job_.plan().is_settled;
@@ -204,23 +215,23 @@ public:
     }
   }
 
-  /// Ends the phase, and begins the next one; false if it was the last, and what is left can be
-  /// sewn. Throws std::logic_error if parts are missing.
+  /// Ends the phase and begins the next one. Returns false if it was the last one and sew() can
+  /// write the result. Throws std::logic_error if some chunks are missing.
   bool close() {
     const bool goes_on = regroup();
     if (goes_on)
       find_limit();
     return goes_on;
   }
-  /// The same without settling the next one: see cut().
+  /// Does the same as close(), but does not settle the next phase: see cut().
   bool regroup() {
     lock();
     watch_.tell(job_, FileStage::regroup, 0);
     return job_.end_phase(internal::PieceOfPart<Cost>::add_memory());
   }
 
-  /// Writes what is left to a binary PLY file, with floats or doubles as the input has, and empties
-  /// the scratch folder. The file is there as a whole or not at all.
+  /// Writes the result to a binary PLY file, with floats or doubles as in the input, and empties
+  /// the scratch folder. The file is written completely or not at all.
   FileReport sew(const std::filesystem::path& output) {
     lock();
     watch_.tell(job_, FileStage::sew, 0);
@@ -235,7 +246,8 @@ public:
     return report;
   }
 
-  /// All of it. If OutOfCore::proceed says so, it ends before: StopReason::cancelled.
+  /// Runs the whole job. It ends early, with StopReason::cancelled, if OutOfCore::proceed returns
+  /// false.
   FileReport operator()(const std::filesystem::path& output) {
     const auto begin = std::chrono::steady_clock::now();
     require_output(output);
@@ -327,10 +339,10 @@ private:
   internal::PartRunner<Cost, Placement, Policies...> runner_;
   internal::JobWatch watch_;
   internal::PartedJob job_;
-  std::optional<internal::JobLock> lock_; // while this drives the job
+  std::optional<internal::JobLock> lock_; // while this object drives the job
 };
 
-/// Simplifies a surface from a file to another one, by parts, in no more memory than is told.
+/// Simplifies a surface from one file to another, chunk by chunk, within a limit of memory.
 ///
 /// ```cpp
 /// FileReport report = simplify_file<MemorylessQuadric, OptimalPlacement>(
@@ -338,27 +350,28 @@ private:
 /// ```
 ///
 /// - input: one file, or several that are tiles of one surface: see SurfaceFiles
-/// - what it is: PLY, of float or double; best binary and of triangles, since text, polygons and
-///   loose faces become that first; or binary STL, of which corners at exactly the same place
-///   become one vertex
-/// - output: binary PLY, little endian, float or double as the input; vertices in the order of the
-///   input
-/// - colours, normals and other numbers of vertices go along as channels, and integers of faces as
-///   labels, with their names and types, and in the range that they had
-/// - stop: a FaceCount or a FaceRatio. The count is met exactly, as far as faces allow, if what is
-///   left of some phase fits into memory, or no phase takes too many (FileReport::is_count_exact);
-///   else it is near. Or an DistanceLimit, a HausdorffLimit, or a ToleranceLimit with
-///   OutOfCore::tolerance; or AnyOf one of these and a count: what each face has used of the limit
-///   goes along from phase to phase, so that the whole keeps it, as Report::distance_bound,
-///   Report::hausdorff_bound and Report::used_tolerance tell; 12 bytes a face more on disk
-/// - policies: what `simplify` takes beside, as it is told to each part
+/// - format: PLY with floats or doubles, or binary STL, whose corners at exactly the same place
+///   become one vertex. Binary PLY with triangles is fastest: text, polygons and faces without
+///   shared vertices are converted to it first
+/// - output: binary little-endian PLY with floats or doubles as in the input; vertices keep the
+///   order of the input
+/// - attributes: colours, normals and other scalar properties of vertices are carried as channels,
+///   and integers of faces as labels, with their names and types and in their original range
+/// - stop: a FaceCount or a FaceRatio. The count is met exactly, as far as faces allow, if the
+///   result of some phase fits into memory, or if no phase removes too many faces
+///   (FileReport::is_count_exact); otherwise approximately. Or an DistanceLimit, a HausdorffLimit,
+///   or a ToleranceLimit with OutOfCore::tolerance; or AnyOf one of these and a count: the
+///   accumulated bound of each face is passed from phase to phase, so that the whole surface keeps
+///   the limit: see Report::distance_bound, Report::hausdorff_bound and Report::used_tolerance.
+///   This takes 12 more bytes per face on disk
+/// - policies: further arguments of `simplify`, which are passed on for each chunk
 ///
-/// The result depends on OutOfCore::memory (or part_faces), but not on how many parts are in
-/// flight, nor on interruptions. Topology is kept as `simplify` keeps it. What else the file has,
-/// lists and other elements, is refused, but with OutOfCore::positions_only.
+/// The result depends on OutOfCore::memory (or part_faces), but neither on the number of chunks in
+/// flight nor on interruptions. Topology is kept as `simplify` keeps it. Other contents of the
+/// file, lists and further elements, are rejected unless OutOfCore::positions_only is set.
 ///
-/// Time O(n log n) for n faces, reading its faces twice and its vertices four times; memory as
-/// told, with two bytes for each vertex at least; on disk about 60 bytes for each face. Throws as
+/// Time O(n log n) for n faces, reading its faces twice and its vertices four times; memory up to
+/// the limit, which is at least two bytes per vertex; about 60 bytes per face on disk. Throws as
 /// PartitionedSimplifier.
 template <class Cost = Quadric, class Placement = OptimalPlacement, class Stop, class... Policies>
 FileReport simplify_file(const SurfaceFiles& input, const std::filesystem::path& output,

@@ -17,26 +17,27 @@
 
 namespace quadrille {
 
-/// May a face come to lie over its neighbours, like the middle of a letter Z?
+/// Decides whether a face may fold over its neighbours, like the middle of a letter Z.
 enum class Folds { refused, allowed };
 
-/// Refuses a contraction that turns the normal of a face by `degrees` or more (the test of the 1997
+/// Rejects a contraction that turns the normal of a face by `degrees` or more (the test of the 1997
 /// paper, section 6). Several contractions that each turn a face by less can still fold it over its
-/// neighbours: unless folds are allowed, one that would do it is refused too, as far as that is
-/// seen where a face turns by more than 20 degrees.
+/// neighbours. Unless fold-overs are allowed, a contraction that would do this is rejected too; the
+/// test applies to faces that turn by more than 20 degrees.
 ///
-/// A *needle* is lower than a ten thousandth of its length: rounding soon decides its normal. A
-/// contraction that makes one of another face is refused as well; flat and straight parts would
-/// end in faces of three points on a line otherwise. A face of a wall that is narrow by itself,
-/// such as the rim of a foil, may become one: it keeps a quarter of its area, and a hundredth of
-/// the relative height of the lowest face around.
+/// A *sliver* has a height below a ten thousandth of its length, so that rounding decides its
+/// normal. A contraction that turns another face into a sliver is rejected as well; otherwise flat
+/// and straight regions would end in faces of three collinear points. A face of a wall that is
+/// narrow itself, such as the edge of a foil, may become a sliver if it keeps a quarter of its
+/// area, and a hundredth of the relative height of the lowest face around it.
 ///
-/// On by default, with 90 degrees. A face of three points on a line, up to rounding, has no normal
-/// and may turn to any; 180 degrees allows everything.
+/// On by default, with 90 degrees. A face of three collinear points, up to rounding, has no normal
+/// and may get any normal; 180 degrees allows everything.
 class NormalFlip {
 public:
-  using ScaleFree = NormalFlip;                              ///< as well in any unit of length
-  static constexpr Rejection cause = Rejection::normal_flip; ///< what refusals count as
+  /// gives the same result in any unit of length
+  using ScaleFree = NormalFlip;
+  static constexpr Rejection cause = Rejection::normal_flip; ///< counts its rejections
 
   /// degrees lies in (0, 180]; throws std::invalid_argument otherwise.
   explicit NormalFlip(double degrees = 90, Folds folds = Folds::refused)
@@ -47,7 +48,7 @@ public:
                                   " degrees are not in (0, 180]");
   }
 
-  /// False where the contraction is to be refused: see FilterPolicy.
+  /// Returns false if the contraction is rejected: see FilterPolicy.
   bool allows(const auto& contraction) const {
     if (allows_everything_)
       return true;
@@ -75,7 +76,7 @@ private:
     return squared_length(normal_vector(p, q, r)) > 0;
   }
 
-  // Of a face, from its moving corner p.
+  // The shape of a face, from its moving corner p.
   struct Shape {
     double squared_area; // of the parallelogram
     double edges;        // |pq|² + |pr|², at least half of the square of the longest edge
@@ -90,14 +91,14 @@ private:
     bool is_needle() const {
       return squared_area < 4 * least_height * least_height * edges * edges;
     }
-    // The square of the height in the longest edge, but for a factor of 4 at most.
+    // Returns the square of the height over the longest edge, up to a factor of 4.
     double squared_height() const { return edges > 0 ? squared_area / (edges * edges) : 0; }
   };
 
-  // Are all needles that a contraction makes of better faces parts of a narrow wall? Along such a
-  // one faces get longer, but not smaller, and faces around are nearly as narrow. Next to
-  // collinear points a face loses its area.
-  QUADRILLE_NOINLINE static bool stays_in_narrow_wall(const auto& contraction) { // seldom
+  // Returns whether all slivers that a contraction makes of better faces belong to a narrow wall.
+  // Along such a wall faces get longer, but not smaller, and the faces around are nearly as narrow.
+  // Next to collinear points a face loses its area.
+  QUADRILLE_NOINLINE static bool stays_in_narrow_wall(const auto& contraction) { // called rarely
     double squared_least = std::numeric_limits<double>::infinity();
     for (const auto& face : contraction.faces())
       squared_least = (std::min)(squared_least, Shape(face.before, face).squared_height());
@@ -116,20 +117,22 @@ private:
   }
 
   static constexpr double squared_cosine_of_20_degrees = 0.883;
-  static constexpr double least_height = 1e-4; // of a face, in its longest edge
-  static constexpr double least_area = 0.25;   // of a needle in a narrow wall, in what it was
-  static constexpr double least_part = 0.01;   // of its height, in the least of the faces around
+  static constexpr double least_height = 1e-4; // height of a face, relative to its longest edge
+  static constexpr double least_area = 0.25;   // area of a sliver in a narrow wall, relative to its
+                                               // former area
+  static constexpr double least_part = 0.01;   // its height, relative to the lowest of the faces
+                                               // around
 
   double cosine_;
   bool allows_everything_, allows_folds_;
 };
 
-/// Refuses a contraction that makes a face with a smaller angle than `degrees`, unless that angle
-/// is as large as the smallest that the face had before.
+/// Rejects a contraction after which a face has an angle below `degrees`, unless this angle is at
+/// least as large as the smallest angle of the face before.
 class SmallestAngle {
 public:
-  using ScaleFree = SmallestAngle;                     ///< as well in any unit of length
-  static constexpr Rejection cause = Rejection::shape; ///< what refusals count as
+  using ScaleFree = SmallestAngle;                     ///< scale-invariant
+  static constexpr Rejection cause = Rejection::shape; ///< counts its rejections
 
   /// degrees lies in [0, 60]; throws std::invalid_argument otherwise.
   explicit SmallestAngle(double degrees) : radians_(degrees * std::numbers::pi / 180) {
@@ -138,7 +141,7 @@ public:
                                   " degrees are not in [0, 60]");
   }
 
-  /// False where the contraction is to be refused: see FilterPolicy.
+  /// Returns false if the contraction is rejected: see FilterPolicy.
   bool allows(const auto& contraction) const {
     for (const auto& face : contraction.faces()) {
       const double after = smallest_angle(face.after, face);
@@ -149,11 +152,11 @@ public:
   }
 
 private:
-  // Of the face with its moving corner at p.
+  // Returns the smallest angle of the face with its moving corner at p.
   static double smallest_angle(const Vector<3>& p, const auto& face) {
     const double area = std::sqrt(squared_length(double_area_vector(p, face.second, face.third)));
     const auto angle = [area](const Vector<3>& at, const Vector<3>& to, const Vector<3>& and_to) {
-      return std::atan2(area, dot(to - at, and_to - at)); // exact for small ones too
+      return std::atan2(area, dot(to - at, and_to - at)); // accurate for small angles too
     };
     return (std::min)({angle(p, face.second, face.third), angle(face.second, face.third, p),
                        angle(face.third, p, face.second)});
@@ -162,9 +165,9 @@ private:
   double radians_;
 };
 
-/// Refuses a contraction that makes an edge longer than `length`, unless the edge was as long
-/// before. Edges that are longer in the input may stay as they are or become shorter. Coordinates
-/// that are floats may round an edge beyond the limit.
+/// Rejects a contraction that makes an edge longer than `length`, unless the edge was at least as
+/// long before. Edges that are longer in the input may stay or become shorter. If the coordinates
+/// are floats, rounding may bring an edge over the limit.
 class LongestEdge {
 public:
   /// length is in the mesh's units, and above 0; throws std::invalid_argument otherwise.
@@ -174,7 +177,7 @@ public:
                                   internal::text_of(length) + " is not above 0");
   }
 
-  /// False where the contraction is to be refused: see FilterPolicy.
+  /// Returns false if the contraction is rejected: see FilterPolicy.
   bool allows(const auto& contraction) const {
     for (const auto& face : contraction.faces())
       for (const Vector<3>& end : {face.second, face.third}) {
@@ -186,7 +189,7 @@ public:
   }
 
 private:
-  // In the mesh's units, in which squares may over- or underflow.
+  // Returns a distance in the mesh's units, in which squares may over- or underflow.
   static double distance(const Vector<3>& p, const Vector<3>& q) {
     return internal::safe_length(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
@@ -194,12 +197,12 @@ private:
   double length_;
 };
 
-/// Refuses a contraction after which its vertex would have more than `degree` faces, unless one of
-/// the two ends has as many already.
+/// Rejects a contraction after which its vertex has more than `degree` faces, unless one of the two
+/// ends has at least as many already.
 class HighestDegree {
 public:
-  using ScaleFree = HighestDegree;                      ///< as well in any unit of length
-  static constexpr Rejection cause = Rejection::degree; ///< what refusals count as
+  using ScaleFree = HighestDegree;                      ///< scale-invariant
+  static constexpr Rejection cause = Rejection::degree; ///< counts its rejections
 
   /// degree is at least 3; throws std::invalid_argument otherwise.
   explicit HighestDegree(std::size_t degree = 24) : degree_(degree) {
@@ -208,7 +211,7 @@ public:
                                   " is less than 3");
   }
 
-  /// False where the contraction is to be refused: see FilterPolicy.
+  /// Returns false if the contraction is rejected: see FilterPolicy.
   bool allows(const auto& contraction) const {
     const std::size_t after = contraction.faces().size();
     return after <= degree_ || after <= contraction.highest_degree();
@@ -218,25 +221,28 @@ private:
   std::size_t degree_;
 };
 
-/// Keeps a surface the graph of a height over a plane: refuses a contraction after which a face
-/// that shows one side to who looks against `direction` would show the other, or none. So each face
-/// of terrain lies over a piece of the map, and together these cover what they did before as long
-/// as the border stays.
+/// Keeps a surface the graph of a height function over a plane. It rejects a contraction after
+/// which a face that shows one side to a viewer who looks against `direction` would show the other
+/// side, or none. So each face of a terrain covers a region of the map, and together the faces
+/// cover the same area as before if the boundary stays.
 ///
-/// A face is *vertical* if twice its area, as seen from there, is less than a ten thousandth of the
-/// sum of the squares of two of its edges: then it is steeper than 89.99 degrees, or its outline on
-/// the map is a needle. So the result is still a height field where it is written as floats, as
-/// long as no face is smaller than a hundredth of the greatest coordinate.
+/// A face is *vertical* if twice its projected area is less than a ten thousandth of the sum of the
+/// squares of two of its edges: it is steeper than 89.99 degrees, or its projection is a sliver. So
+/// the result remains a height field when it is written as floats, if no face is smaller than a
+/// hundredth of the greatest coordinate.
 ///
-/// Faces that are vertical in the input, such as walls, may stay so, but show their back no more
-/// than they did, where `direction` is what front sides look to. Those that are turned over in the
-/// input stay so until they are contracted; where all are, the surface is a height field as well.
+/// Faces that are vertical in the input, such as walls, may stay vertical, but their reverse sides
+/// do not become more visible (front sides face `direction`). Faces that are flipped in the input
+/// stay flipped until they are contracted; if all faces are flipped, the surface is a height field
+/// as well.
 class HeightField {
 public:
-  using ScaleFree = HeightField;                             ///< as well in any unit of length
-  static constexpr Rejection cause = Rejection::normal_flip; ///< what refusals count as
+  /// gives the same result in any unit of length
+  using ScaleFree = HeightField;
+  static constexpr Rejection cause = Rejection::normal_flip; ///< counts its rejections
 
-  /// direction is up, of any length; throws std::invalid_argument if it is zero or not finite.
+  /// `direction` points up and may have any length; throws std::invalid_argument if it is zero or
+  /// not finite.
   explicit HeightField(const Vector<3>& direction = {{0, 0, 1}}) : up_(direction) {
     double greatest = 0;
     for (double x : direction.coordinates)
@@ -244,11 +250,11 @@ public:
     if (!is_finite(direction) || !(greatest > 0))
       throw std::invalid_argument("quadrille::HeightField: the direction is zero or not finite");
     for (double& x : up_.coordinates)
-      x /= greatest; // squares of any direction neither over- nor underflow then
+      x /= greatest; // so that squares of any direction neither over- nor underflow
     up_ *= 1 / std::sqrt(squared_length(up_));
   }
 
-  /// False where the contraction is to be refused: see FilterPolicy.
+  /// Returns false if the contraction is rejected: see FilterPolicy.
   bool allows(const auto& contraction) const {
     for (const auto& face : contraction.faces()) {
       const Outline before(face.before, face, up_), after(face.after, face, up_);
@@ -261,11 +267,12 @@ public:
   }
 
 private:
-  static constexpr double least_area = 1e-4; // of a face that is not vertical, in its edges
+  static constexpr double least_area = 1e-4; // area of a face that is not vertical, relative to its
+                                             // edges
 
-  // Of a face on the map, its moving corner at p.
+  // The projection of a face, with its moving corner at p.
   struct Outline {
-    double area;     // of the parallelogram, below 0 for one that shows its back
+    double area;     // of the parallelogram; negative for a face that shows its reverse
     double edges;    // |pq|² + |pr|², in space
     double rounding; // of the area
 

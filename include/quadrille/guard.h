@@ -19,34 +19,35 @@
 #include <vector>
 
 /// \file
-/// Guards of one's own: what stays true of the surface from the first contraction to the last.
+/// User-defined guards: they keep a property of the surface from the first contraction to the last.
 
 namespace quadrille {
 
 /// The surface as a guard sees it before the first contraction, in the mesh's units. Indices are
-/// those of the input, as for filters (see FilterPolicy); what is no part of the surface, as an
-/// unused vertex or a degenerate face, is left out.
+/// those of the input, as for filters (see FilterPolicy); unused vertices and degenerate faces,
+/// which do not belong to the surface, are left out.
 struct GuardedSurface {
   /// A vertex, by its index in the input.
   struct Vertex {
     std::size_t index; ///< below vertex_count
     Vector<3> point;   ///< in the mesh's units
   };
-  /// A face, by its index in the input. One with a back counts once.
+  /// A face, by its index in the input. A double-sided face counts once.
   struct Face {
     std::size_t index;                   ///< below face_count
     std::array<std::size_t, 3> vertices; ///< their indices, in the order of the face
   };
 
-  std::vector<Vertex> vertices; ///< in no order that is promised
-  std::vector<Face> faces;      ///< in no order that is promised
-  std::size_t vertex_count;     ///< of the input, unused ones counted
-  std::size_t face_count;       ///< of the input, degenerate ones counted
+  std::vector<Vertex> vertices; ///< in an unspecified order
+  std::vector<Face> faces;      ///< in an unspecified order
+  std::size_t vertex_count;     ///< of the input, including unused ones
+  std::size_t face_count;       ///< of the input, including degenerate ones
 };
 
 namespace internal {
 
-/// A contraction that has been done: what a filter sees before it, and which end is kept.
+/// A contraction that has been done: a FilterPolicy's view from before it, and the end that is
+/// kept.
 template <std::size_t N>
 class FollowedContraction : public ContractionInMeshUnits<N> {
 public:
@@ -61,57 +62,57 @@ private:
   std::size_t kept_;
 };
 
-/// What the guard of a user makes to guard a surface with.
+/// The type of the state that a user's guard makes for a surface.
 template <class Guard>
 using GuardStateOf =
     decltype(std::declval<const Guard&>().begin(std::declval<const GuardedSurface&>()));
 
 } // namespace internal
 
-/// **Guard**: does something stay true that depends on what has been done before? A filter is asked
-/// about one contraction; a guard also sees the surface before the first, and each that is done.
+/// **Guard**: keeps a property that depends on earlier contractions. A filter sees one contraction;
+/// a guard also sees the surface before the first contraction, and each contraction that is done.
 ///
 /// **Refines** `std::copy_constructible`.
 ///
-/// **Has models** of one's own. NoSelfIntersection, KeepSolid and NormalDeviation are arguments of
-/// the same kind, which look at the engine's surface itself.
+/// **Has models** defined by users. NoSelfIntersection, KeepSolid and NormalDeviation are similar
+/// arguments, which read the engine's surface directly.
 ///
-/// **Requirements**, for a constant `guard` and what it begins with, `auto state =
-/// guard.begin(surface)`, where `surface` is a GuardedSurface; it is movable, and need not be
-/// constant:
+/// **Requirements**, for a constant `guard` and its state `auto state = guard.begin(surface)`,
+/// where `surface` is a GuardedSurface. The state is movable and need not be constant:
 ///
-/// - `state.allows(contraction)`: a bool; `contraction` is as for a FilterPolicy. It may be asked
-///   several times of one contraction, with several targets, and not all that it allows are done:
-///   so it changes nothing. A pair that it refuses is asked about again once a face at one of its
-///   ends has changed; see has_obstacles.
-/// - `state.follow(contraction)`: that has been done, to its target(). The contraction shows what
-///   it showed before: the old places of the ends, the faces that have changed and those that have
-///   gone. `contraction.kept()` is the end whose index the new vertex has; the other one has no
-///   vertex any more. A vertex of more than 128 faces that keeps its place is the one that is kept.
+/// - `state.allows(contraction)`: a bool; `contraction` is as for a FilterPolicy. It may be called
+///   several times for one contraction, with several targets, and an allowed contraction need not
+///   be done. So it must not change the state. A rejected pair is tried again once a face at one of
+///   its ends has changed; see has_obstacles.
+/// - `state.follow(contraction)`: the contraction has been done, to its target(). It shows the same
+///   view as before: the old positions of the ends, the changed faces and the removed faces.
+///   `contraction.kept()` is the end whose index the new vertex has; the other index is no longer
+///   used. A vertex of more than 128 faces that does not move is always the kept one.
 ///
 /// **Used where there**:
 ///
-/// - `G::name`: a constant string that messages call it by.
-/// - `G::cause`: the Rejection that counts where it says no; Rejection::filter without it.
-/// - `G::works_in_passes`, true: several threads may ask the state at a time, and tell it of
-///   contractions that have no face in common. Without it the guard is for GreedyOrder only.
-/// - `G::works_in_parts`, true: what holds in each part of a file, where every phase begins anew,
-///   holds in all of it. Without it `simplify_file` does not take the guard.
-/// - `G::has_obstacles`, true: what it says no to depends on more than the faces around the pair.
-///   Then ends of the pair are tried as well, and refused pairs have another turn once no others
-///   are left, as long as that pays.
-/// - `G::topology`: the Topology that it keeps. A call with another one throws; without a Topology
-///   it is that one, whatever the pairs are.
-/// - `G::asks_for_volume`, true: the surface is known to enclose a volume, which Report tells.
-/// - `state.vanish(faces)`: a part is about to go whole; `faces` are the indices of its faces that
-///   are left, a range. It has no say in that: ask for Topology::kept where parts have to stay.
-/// - `state.end()`: the last contraction has been done. A guard tells its user what it found by a
-///   pointer that it holds, as Report has no place for it.
-/// - `guard.validate()`: throws if the guard makes no sense.
+/// - `G::name`: its name in messages, a constant string.
+/// - `G::cause`: the Rejection that counts its rejections; without it Rejection::filter.
+/// - `G::works_in_passes`, true: several threads may call the state concurrently, for contractions
+///   that have no face in common. Without it the guard works with GreedyOrder only.
+/// - `G::works_in_parts`, true: a property that holds in each chunk of a file, where every phase
+///   begins again, holds for the whole file. Without it `simplify_file` does not accept the guard.
+/// - `G::has_obstacles`, true: its rejections depend on more than the faces around the pair. The
+///   ends of the pair are then tried as targets as well, and rejected pairs are tried again when no
+///   others are left, as long as this helps.
+/// - `G::topology`: the Topology that it needs. A call with another one throws; a call without a
+///   Topology uses this one, whatever the pairs are.
+/// - `G::asks_for_volume`, true: the surface is known to enclose a volume, which Report contains.
+/// - `state.vanish(faces)`: a component is about to be removed; `faces` is a range of the indices
+///   of its remaining faces. The guard cannot reject this: use Topology::kept where components must
+///   stay.
+/// - `state.end()`: the last contraction has been done. A guard can pass its findings to the user
+///   through a pointer, since Report has no field for them.
+/// - `guard.validate()`: throws if the guard is invalid.
 ///
-/// Where topology is free, faces that come to lie on the vertices of another one go without being
-/// told of. Where a call has guards, vertices go to places that can be written to the mesh as they
-/// are, so that what is allowed is what is written.
+/// If topology is free, faces that come to have the same vertices as another face are removed
+/// without notice. In a call with guards, vertices only move to positions that the mesh can
+/// represent exactly, so that the written surface is the one that was allowed.
 ///
 /// **The least model**:
 /// ```cpp
@@ -133,7 +134,7 @@ concept GuardPolicy = std::copy_constructible<G> && std::movable<internal::Guard
 
 namespace internal {
 
-/// Guards a surface as the user's guard says.
+/// Guards a surface with the user's guard.
 template <class Guard, std::size_t N>
 class UserGuard final : public SurfaceGuard<N> {
 public:
@@ -194,7 +195,7 @@ private:
 
   Guard guard_;
   GuardRoom<N> room_;
-  std::optional<GuardStateOf<Guard>> state_; // once it has begun
+  std::optional<GuardStateOf<Guard>> state_; // after begin()
 };
 
 template <class Guard, std::size_t N>

@@ -35,7 +35,7 @@ concept RemembersQuadric = requires(const Pair& pair) {
   { pair.memory } -> std::convertible_to<QuadricForm<3>>;
 };
 
-/// Half-spaces, few of which take no memory of their own.
+/// A set of half-spaces; a small set needs no memory of its own.
 class HalfSpaces {
 public:
   explicit HalfSpaces(std::size_t most) {
@@ -57,58 +57,61 @@ private:
 
 } // namespace internal
 
-/// Placement and filter in one: each contraction adds to what the surface encloses and takes
-/// nothing away, so that the result encloses the input. `OuterHull` is `Hull<Side::outer>`.
-/// `InnerHull` is the same the other way round: no point has a greater winding number in the result
-/// than in the input. That alone does not keep it inside: where a wall is thinner than what
-/// contractions take away, it turns over, and points that neither enclosed have −1. Beside
-/// NoSelfIntersection it does not, so of an input that does not intersect itself the result lies
-/// inside; it ends where that leaves no pair. Pass both.
+/// Placement and filter in one: each contraction only adds to the volume that the surface encloses,
+/// so that the result encloses the input. `OuterHull` is `Hull<Side::outer>`. `InnerHull` is the
+/// opposite: no point has a greater winding number in the result than in the input. This alone does
+/// not keep the result inside: a wall that is thinner than what contractions remove turns inside
+/// out, and points that no surface enclosed get −1. Together with NoSelfIntersection this cannot
+/// happen, so the result lies inside an input that does not intersect itself; the simplification
+/// ends when no such pair is left. Pass both.
 ///
 /// The pair goes to the position of least cost on the outer side of the planes of all faces around
-/// it, those that vanish too. Each tetrahedron of such a face and the new vertex is then oriented
-/// positively or flat, by an exact predicate and for coordinates as they are written; where
-/// rounding is in the way, the position moves outward by a rounding, and by eight times as much
-/// each time. Where there is no such position within the distance of the farthest neighbour, the
-/// pair is refused (Rejection::hull).
+/// it, including those that vanish. Each tetrahedron of such a face and the new vertex is then
+/// oriented positively or flat, by an exact predicate and for the coordinates as they are written.
+/// If rounding prevents this, the position moves outward by one rounding error, and by eight times
+/// as much in each further step. If there is no such position within the distance of the farthest
+/// neighbour, the pair is rejected (Rejection::hull).
 ///
 /// *Why the result encloses the input.* Let S be the faces around the pair, oriented, and C the
-/// faces of the new vertex, a cone over the same border. S and C together bound the tetrahedra of
+/// faces of the new vertex, a cone over the same boundary. S and C together bound the tetrahedra of
 /// the faces of S and the new vertex. If these are oriented positively, the winding number of every
 /// point grows by the number of tetrahedra in which it lies, and never falls. So each point of
-/// winding number 1 or more keeps one, even where the surface passes through itself. The other way
-/// round it never grows, and where the surface cannot turn over none becomes negative.
+/// winding number 1 or more keeps such a number, even where the surface intersects itself. For
+/// InnerHull the winding number never grows, and if the surface cannot turn inside out it never
+/// becomes negative.
 ///
-/// The surface has to be closed and oriented: each edge has as many faces on one side as on the
-/// other, else std::invalid_argument says how many do not, as for a surface that is oriented
-/// inwards as a whole, and for topology that is free. Parts may lie inside of others. Places are
-/// rounded to floats where the points of the mesh are of floats, or with coordinates_are_floats.
+/// The surface must be closed and oriented: each edge has as many faces on one side as on the
+/// other. Otherwise std::invalid_argument is thrown, with the number of edges that do not; it is
+/// also thrown for a surface that is oriented inwards as a whole, and for free topology. Components
+/// may lie inside others. Positions are rounded to floats if the points of the mesh are floats, or
+/// with coordinates_are_floats.
 ///
-/// With Quadric, MemorylessQuadric or ThinFeatureQuadric, and GreedyOrder. This header includes
-/// CGAL's kernel of exact predicates (LGPL).
+/// It works with Quadric, MemorylessQuadric or ThinFeatureQuadric, and GreedyOrder. This header
+/// includes CGAL's kernel of exact predicates (LGPL).
 ///
 /// Source: Sander, Gu, Gortler, Hoppe and Snyder, Silhouette clipping, 2000 (progressive hulls).
 template <Side side>
 class Hull {
 public:
-  using ScaleFree = Hull;                             ///< as well in any unit of length
-  using Guess = OptimalPlacement;                     ///< orders pairs until their turn
-  static constexpr bool looks_at_star = true;         ///< the place is settled by the faces around
-  static constexpr bool asks_for_volume = true;       ///< Report tells the volume
-  static constexpr bool needs_closed_surface = true;  ///< others are refused
-  static constexpr Rejection cause = Rejection::hull; ///< what refusals count as
+  using ScaleFree = Hull;                             ///< scale-invariant
+  using Guess = OptimalPlacement;                     ///< orders pairs until they are contracted
+  static constexpr bool looks_at_star = true;         ///< the faces around the pair decide the
+                                                      ///< position
+  static constexpr bool asks_for_volume = true;       ///< Report contains the volume
+  static constexpr bool needs_closed_surface = true;  ///< other surfaces are rejected
+  static constexpr Rejection cause = Rejection::hull; ///< counts its rejections
 
-  /// The guess by which pairs are ordered: the position of least cost on any side.
+  /// Returns the estimate by which pairs are ordered: the position of least cost on any side.
   template <class Cost, class Pair>
   requires HasMinimizer<Cost, Pair>
   auto operator()(const Cost& cost, const Pair& pair) const {
     return OptimalPlacement{}(cost, pair);
   }
 
-  /// What a contraction costs by this, as a rule, is 1.5 to 5 times what OptimalPlacement costs.
+  /// The typical cost with this placement is 1.5 to 5 times the cost with OptimalPlacement.
   static constexpr double rise_of_guess = 1.5;
 
-  /// The position of least cost, up to rounding.
+  /// Returns the position of least cost, up to rounding.
   template <class Cost, class Pair, class Star>
   std::optional<Vector<3>> settle(const Cost&, const Pair& pair, const Star& star) const {
     const Planes<Pair, Star> planes(pair, star);
@@ -116,7 +119,7 @@ public:
     return x ? x : planes.least_within(planes.rounding());
   }
 
-  /// Does it lie on the right side of all planes, exactly?
+  /// Returns whether the position lies on the right side of all planes, exactly.
   template <class Pair, class Star>
   bool admits(const Pair&, const Star& star, const Vector<3>& x) const {
     return star.all_faces([&](const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) {
@@ -125,7 +128,7 @@ public:
     });
   }
 
-  /// Does the predicate hold of a position further out, where rounding may be in the way?
+  /// Returns whether the predicate holds for a position further out, if rounding prevents it here.
   template <class Cost, class Pair, class Star, class Predicate>
   bool any_further(const Cost&, const Pair& pair, const Star& star, Predicate predicate) const {
     const Planes<Pair, Star> planes(pair, star);
@@ -136,7 +139,7 @@ public:
     return false;
   }
 
-  /// As OptimalPlacement::any_equal.
+  /// Works as OptimalPlacement::any_equal.
   template <class Cost, class Pair, class Predicate>
   static bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) {
     return OptimalPlacement::any_equal(cost, pair, x, predicate);
@@ -151,7 +154,7 @@ private:
 
   static Kernel::Point_3 exact(const Vector<3>& p) { return {p[0], p[1], p[2]}; }
 
-  // The quadratic programme of a pair: its quadric, and the half-spaces of its faces.
+  // The quadratic program of a pair: its quadric and the half-spaces of its faces.
   template <class Pair, class Star>
   class Planes {
   public:
@@ -169,11 +172,12 @@ private:
       rounding_ = 0x1p-45 * std::sqrt(pair.squared_reach) + 8 * star.rounding(size);
     }
 
-    // More than rounding amounts to, and than a predicate in doubles can tell, as a rule.
+    // Returns a distance above the rounding errors, and usually above what a predicate in doubles
+    // can decide.
     double rounding() const { return rounding_; }
 
-    /// The position of least cost, if it lies within all half-spaces up to rounding: an end of the
-    /// pair itself, if it is next to that.
+    /// Returns the position of least cost if it lies within all half-spaces up to rounding, or an
+    /// end of the pair if this is next to it.
     std::optional<Vector<3>> least_of_all() const {
       if (!least_)
         return std::nullopt;
@@ -187,7 +191,7 @@ private:
       return written(x);
     }
 
-    /// The position of least cost that lies so far within all half-spaces.
+    /// Returns the position of least cost that is at least `margin` inside all half-spaces.
     std::optional<Vector<3>> least_within(double margin) const {
       if (!least_ || hessian_.is_singular())
         return std::nullopt;
@@ -241,7 +245,7 @@ private:
 };
 
 using OuterHull = Hull<Side::outer>; ///< its result encloses the input
-/// Beside NoSelfIntersection its result is enclosed by the input.
+/// The result is enclosed by the input if NoSelfIntersection is passed too.
 using InnerHull = Hull<Side::inner>;
 
 } // namespace quadrille
