@@ -124,7 +124,7 @@ private:
                                std::to_string(internal::LevelDirectory::version));
     internal::FileBlock block{front.size(), reader.get<std::uint64_t>(), 0, 0, 0};
     block.raw = block.stored;
-    block.crc = reader.get<std::uint32_t>();
+    block.checksum = reader.get<std::uint32_t>();
     directory_ = internal::LevelDirectory::read(block.read(file_, size_));
   }
 

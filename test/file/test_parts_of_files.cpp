@@ -7,7 +7,7 @@
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/cell_counts.h>
 #include <quadrille/internal/file/cost_samples.h>
-#include <quadrille/internal/file/file_checksum.h>
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/file/id_index.h>
 #include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/job_watch.h>
@@ -49,7 +49,7 @@ TEST_CASE("A checksum does not depend on the blocks, and on each byte") {
   for (int i = 0; i < 1000; ++i)
     bytes += static_cast<char>(random.below(256));
   const auto checksum = [](const std::string& text, std::size_t block) {
-    FileChecksum sum;
+    Checksum sum;
     for (std::size_t at = 0; at < text.size(); at += block)
       sum.add(text.data() + at, std::min(block, text.size() - at));
     return sum.value();

@@ -1046,14 +1046,14 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST_CASE("Bad files end in a sentence that names the place") {
   const Soup soup = test::octahedron();
   const std::string ply = ply_of(soup);
-  require_refusal("in.ply", "", "the header of a PLY file does not end");
-  require_refusal("in.ply", "OFF\n", "line 1: not a PLY file");
+  require_refusal("in.ply", "", "not a PLY file");
+  require_refusal("in.ply", "OFF\n", ":1: not a PLY file");
   require_refusal("in.ply", replaced(ply, "binary_little_endian", "ascii"),
                   "ends before vertex 1 of 6");
-  require_refusal("in.ply", replaced(ply, "float x", "floot x"), "line 4: unknown type 'floot'");
+  require_refusal("in.ply", replaced(ply, "float x", "floot x"), ":4: unknown type 'floot'");
   require_refusal("in.ply", replaced(ply, "float x", "float w"), "have no x, y and z");
   require_refusal("in.ply", replaced(ply, "float x", "int x"), "not all floats, nor all doubles");
-  require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 6x"), "'6x' is no number");
+  require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 6x"), ":3: element count '6x' is not an integer");
   require_refusal("in.ply", replaced(ply, "vertex 6", "vertex 5000000000"),
                   "more than corners of faces can name");
   require_refusal("in.ply", ply.substr(0, ply.size() - 60), "ends at byte");
@@ -1256,18 +1256,18 @@ TEST_CASE("Text that is not what it says is refused by the line, and nothing is 
   const std::string text =
       text_ply_of(test::octahedron().points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2\n"),
-                  "line 17: has fewer values");
+                  ":17: has fewer values");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 3 4\n"),
-                  "line 17: has more values");
+                  ":17: has more values");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 6\n"),
-                  "line 17: has vertex 6 of 6");
+                  ":17: has vertex 6 of 6");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 x 3\n"),
-                  "line 17: 'x' is no number");
+                  ":17: 'x' is no number");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n3 0 2 2.5\n"),
-                  "line 17: '2.5' is no number of the type int");
+                  ":17: '2.5' is no number of the type int");
   require_refusal("in.ply", replaced(text, "\n3 0 2 3\n", "\n300 0 2 3\n"),
-                  "line 17: '300' is no number of the type uchar");
-  require_refusal("in.ply", replaced(text, "face 3", "face 2"), "line 18: goes on after the last");
+                  ":17: '300' is no number of the type uchar");
+  require_refusal("in.ply", replaced(text, "face 3", "face 2"), ":18: goes on after the last");
   require_refusal("in.ply", replaced(text, "face 3", "face 4"), "ends before face 3 of 4");
 }
 

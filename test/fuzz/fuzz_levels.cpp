@@ -46,7 +46,7 @@ Bytes directory_with_checksums(const Bytes& file, const Bytes& bytes) {
     for (auto* blocks : {&directory.segments, &directory.inputs})
       for (internal::FileBlock& block : *blocks)
         if (block.offset <= file.size() && block.stored <= file.size() - block.offset)
-          block.crc = internal::checksum(part(file, block.offset, block.stored));
+          block.checksum = internal::checksum_of(part(file, block.offset, block.stored));
     const Bytes written = directory.write();
     return written.size() == bytes.size() ? written : bytes;
   } catch (const std::runtime_error&) {
@@ -64,7 +64,7 @@ Bytes with_checksums(Bytes file) {
     return file;
   const Bytes directory = directory_with_checksums(file, part(file, before, size));
   put(file, before, directory);
-  put(file, before - 4, internal::little_endian(internal::checksum(directory)));
+  put(file, before - 4, internal::little_endian<unsigned char>(internal::checksum_of(directory)));
   return file;
 }
 

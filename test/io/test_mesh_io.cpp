@@ -4,10 +4,10 @@
 #include "../examples/products/mesh_io/formats/obj_writer.h"
 #include "../examples/products/mesh_io/formats/ply_writer.h"
 #include "../examples/products/mesh_io/formats/stl.h"
-#include "../examples/products/mesh_io/little_endian.h"
 #include "../examples/products/mesh_io/mesh/split_seams.h"
 #include "../examples/products/mesh_io/mesh_io.h"
 #include "../examples/products/mesh_io/replace_file.h"
+#include "../examples/products/mesh_io/text.h"
 #include "folder.h"
 
 #include <catch2/catch.hpp>

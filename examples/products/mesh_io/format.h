@@ -4,6 +4,8 @@
 /// \file
 /// The formats of meshes: OFF, OBJ, PLY, STL and GOCAD (.ts), told apart by the extension.
 
+#include "text.h"
+
 #include <filesystem>
 #include <string>
 
@@ -11,7 +13,6 @@ namespace quadrille_examples {
 
 struct IndexedMesh;
 struct PolygonSoup;
-struct Source;
 
 struct MeshFormat {
   const char* extension;

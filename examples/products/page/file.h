@@ -2,6 +2,7 @@
 #define QUADRILLE_EXAMPLES_PAGE_FILE_H
 
 #include "../mesh_io/gltf/base64.h"
+#include "../mesh_io/json_object.h"
 #include "attribute_recorder.h"
 #include "level_arrays.h"
 #include "page_parts.h"
@@ -10,9 +11,7 @@
 
 #include <quadrille/levels.h>
 
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -35,46 +34,6 @@ struct PageSource {
   PageMaterials looks;
 };
 
-/// JSON that may stand within an element of HTML, whatever is in the texts.
-class PageJson {
-public:
-  static std::string text(std::string_view text) {
-    std::string json = "\"";
-    for (const char c : text) {
-      constexpr std::string_view digits = "0123456789abcdef";
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte < 0x20 || byte == 0x7f ||
-          std::string_view("\"\\<>&").find(c) != std::string_view::npos)
-        json.append("\\u00").append({digits[byte >> 4U], digits[byte & 15U]});
-      else
-        json += c;
-    }
-    return json + '"';
-  }
-  static std::string number(double x) {
-    std::array<char, 32> digits{};
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), x);
-    return {digits.data(), end};
-  }
-  static std::string number(std::size_t x) { return std::to_string(x); }
-  /// Of values by what `json_of` makes of each.
-  template <class Values, class JsonOf>
-  static std::string array(const Values& values, JsonOf json_of) {
-    std::string json;
-    for (const auto& value : values)
-      json.append(json.empty() ? "" : ",").append(json_of(value));
-    return '[' + json + ']';
-  }
-
-  void add(std::string_view name, const std::string& json) {
-    members_.append(members_.empty() ? "" : ",").append(text(name)).append(":").append(json);
-  }
-  std::string object() const { return '{' + members_ + '}'; }
-
-private:
-  std::string members_;
-};
-
 /// Arrays of numbers of 32 bits, one behind the other.
 class PageData {
 public:
@@ -95,15 +54,16 @@ public:
   }
 
   /// Of each: its type, where it begins and how many numbers it has.
-  std::string places() const { return places_.object(); }
+  const JsonObject& places() const { return places_; }
   std::string base64() const { return encode_base64(bytes_); }
   const std::string& bytes() const { return bytes_; }
 
 private:
   template <class T>
   void add(std::string_view name, const char* type, const T* numbers, std::size_t count) {
-    places_.add(name, "[" + PageJson::text(type) + "," + PageJson::number(bytes_.size()) + "," +
-                          PageJson::number(count) + "]");
+    places_.add_raw(name, "[" + JsonObject::json_of(type) + "," +
+                              JsonObject::json_of(bytes_.size()) + "," +
+                              JsonObject::json_of(count) + "]");
     for (std::size_t i = 0; i < count; ++i) {
       const auto bits = std::bit_cast<std::uint32_t>(numbers[i]);
       for (unsigned shift = 0; shift < 32; shift += 8)
@@ -111,7 +71,7 @@ private:
     }
   }
 
-  PageJson places_;
+  JsonObject places_;
   std::string bytes_;
 };
 
@@ -134,44 +94,44 @@ inline std::string escaped_for_html(std::string_view text) {
   return html;
 }
 
-inline std::string json_of(const PageMaterial& material) {
-  PageJson json;
-  json.add("color", PageJson::array(material.color, [](double x) { return PageJson::number(x); }));
+inline JsonObject json_object(const PageMaterial& material) {
+  JsonObject json;
+  json.add("color", material.color);
   if (material.image)
-    json.add("image", PageJson::number(*material.image));
+    json.add("image", *material.image);
   if (material.cutoff > 0)
-    json.add("cutoff", PageJson::number(material.cutoff));
-  return json.object();
+    json.add("cutoff", material.cutoff);
+  return json;
 }
 
 /// The header: see viewer.js.
 inline std::string page_header(const PageSource& source, const LevelArrays& arrays,
                                const PageFrame& frame, const PageData& data) {
-  const auto text = [](const std::string& words) { return PageJson::text(words); };
-  const auto number = [](double x) { return PageJson::number(x); };
   const RecordedAttributes& attributes = source.attributes;
   const std::size_t color = attributes.has_colors ? 4 : 0;
-  PageJson places;
-  places.add("color", PageJson::number(color));
   const std::size_t texture = attributes.has_textures ? 4 + (color > 0 ? 3U : 0U) : 0;
-  places.add("texture", PageJson::number(texture));
+  JsonObject places;
+  places.add("color", color);
+  places.add("texture", texture);
   const bool is_colored =
       attributes.has_colors || source.looks.materials != std::vector<PageMaterial>{PageMaterial{}};
-  PageJson header;
-  header.add("name", text(source.name));
-  header.add("inputFaces", PageJson::number(source.levels.finest().faces));
-  header.add("faces", PageJson::number(arrays.faces));
-  header.add("width", PageJson::number(arrays.vertices.width));
-  header.add("places", places.object());
-  header.add("isColored", is_colored ? "true" : "false");
-  const auto material = [](const PageMaterial& looks) { return json_of(looks); };
-  header.add("materials", PageJson::array(source.looks.materials, material));
-  header.add("images", PageJson::array(source.looks.images, text));
-  header.add("notes", PageJson::array(source.looks.notes, text));
-  header.add("center", PageJson::array(frame.center.coordinates, number));
-  header.add("unit", number(frame.unit));
+  std::vector<JsonObject> materials;
+  for (const PageMaterial& material : source.looks.materials)
+    materials.push_back(json_object(material));
+  JsonObject header;
+  header.add("name", source.name);
+  header.add("inputFaces", source.levels.finest().faces);
+  header.add("faces", arrays.faces);
+  header.add("width", arrays.vertices.width);
+  header.add("places", places);
+  header.add("isColored", is_colored);
+  header.add("materials", materials);
+  header.add("images", source.looks.images);
+  header.add("notes", source.looks.notes);
+  header.add("center", frame.center.coordinates);
+  header.add("unit", frame.unit);
   header.add("arrays", data.places());
-  return header.object();
+  return header.text();
 }
 
 /// What the viewer shows.

@@ -1,49 +1,18 @@
 #ifndef QUADRILLE_EXAMPLES_WEB_JSON_H
 #define QUADRILLE_EXAMPLES_WEB_JSON_H
 
+#include "../mesh_io/json_object.h"
+
 #include <quadrille/levels.h>
 #include <quadrille/report.h>
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace quadrille_examples {
-
-/// An object of JSON, member by member.
-class JsonObject {
-public:
-  void add_raw(std::string_view name, std::string_view json) {
-    text_ += (text_.empty() ? "{\"" : ",\"") + std::string(name) + "\":" + std::string(json);
-  }
-  void add(std::string_view name, std::string_view text) { // without quotes and line ends
-    add_raw(name, '"' + std::string(text) + '"');
-  }
-  void add(std::string_view name, bool value) { add_raw(name, value ? "true" : "false"); }
-  void add(std::string_view name, std::size_t count) { add_raw(name, std::to_string(count)); }
-  void add(std::string_view name, double number) { add_raw(name, text_of(number)); }
-  void add(std::string_view name, const std::array<std::size_t, 2>& pair) {
-    add_raw(name, '[' + std::to_string(pair[0]) + ',' + std::to_string(pair[1]) + ']');
-  }
-
-  /// What is beyond all doubles, as 1e999, is read as Infinity.
-  static std::string text_of(double number) {
-    if (!std::isfinite(number))
-      return number > 0 ? "1e999" : "null";
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
-  }
-
-  std::string text() const { return text_.empty() ? "{}" : text_ + '}'; }
-
-private:
-  std::string text_;
-};
 
 inline std::string line_of(const quadrille::Report& report) {
   std::ostringstream line;

@@ -14,7 +14,6 @@
 #include "../mesh/polygon_soup.h"
 #include "../text.h"
 #include "ply_columns.h"
-#include "ply_header.h"
 #include "ply_items.h"
 #include "ply_values.h"
 
@@ -22,7 +21,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -30,6 +28,8 @@
 #include <vector>
 
 namespace quadrille_examples {
+
+using quadrille::internal::PlyHeader;
 
 template <class Values>
 class PlyReader {
@@ -53,9 +53,21 @@ private:
   /// Columns that are known, in a row of the numbers of a vertex.
   enum Column { x, y, z, nx, ny, nz, red, green, blue, alpha, u, v, column_count };
 
+  static bool is_of_vertices(const PlyElement& element) {
+    return element.name == "vertex" || element.name == "vertices";
+  }
+  static bool is_of_faces(const PlyElement& element) {
+    return element.name == "face" || element.name == "faces";
+  }
+  /// The list of MeshLab's texture coordinates of corners.
+  static std::optional<std::size_t> find_corner_textures(const PlyElement& element) {
+    const std::optional<std::size_t> place = element.find({"texcoord"});
+    return place && element.properties[*place].is_list() ? place : std::nullopt;
+  }
+
   void require_vertices() {
-    const std::size_t vertices = require_at_most_one(&PlyElement::is_of_vertices, "vertices");
-    require_at_most_one(&PlyElement::is_of_faces, "faces");
+    const std::size_t vertices = require_at_most_one(is_of_vertices, "vertices");
+    require_at_most_one(is_of_faces, "faces");
     if (vertices == header_.elements.size())
       fail(source_.path, "the header declares no element 'vertex'");
     vertex_count_ = header_.elements[vertices].count;
@@ -64,19 +76,19 @@ private:
   }
 
   /// The place of the element of a kind, or behind all of them.
-  std::size_t require_at_most_one(bool (PlyElement::*is_of_kind)() const, const char* kind) const {
+  std::size_t require_at_most_one(bool (*is_of_kind)(const PlyElement&), const char* kind) const {
     const auto& elements = header_.elements;
-    if (std::count_if(elements.begin(), elements.end(), std::mem_fn(is_of_kind)) > 1)
+    if (std::count_if(elements.begin(), elements.end(), is_of_kind) > 1)
       fail(source_.path, std::string("the header declares ") + kind + " under two names");
-    return static_cast<std::size_t>(
-        std::find_if(elements.begin(), elements.end(), std::mem_fn(is_of_kind)) - elements.begin());
+    return static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(), is_of_kind) -
+                                    elements.begin());
   }
 
   void read_element(const PlyElement& element) {
     require_room(element);
-    if (element.is_of_vertices())
+    if (is_of_vertices(element))
       read_vertices(element);
-    else if (element.is_of_faces())
+    else if (is_of_faces(element))
       read_faces(element);
     else if (element.name == "tristrips")
       read_strips(element);
@@ -143,7 +155,7 @@ private:
   /// Beside texture coordinates at corners those of vertices are numbers like any other.
   bool assign_textures(PlyColumns& columns) {
     const auto has_corner_textures = [](const PlyElement& element) {
-      return element.is_of_faces() && element.find_corner_textures();
+      return is_of_faces(element) && find_corner_textures(element);
     };
     return std::none_of(header_.elements.begin(), header_.elements.end(), has_corner_textures) &&
            columns.assign(
@@ -166,7 +178,7 @@ private:
 
   void read_faces(const PlyElement& element) {
     const std::size_t indices = find_indices(element);
-    const std::optional<std::size_t> textures = element.find_corner_textures();
+    const std::optional<std::size_t> textures = find_corner_textures(element);
     PlyColumns columns(element, 0);
     soup_.face_numbers =
         columns.assign_others([](const std::string& name) { return name == "vertex_indices"; });
@@ -285,7 +297,7 @@ private:
 
 inline PolygonSoup read_ply(const Source& source) {
   LineReader lines(source);
-  const PlyHeader header = PlyHeaderReader::read(lines);
+  const PlyHeader header = quadrille::internal::PlyHeaderReader::read(lines);
   if (header.is_text)
     return PlyReader<PlyTextValues>(source, lines, header).read();
   return PlyReader<PlyBinaryValues>(source, lines, header).read();

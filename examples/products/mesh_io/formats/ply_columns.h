@@ -2,7 +2,8 @@
 #define QUADRILLE_EXAMPLES_MESH_IO_PLY_COLUMNS_H
 
 #include "../mesh/named_numbers.h"
-#include "ply_header.h"
+
+#include <quadrille/internal/file/ply_header.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -13,6 +14,9 @@
 #include <vector>
 
 namespace quadrille_examples {
+
+using quadrille::internal::PlyElement;
+using quadrille::internal::PlyProperty;
 
 /// Where the scalar properties of an element stand in a row of numbers: first those that a reader
 /// knows, in its order, then the others in that of the file.

@@ -3,7 +3,6 @@
 
 #include "../mesh/named_numbers.h"
 #include "ply_columns.h"
-#include "ply_header.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -6,13 +6,12 @@
 /// are handed on as `double`, which holds every value of every type of the format.
 
 #include "../text.h"
-#include "ply_header.h"
+#include "ply_columns.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 namespace quadrille_examples {
@@ -66,16 +65,12 @@ public:
   }
 
   double next(const NumberType& type) {
-    if (!type.is_integer)
-      return type.size == 8 ? next_as<double>() : static_cast<double>(next_as<float>());
-    switch (type.size) {
-    case 1:
-      return next_integer<std::int8_t, std::uint8_t>(type.is_signed);
-    case 2:
-      return next_integer<std::int16_t, std::uint16_t>(type.is_signed);
-    default:
-      return next_integer<std::int32_t, std::uint32_t>(type.is_signed);
-    }
+    using quadrille::internal::ply_number;
+    if (bytes_left() < type.size)
+      quadrille_examples::fail(source_->path, ends_before(element_->name, index_, element_->count));
+    const char* const bytes = source_->content.data() + position_;
+    position_ += type.size;
+    return is_swapped_ ? ply_number<true>(type, bytes) : ply_number<false>(type, bytes);
   }
 
   void end_item() {}
@@ -95,24 +90,6 @@ public:
   }
 
 private:
-  template <class Signed, class Unsigned>
-  double next_integer(bool is_signed) {
-    return is_signed ? static_cast<double>(next_as<Signed>())
-                     : static_cast<double>(next_as<Unsigned>());
-  }
-
-  template <class Value>
-  Value next_as() {
-    std::array<char, sizeof(Value)> bytes;
-    if (bytes_left() < bytes.size())
-      quadrille_examples::fail(source_->path, ends_before(element_->name, index_, element_->count));
-    std::memcpy(bytes.data(), source_->content.data() + position_, bytes.size());
-    position_ += bytes.size();
-    if (is_swapped_)
-      std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<Value>(bytes);
-  }
-
   const Source* source_;
   std::size_t position_;
   bool is_swapped_;

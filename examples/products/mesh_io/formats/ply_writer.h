@@ -1,11 +1,10 @@
 #ifndef QUADRILLE_EXAMPLES_MESH_IO_PLY_WRITER_H
 #define QUADRILLE_EXAMPLES_MESH_IO_PLY_WRITER_H
 
-#include "../little_endian.h"
 #include "../mesh/indexed_mesh.h"
 #include "../mesh/named_numbers.h"
 #include "../mesh/split_seams.h"
-#include "ply_header.h"
+#include "../text.h"
 
 #include <array>
 #include <cstddef>
@@ -49,12 +48,6 @@ private:
     return type.is_single ? single_type : double_type;
   }
 
-  static std::string name_of(const NumberType& type) {
-    const auto is_of_type = [&](const PlyTypeNames& names) { return names.type == type; };
-    return std::string(
-        std::find_if(std::begin(ply_types), std::end(ply_types), is_of_type)->names[0]);
-  }
-
   void append_header() {
     bytes_ = "ply\nformat binary_little_endian 1.0\n";
     for (const std::string& comment : mesh_.texture_comments)
@@ -73,14 +66,14 @@ private:
     bytes_ += "element face " + std::to_string(mesh_.triangles.size()) + '\n';
     bytes_ += "property list uchar uint vertex_indices\n";
     if (!mesh_.corner_textures.empty())
-      bytes_ += "property list uchar " + name_of(texture_type_) + " texcoord\n";
+      bytes_ += "property list uchar " + texture_type_.name() + " texcoord\n";
     declare(mesh_.face_numbers);
     bytes_ += "end_header\n";
   }
 
   void declare(const NumberType& type, std::initializer_list<const char*> names) {
     for (const char* name : names)
-      bytes_ += "property " + name_of(type) + ' ' + name + '\n';
+      bytes_ += "property " + type.name() + ' ' + name + '\n';
   }
   void declare(const std::vector<NamedNumbers>& numbers) {
     for (const NamedNumbers& column : numbers)

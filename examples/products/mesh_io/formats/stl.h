@@ -4,13 +4,15 @@
 /// \file
 /// Stereolithography files, binary or text. They give every facet points of its own.
 
-#include "../little_endian.h"
 #include "../mesh/indexed_mesh.h"
 #include "../mesh/polygon_soup.h"
 #include "../text.h"
 
+#include <quadrille/internal/file/stl_facets.h>
+
 #include <CGAL/IO/STL.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,64 +26,51 @@
 
 namespace quadrille_examples {
 
-inline constexpr std::size_t stl_header_size = 84; // 80 bytes of anything and the facet count
-inline constexpr std::size_t stl_facet_size = 50;  // a normal, three points and an attribute
+using quadrille::internal::is_stl_color;
+using quadrille::internal::names_stl_color;
+using quadrille::internal::stl_facet_size;
+using quadrille::internal::stl_header_size;
+using quadrille::internal::StlFacet;
 
-/// Has a facet a colour of its own, with five bits for each component? Where the header names a
-/// colour of all facets, as of Magics, each attribute tells of one; else, as of VisCAM and
-/// SolidView, if its highest bit is set.
-inline bool names_stl_color(std::string_view header) {
-  return header.find("COLOR=") != std::string_view::npos;
-}
-inline bool is_stl_color(std::uint16_t attribute, bool header_names_color) {
-  return header_names_color || (attribute & 0x8000) != 0;
-}
-
-/// The colours of the facets, as a number of each that a mesh carries along: 0 where there is none.
-inline void read_stl_colors(std::string_view bytes, std::size_t facets, PolygonSoup& soup) {
-  const std::string_view header = bytes.substr(0, stl_header_size - 4);
+/// The facets, which a file has in full, with their colours as a number of each that a mesh carries
+/// along: 0 where there is none.
+inline PolygonSoup read_stl_facets(std::string_view bytes, std::size_t facets) {
+  PolygonSoup soup;
   NamedNumbers colors{stl_color_name, {2, true, false}, {}};
   bool is_any = false;
   for (std::size_t i = 0; i < facets; ++i) {
-    const auto attribute =
-        little_endian_at<std::uint16_t>(bytes, stl_header_size + (i + 1) * stl_facet_size - 2);
-    const bool is_color = is_stl_color(attribute, names_stl_color(header));
-    colors.values.push_back(is_color ? attribute : 0);
+    const StlFacet facet(bytes.substr(stl_header_size + i * stl_facet_size, stl_facet_size));
+    for (const std::array<float, 3>& p : facet.points) {
+      soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
+      soup.points.emplace_back(p[0], p[1], p[2]);
+    }
+    soup.end_polygon();
+    const bool is_color = is_stl_color(facet.attribute, names_stl_color(bytes));
+    colors.values.push_back(is_color ? facet.attribute : 0);
     is_any |= is_color;
-    if (attribute != 0 && !is_color)
+    if (facet.attribute != 0 && !is_color)
       soup.losses.add("attributes of facets that are no colours");
   }
-  if (!is_any)
-    return;
-  soup.face_numbers.push_back(std::move(colors));
-  if (names_stl_color(header))
-    soup.stl_header = header;
+  if (is_any) {
+    soup.face_numbers.push_back(std::move(colors));
+    if (names_stl_color(bytes))
+      soup.stl_header = bytes.substr(0, stl_header_size - 4);
+  }
+  return soup;
 }
 
 inline PolygonSoup read_binary_stl(const Source& source) {
   const std::string_view bytes = source.content;
   if (bytes.size() < stl_header_size)
     fail(source.path, "neither a text STL file, nor long enough for a binary one");
-  const std::uint64_t facets = little_endian_at<std::uint32_t>(bytes, stl_header_size - 4);
+  const std::uint64_t facets = quadrille::internal::stl_facet_count(bytes);
   const std::uint64_t held = (bytes.size() - stl_header_size) / stl_facet_size;
   if (held < facets)
     fail(source.path, ends_before("facet", held, facets));
   if (held > facets) // they would be lost in silence
     fail(source.path, "the file goes on after the last of " + std::to_string(facets) + " facets");
 
-  PolygonSoup soup;
-  for (std::uint64_t i = 0; i < facets; ++i) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const auto coordinate = [&](std::size_t axis) {
-        const std::size_t offset = stl_header_size + i * stl_facet_size;
-        return little_endian_at<float>(bytes, offset + 12 * (corner + 1) + 4 * axis);
-      };
-      soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
-      soup.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
-    }
-    soup.end_polygon();
-  }
-  read_stl_colors(bytes, facets, soup);
+  PolygonSoup soup = read_stl_facets(bytes, facets);
   if (bytes.size() != stl_header_size + facets * stl_facet_size)
     soup.remarks.push_back("the bytes after the last facet are left out");
   return soup;

@@ -8,7 +8,6 @@
 /// so all the rest goes through, extensions and extras that nobody here knows as well. A library
 /// that makes structs of a document and a document of structs drops what it has no field for.
 
-#include "../little_endian.h"
 #include "../text.h"
 #include "base64.h"
 #include "decompression.h"

@@ -4,7 +4,6 @@
 #include "../format.h"
 #include "../formats/material_library.h"
 #include "../linear_light.h"
-#include "../little_endian.h"
 #include "../mesh/indexed_mesh.h"
 #include "../text.h"
 #include "document.h"

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_EXAMPLES_GLTF_SKELETON_H
 #define QUADRILLE_EXAMPLES_GLTF_SKELETON_H
 
-#include "../little_endian.h"
+#include "../text.h"
 #include "accessor.h"
 #include "document.h"
 #include "json.h"

@@ -4,6 +4,8 @@
 /// \file
 /// Numbers of vertices or faces that a file gives names to, as the scalar properties of PLY.
 
+#include <quadrille/internal/file/ply_header.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,13 +16,7 @@
 namespace quadrille_examples {
 
 /// A type of numbers in a file. `double` holds every value of each.
-struct NumberType {
-  std::size_t size; ///< in bytes: 1, 2 or 4 of integers, 4 or 8 of others
-  bool is_integer;
-  bool is_signed;
-
-  friend bool operator==(const NumberType&, const NumberType&) = default;
-};
+using NumberType = quadrille::internal::PlyType;
 
 /// A number of each vertex, or of each face.
 struct NamedNumbers {

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_APPENDED_FILES_H
 #define QUADRILLE_INTERNAL_FILE_APPENDED_FILES_H
 
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/file/disk_file.h>
-#include <quadrille/internal/file/file_checksum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,7 +55,7 @@ public:
 private:
   struct State {
     std::vector<char> buffer;
-    FileChecksum checksum;
+    Checksum checksum;
     std::uint64_t size = 0;
   };
 
@@ -81,7 +81,7 @@ std::vector<Row> read_rows(const std::filesystem::path& path, const FileContent&
                         std::to_string(content.size) + " that were written");
   std::vector<Row> rows(static_cast<std::size_t>(content.size / sizeof(Row)));
   file.read(0, rows.data(), rows.size() * sizeof(Row));
-  FileChecksum checksum;
+  Checksum checksum;
   checksum.add(rows.data(), rows.size() * sizeof(Row));
   if (checksum.value() != content.checksum)
     fail_file(path, "is not what was written: its checksum is another one");

@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_BYTE_STREAM_H
 #define QUADRILLE_INTERNAL_FILE_BYTE_STREAM_H
 
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/file/disk_file.h>
-#include <quadrille/internal/file/file_checksum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,7 +31,7 @@ public:
   /// Of the next byte, in the file.
   std::uint64_t offset() const { return offset_ - (end_ - begin_); }
   /// Of all bytes that were read, also those that were not asked for yet.
-  const FileChecksum& checksum() const { return checksum_; }
+  const Checksum& checksum() const { return checksum_; }
 
 private:
   bool fill(std::size_t count) {
@@ -51,7 +51,7 @@ private:
   std::uint64_t offset_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;
-  FileChecksum checksum_;
+  Checksum checksum_;
 };
 
 } // namespace quadrille::internal

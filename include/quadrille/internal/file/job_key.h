@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_INTERNAL_FILE_JOB_KEY_H
 #define QUADRILLE_INTERNAL_FILE_JOB_KEY_H
 
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/file/disk_file.h>
-#include <quadrille/internal/file/file_checksum.h>
 
 #include <algorithm>
 #include <array>
@@ -72,7 +72,7 @@ public:
   std::uint64_t value() const { return checksum_.value(); }
 
 private:
-  FileChecksum checksum_;
+  Checksum checksum_;
 };
 
 } // namespace quadrille::internal

@@ -66,7 +66,7 @@ public:
             .parts();
     WholeFile no_borders(folder_.borders(number));
     no_borders.finish();
-    plan_.borders.checksum = FileChecksum().value();
+    plan_.borders.checksum = Checksum().value();
   }
 
   /// Of the vertices that faces use, in their unit.

@@ -115,7 +115,7 @@ private:
   static inline const std::string magic = "quadrille phase 7";
 
   static std::string end_of(const std::string& content) {
-    FileChecksum checksum;
+    Checksum checksum;
     checksum.add(content.data(), content.size());
     std::ostringstream text;
     text << "end " << std::hex << checksum.value() << '\n';

@@ -60,8 +60,7 @@ private:
     const auto places = [](const PlyElement& element, const std::vector<PlyProperty>& properties) {
       std::vector<std::size_t> result;
       for (const PlyProperty& p : properties)
-        result.push_back(
-            static_cast<std::size_t>(element.find(p.name) - element.properties.data()));
+        result.push_back(*element.find({p.name}));
       return result;
     };
     const PlyType number{input.has_doubles() ? std::size_t{8} : std::size_t{4}, false, true};

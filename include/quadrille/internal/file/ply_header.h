@@ -1,28 +1,29 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PLY_HEADER_H
 #define QUADRILLE_INTERNAL_FILE_PLY_HEADER_H
 
-#include <quadrille/internal/file/disk_file.h>
+#include <quadrille/internal/file/text_lines.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
 #include <iomanip>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace quadrille::internal {
 
 /// A type of numbers in a PLY file.
 struct PlyType {
-  std::size_t size = 0;
+  std::size_t size = 0; ///< in bytes: 1, 2 or 4 of integers, 4 or 8 of others
   bool is_integer = true, is_signed = true;
 
   friend bool operator==(const PlyType&, const PlyType&) = default;
@@ -89,11 +90,12 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  const PlyProperty* find(std::string_view property) const {
-    for (const PlyProperty& p : properties)
-      if (p.name == property)
-        return &p;
-    return nullptr;
+  /// The place of the first property that has one of the names.
+  std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const {
+    for (std::size_t i = 0; i < properties.size(); ++i)
+      if (std::find(names.begin(), names.end(), properties[i].name) != names.end())
+        return i;
+    return std::nullopt;
   }
   /// Of an item, in bytes; nothing if there are lists.
   std::optional<std::size_t> row_size() const {
@@ -121,6 +123,17 @@ struct MadeCounts {
     return *this;
   }
 
+  /// As the comments of a header tell.
+  static MadeCounts of(const std::vector<std::string>& comments) {
+    MadeCounts made;
+    for (const std::string& comment : comments) {
+      std::istringstream words(comment);
+      std::string first;
+      if (words >> first && first == keyword)
+        words >> made.welded >> made.fans >> made.short_faces;
+    }
+    return made;
+  }
   /// A line of a header, of the same length whatever there is.
   std::string comment() const {
     std::ostringstream text;
@@ -131,133 +144,132 @@ struct MadeCounts {
   }
 };
 
-/// What the header of a PLY file tells.
+/// What the header of a PLY file tells: which elements follow, with which properties.
 struct PlyHeader {
-  bool is_big_endian = false, is_text = false;
+  bool is_text = false;
+  std::endian byte_order = std::endian::little;
   std::vector<PlyElement> elements;
-  std::vector<std::string> textures; ///< comments that name one: "TextureFile wall.png"
-  std::uint64_t size = 0;            ///< of the header, in bytes
-  std::uint64_t lines = 0;           ///< of the header
-  MadeCounts made;
+  std::vector<std::string> comments;
 
-  bool is_swapped() const { return is_big_endian != (std::endian::native == std::endian::big); }
+  bool is_swapped() const { return byte_order != std::endian::native; }
+
+  /// Comments that name a texture, in the manner of "comment TextureFile a.png".
+  std::vector<std::string> texture_comments() const {
+    std::vector<std::string> found;
+    std::copy_if(comments.begin(), comments.end(), std::back_inserter(found), names_a_texture);
+    return found;
+  }
+
+private:
+  static bool names_a_texture(std::string comment) {
+    std::transform(comment.begin(), comment.end(), comment.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    for (const char* sign : {"texturefile", ".png", ".jpg", ".jpeg", ".tga", ".tif", ".bmp", ".dds",
+                             ".webp", ".exr", ".mtl"})
+      if (comment.find(sign) != std::string::npos)
+        return true;
+    return false;
+  }
 };
 
 /// Reads the header of a PLY file. Throws std::runtime_error, naming the line.
 class PlyHeaderReader {
 public:
-  static PlyHeader read(const InputFile& file) { return PlyHeaderReader(file).header(); }
+  /// Leaves `lines` at the last line of the header.
+  static PlyHeader read(LineReader& lines) {
+    PlyHeaderReader reader(lines);
+    reader.read_magic();
+    while (reader.read_line()) {
+    }
+    return std::move(reader.header_);
+  }
 
 private:
-  explicit PlyHeaderReader(const InputFile& file) : file_(file), text_(std::size_t{1} << 20, '\0') {
-    text_.resize(file.read_some(0, text_.data(), text_.size()));
+  /// Beyond what any program writes, lest a file of nothing but names take forever.
+  static constexpr std::size_t most_names = 1000;
+
+  explicit PlyHeaderReader(LineReader& lines) : lines_(lines) {}
+
+  void read_magic() {
+    if (!lines_.next_line() || lines_.next_word() != "ply")
+      lines_.fail("not a PLY file: its first line is not 'ply'");
+    if (!lines_.next_line() || lines_.next_word() != "format")
+      lines_.fail("the line that names the format is missing");
+    const std::string_view format = lines_.next_word();
+    header_.is_text = format == "ascii";
+    if (format == "binary_big_endian")
+      header_.byte_order = std::endian::big;
+    else if (format != "binary_little_endian" && !header_.is_text)
+      lines_.fail("unknown format " + in_quotes(format));
   }
 
-  PlyHeader header() {
-    if (next_line() != "ply")
-      fail("not a PLY file: its first line is not 'ply'");
-    while (read_line(next_line())) {
-    }
-    header_.size = position_;
-    header_.lines = line_;
-    return std::move(header_);
-  }
-
-  // Lines end in \n, or in \r\n.
-  std::string next_line() {
-    const std::size_t end = text_.find('\n', position_);
-    if (end == std::string::npos)
-      fail("the header of a PLY file does not end");
-    std::string line = text_.substr(position_, end - position_);
-    position_ = end + 1;
-    ++line_;
-    if (!line.empty() && line.back() == '\r')
-      line.pop_back();
-    return line;
-  }
-
-  bool read_line(const std::string& line) {
-    std::istringstream words(line);
-    std::string keyword;
-    words >> keyword;
-    if (keyword == "format")
-      read_format(words);
-    else if (keyword == "element")
-      read_element(words);
+  /// False after the last line.
+  bool read_line() {
+    if (!lines_.next_line())
+      lines_.fail("the file ends inside the header");
+    const std::string_view keyword = lines_.next_word();
+    if (keyword == "element")
+      read_element();
     else if (keyword == "property")
-      read_property(words);
-    else if (keyword == "comment")
-      read_comment(line.substr(line.find(keyword) + keyword.size()));
-    else if (keyword != "obj_info" && keyword != "end_header")
-      fail("unknown keyword '" + keyword + "' in the header");
+      read_property();
+    else if (keyword == "comment" || keyword == "obj_info")
+      read_comment();
+    else if (keyword != "end_header")
+      lines_.fail("unknown keyword " + in_quotes(keyword) + " in the header");
     return keyword != "end_header";
   }
 
-  void read_comment(const std::string& text) {
-    const std::size_t begin = text.find_first_not_of(' ');
-    if (begin != std::string::npos && text.compare(begin, 12, "TextureFile ") == 0)
-      header_.textures.push_back(text.substr(begin));
-    std::istringstream words(text);
-    std::string keyword;
-    words >> keyword;
-    if (keyword == MadeCounts::keyword)
-      words >> header_.made.welded >> header_.made.fans >> header_.made.short_faces;
+  void read_comment() {
+    if (header_.comments.size() < most_names)
+      header_.comments.emplace_back(lines_.rest_as_name());
   }
 
-  void read_format(std::istream& words) {
-    std::string format;
-    words >> format;
-    header_.is_text = format == "ascii";
-    header_.is_big_endian = format == "binary_big_endian";
-    if (format != "binary_little_endian" && !header_.is_big_endian && !header_.is_text)
-      fail("unknown format '" + format + "'");
-  }
-
-  void read_element(std::istream& words) {
+  void read_element() {
     PlyElement element;
-    std::string count;
-    words >> element.name >> count;
-    const auto [end, error] =
-        std::from_chars(count.data(), count.data() + count.size(), element.count);
-    if (count.empty() || error != std::errc() || end != count.data() + count.size())
-      fail("'" + count + "' is no number of elements");
+    element.name = lines_.next_word();
+    const std::int64_t count = lines_.next_integer("element count");
+    if (count < 0)
+      lines_.fail("element count " + std::to_string(count) + " is negative");
+    for (const PlyElement& earlier : header_.elements)
+      if (earlier.name == element.name)
+        lines_.fail("element " + in_quotes(element.name) + " is declared twice");
+    if (header_.elements.size() == most_names)
+      lines_.fail("more than " + std::to_string(most_names) + " elements");
+    element.count = static_cast<std::uint64_t>(count);
     header_.elements.push_back(std::move(element));
   }
 
-  void read_property(std::istream& words) {
+  void read_property() {
     if (header_.elements.empty())
-      fail("a property without an element");
+      lines_.fail("a property without an element");
     PlyProperty property;
-    std::string type;
-    words >> type;
-    if (type == "list") {
-      words >> type;
-      property.count_type = type_named(type);
+    if (lines_.peek_word() == "list") {
+      lines_.next_word();
+      property.count_type = read_type();
       if (!property.count_type->is_integer)
-        fail("the count of a list is no integer type");
-      words >> type;
+        lines_.fail("the count of a list is no integer type");
     }
-    property.type = type_named(type);
-    words >> property.name;
-    if (property.name.empty() || header_.elements.back().find(property.name))
-      fail("a property without a name of its own");
-    header_.elements.back().properties.push_back(std::move(property));
+    property.type = read_type();
+    property.name = lines_.next_word();
+    PlyElement& element = header_.elements.back();
+    if (property.name.empty())
+      lines_.fail("a property without a name");
+    if (element.find({property.name}))
+      lines_.fail("property " + in_quotes(property.name) + " is declared twice");
+    if (element.properties.size() == most_names)
+      lines_.fail("more than " + std::to_string(most_names) + " properties");
+    element.properties.push_back(std::move(property));
   }
 
-  PlyType type_named(const std::string& name) const {
+  PlyType read_type() {
+    const std::string_view name = lines_.next_word();
     const std::optional<PlyType> type = PlyType::named(name);
     if (!type)
-      fail("unknown type '" + name + "'");
+      lines_.fail("unknown type " + in_quotes(name));
     return *type;
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    fail_file(file_.path(), "line " + std::to_string(line_) + ": " + what);
-  }
-
-  const InputFile& file_;
-  std::string text_;
-  std::size_t position_ = 0, line_ = 0;
+  LineReader& lines_;
   PlyHeader header_;
 };
 

@@ -62,7 +62,7 @@ public:
   /// Can for_vertices() and for_faces() read it? Else it is text, or has faces that are no
   /// triangles, or lists before what is to be read: see PlyConversion.
   bool is_ready() const { return is_placed_ && has_triangles_only(); }
-  const PlyHeader& header() const { return header_; }
+  const PlyFileHeader& header() const { return header_; }
   const PlyElement& vertex_element() const { return *vertices_; }
   const PlyElement& face_element() const { return *faces_; }
   std::size_t corners_property() const { return corners_; } ///< its place in the element
@@ -95,8 +95,7 @@ public:
   }
 
 private:
-  PlyInput(InputFile file, const ScalarChoice& choice)
-      : file_(std::move(file)), header_(PlyHeaderReader::read(file_)) {
+  PlyInput(InputFile file, const ScalarChoice& choice) : file_(std::move(file)), header_(file_) {
     place_elements();
     place_coordinates(choice);
     place_corners(choice.positions_only);
@@ -214,9 +213,10 @@ private:
     scalars_ = VertexScalars(std::move(scalars));
     scalars_.set_tolerance(choice.tolerance);
     if (!choice.positions_only)
-      scalars_.set_textures(header_.textures);
+      scalars_.set_textures(header_.texture_comments());
     else
-      dropped_.insert(dropped_.end(), header_.textures.begin(), header_.textures.end());
+      for (const std::string& texture : header_.texture_comments())
+        dropped_.push_back(texture);
     if (scalars_.channels() > VertexScalars::most_channels)
       fail_file(file_.path(), "its vertices have " + std::to_string(scalars_.channels()) +
                                   " different attributes; no more than " +
@@ -380,7 +380,7 @@ private:
   }
 
   InputFile file_;
-  PlyHeader header_;
+  PlyFileHeader header_;
   const PlyElement* vertices_ = nullptr; // of header_
   const PlyElement* faces_ = nullptr;
   std::uint64_t vertices_begin_ = 0, faces_begin_ = 0;

@@ -1,12 +1,11 @@
 #ifndef QUADRILLE_INTERNAL_FILE_PLY_OUTPUT_H
 #define QUADRILLE_INTERNAL_FILE_PLY_OUTPUT_H
 
+#include <quadrille/internal/core/base/little_endian.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/ply_header.h>
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,10 +24,7 @@ public:
   }
   template <class Number>
   void put(Number number) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    if constexpr (std::endian::native == std::endian::big)
-      std::reverse(bytes.begin(), bytes.end());
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    append_little_endian(buffer_, number);
     if (buffer_.size() >= (1 << 20))
       flush();
   }

@@ -4,47 +4,43 @@
 #include <quadrille/internal/file/byte_stream.h>
 #include <quadrille/internal/file/disk_file.h>
 #include <quadrille/internal/file/ply_header.h>
+#include <quadrille/internal/file/text_lines.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace quadrille::internal {
 
-/// The number that a word spells, the same in every locale.
-inline std::optional<double> number_of_word(std::string_view word) {
-  if (!word.empty() && word.front() == '+')
-    word.remove_prefix(1);
-  double value = 0;
-#ifdef __cpp_lib_to_chars
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || error == std::errc::invalid_argument)
-    return std::nullopt;
-  if (error == std::errc::result_out_of_range) // it does not say on which side
-    return std::nullopt;
-#else
-  std::istringstream text{std::string(word)};
-  text.imbue(std::locale::classic());
-  if (!(text >> value) || text.peek() != std::istringstream::traits_type::eof())
-    return std::nullopt;
-#endif
-  return value;
-}
+/// The header of a PLY file on the disk, and where its values begin.
+struct PlyFileHeader : PlyHeader {
+  explicit PlyFileHeader(const InputFile& file) {
+    Source source{file.path(), std::string(most_bytes, '\0')};
+    source.content.resize(file.read_some(0, source.content.data(), most_bytes));
+    LineReader text(source);
+    static_cast<PlyHeader&>(*this) = PlyHeaderReader::read(text);
+    size = source.content.size() - text.bytes_left();
+    lines = text.line_number();
+    made = MadeCounts::of(comments);
+  }
+
+  std::uint64_t size = 0, lines = 0;
+  MadeCounts made;
+
+private:
+  static constexpr std::size_t most_bytes = std::size_t{1} << 20;
+};
 
 /// Values of a PLY file as text, an item on each line. Messages name the line.
 class PlyTextValues {
 public:
-  PlyTextValues(const InputFile& file, const PlyHeader& header)
+  PlyTextValues(const InputFile& file, const PlyFileHeader& header)
       : file_(file), offset_(header.size), line_number_(header.lines) {}
 
   void begin_item(const PlyElement& element, std::uint64_t item) {
@@ -54,12 +50,12 @@ public:
   }
   double next(const PlyType& type) {
     const std::string_view word = next_word();
-    const std::optional<double> value = number_of_word(word);
+    const std::optional<double> value = parse_number(word);
     if (!value)
       fail(word.empty() ? "has fewer values than the header declares"
-                        : quoted(word) + " is no number");
+                        : in_quotes(word) + " is no number");
     if (type.is_integer && !(std::trunc(*value) == *value && fits(type, *value)))
-      fail(quoted(word) + " is no number of the type " + type.name());
+      fail(in_quotes(word) + " is no number of the type " + type.name());
     return *value;
   }
   void end_item() {
@@ -75,15 +71,10 @@ public:
       fail("goes on after the last element");
   }
   [[noreturn]] void fail(const std::string& what) const {
-    fail_file(file_.path(), "line " + std::to_string(line_number_) + ": " + what);
+    fail_line(file_.path(), line_number_, what);
   }
 
 private:
-  static std::string quoted(std::string_view word) {
-    const bool is_text = std::all_of(word.begin(), word.end(), [](char c) { return c > 32; });
-    return is_text ? "'" + std::string(word.substr(0, 100)) + "'" : "what is there";
-  }
-
   static bool fits(const PlyType& type, double value) {
     const double values = std::ldexp(1, static_cast<int>(8 * type.size));
     return type.is_signed ? value >= -values / 2 && value < values / 2
@@ -141,7 +132,7 @@ private:
 template <bool is_swapped>
 class PlyBinaryValues {
 public:
-  PlyBinaryValues(const InputFile& file, const PlyHeader& header)
+  PlyBinaryValues(const InputFile& file, const PlyFileHeader& header)
       : file_(file), stream_(file, header.size) {}
 
   void begin_item(const PlyElement& element, std::uint64_t item) {
@@ -193,7 +184,7 @@ public:
   /// Of each property the values: one, or those of a list.
   using Row = std::vector<std::vector<double>>;
 
-  PlyRows(const InputFile& file, const PlyHeader& header) : file_(file), header_(header) {}
+  PlyRows(const InputFile& file, const PlyFileHeader& header) : file_(file), header_(header) {}
 
   /// Calls take(number, row, fail) for each item, where fail(text) throws std::runtime_error with
   /// the place. It ends when that returns false; else the file has to be at its end then.
@@ -241,7 +232,7 @@ private:
   }
 
   const InputFile& file_;
-  const PlyHeader& header_;
+  const PlyFileHeader& header_;
 };
 
 } // namespace quadrille::internal

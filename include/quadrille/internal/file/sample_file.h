@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_FILE_SAMPLE_FILE_H
 #define QUADRILLE_INTERNAL_FILE_SAMPLE_FILE_H
 
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/core/base/cost_histogram.h>
 #include <quadrille/internal/file/disk_file.h>
-#include <quadrille/internal/file/file_checksum.h>
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ private:
   };
 
   static std::uint64_t checksum_of(const std::vector<Row>& rows) {
-    FileChecksum checksum;
+    Checksum checksum;
     checksum.add(rows.data(), rows.size() * sizeof(Row));
     return checksum.value();
   }

@@ -8,6 +8,7 @@
 #include <quadrille/internal/file/place_sort.h>
 #include <quadrille/internal/file/ply_header.h>
 #include <quadrille/internal/file/rows.h>
+#include <quadrille/internal/file/stl_facets.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -66,9 +66,9 @@ public:
     const InputFile file(input);
     if (count_faces(file) == 0)
       fail_file(input, "nothing to simplify: it has no faces");
-    std::string header(80, '\0');
+    std::string header(stl_header_size, '\0');
     file.read(0, header.data(), header.size());
-    if (!positions_only && header.find("COLOR=") != std::string::npos)
+    if (!positions_only && names_stl_color(header))
       fail_colors(input);
   }
 
@@ -83,20 +83,19 @@ private:
         corners_(folder_, memory, 3 * faces_) {}
 
   static std::uint64_t count_faces(const InputFile& file) {
-    std::array<char, 84> header{};
+    std::string header(stl_header_size, '\0');
     const std::size_t got = file.read_some(0, header.data(), header.size());
-    std::uint32_t count = 0;
-    std::memcpy(&count, header.data() + 80, 4);
-    const std::uint64_t faces = std::endian::native == std::endian::big ? swapped(count) : count;
-    if (got == header.size() && file.size() == 84 + 50 * faces)
+    const std::uint64_t faces = stl_facet_count(header);
+    const std::uint64_t size = stl_header_size + stl_facet_size * faces;
+    if (got == header.size() && file.size() == size)
       return faces;
-    if (std::string(header.data(), 5) == "solid")
+    if (header.starts_with("solid"))
       fail_file(file.path(), "is text; a file is read in parts if it is binary");
     fail_file(file.path(), got < header.size()
                                ? "ends within the 84 bytes that a binary STL file begins with"
                                : "has " + std::to_string(file.size()) + " bytes; with " +
                                      std::to_string(faces) + " faces it would have " +
-                                     std::to_string(84 + 50 * faces));
+                                     std::to_string(size));
   }
 
   [[noreturn]] static void fail_colors(const std::filesystem::path& path) {
@@ -104,43 +103,34 @@ private:
                     "them out");
   }
 
-  static std::uint32_t swapped(std::uint32_t x) {
-    return x >> 24 | (x >> 8 & 0xFF00U) | (x << 8 & 0xFF0000U) | x << 24;
-  }
-
   // Steps between two calls of `ask`.
   static constexpr std::uint64_t often = 1 << 16;
 
   template <class Ask>
   void sort_corners(bool positions_only, const Ask& ask) {
-    ByteStream stream(file_, 84);
+    ByteStream stream(file_, stl_header_size);
     for (std::uint64_t face = 0; face < faces_; ++face) {
-      const char* const row = stream.next(50);
+      const char* const row = stream.next(stl_facet_size);
       if (!row)
         fail_file(file_.path(), "ends within face " + std::to_string(face));
       if (face % often == 0)
         ask();
-      if (!positions_only && (row[49] & 0x80) != 0) // bit 15 of the attribute
+      const StlFacet facet({row, stl_facet_size});
+      if (!positions_only && is_stl_color(facet.attribute, false)) // the header names none
         fail_colors(file_.path());
-      for (std::uint64_t i = 0; i < 3; ++i)
-        corners_.add(place(row + 12 + 12 * i, face), 3 * face + i);
+      for (std::uint64_t i = 0; i < 3; ++i) {
+        require_finite(facet.points[i], face);
+        corners_.add(facet.points[i], 3 * face + i);
+      }
     }
     corners_.end();
   }
 
-  std::array<float, 3> place(const char* bytes, std::uint64_t face) const {
-    std::array<float, 3> result{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, bytes + 4 * i, 4);
-      if constexpr (std::endian::native == std::endian::big)
-        bits = swapped(bits);
-      result[i] = std::bit_cast<float>(bits);
-      if (!std::isfinite(result[i]))
+  void require_finite(const std::array<float, 3>& point, std::uint64_t face) const {
+    for (const float x : point)
+      if (!std::isfinite(x))
         fail_file(file_.path(),
                   "face " + std::to_string(face) + " has a corner that is not finite");
-    }
-    return result;
   }
 
   // Corners of a piece of the file, a multiple of three.

@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_FILE_SURVIVORS_H
 #define QUADRILLE_INTERNAL_FILE_SURVIVORS_H
 
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/core/surface/face_bound.h>
 #include <quadrille/internal/file/disk_file.h>
-#include <quadrille/internal/file/file_checksum.h>
 #include <quadrille/internal/file/rows.h>
 #include <quadrille/report.h>
 
@@ -101,7 +101,7 @@ struct Survivors {
     header.given = given.size();
     header.scalars = vertices.empty() ? 0 : scalars.size() / vertices.size();
     header.memory_size = vertices.empty() ? 0 : memories.size() / vertices.size();
-    FileChecksum checksum;
+    Checksum checksum;
     for_content([&](const void* bytes, std::size_t size) { checksum.add(bytes, size); });
     header.checksum = checksum.value();
     WholeFile file = WholeFile::by_any_process(path);
@@ -122,7 +122,7 @@ struct Survivors {
     s.memories.resize(static_cast<std::size_t>(header.vertices * header.memory_size));
     s.given.resize(static_cast<std::size_t>(header.given));
     s.given_memories.resize(static_cast<std::size_t>(header.given * header.memory_size));
-    FileChecksum checksum;
+    Checksum checksum;
     std::uint64_t offset = sizeof(header);
     s.for_content([&](void* bytes, std::size_t size) {
       file.read(offset, bytes, size);

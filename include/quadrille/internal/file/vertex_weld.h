@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_INTERNAL_FILE_VERTEX_WELD_H
 #define QUADRILLE_INTERNAL_FILE_VERTEX_WELD_H
 
+#include <quadrille/internal/core/base/checksum.h>
 #include <quadrille/internal/file/appended_files.h>
 #include <quadrille/internal/file/disk_file.h>
-#include <quadrille/internal/file/file_checksum.h>
 #include <quadrille/internal/file/id_set.h>
 #include <quadrille/internal/file/place_sort.h>
 #include <quadrille/internal/file/ply_header.h>
@@ -138,7 +138,7 @@ private:
   // two that differ it is the same once in 2^32: then the first one's numbers stay.
   static VertexId vertex_of(std::uint64_t sorted) { return static_cast<VertexId>(sorted >> 32); }
   static std::uint32_t digest(const std::vector<double>& scalars) {
-    FileChecksum checksum;
+    Checksum checksum;
     for (const double x : scalars) {
       const double value = x + 0.0; // -0 is 0
       checksum.add(&value, sizeof(value));

@@ -1,11 +1,10 @@
 #ifndef QUADRILLE_INTERNAL_LEVELS_BYTES_H
 #define QUADRILLE_INTERNAL_LEVELS_BYTES_H
 
-#include <boost/crc.hpp>
+#include <quadrille/internal/core/base/checksum.h>
+#include <quadrille/internal/core/base/little_endian.h>
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -39,21 +38,12 @@ inline constexpr bool has_zstd =
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
 
-template <Number T>
-std::array<unsigned char, sizeof(T)> little_endian(T value) {
-  auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
-  if constexpr (std::endian::native == std::endian::big)
-    std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
-
 /// Appends numbers to bytes.
 class ByteWriter {
 public:
   template <Number T>
   void put(T value) {
-    const auto bytes = little_endian(value);
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    append_little_endian(bytes_, value);
   }
   /// A column of numbers: all first bytes, then all second ones, … which are alike, so that they
   /// are compressed well.
@@ -62,7 +52,7 @@ public:
     const std::size_t begin = bytes_.size();
     bytes_.resize(begin + column.size() * sizeof(T));
     for (std::size_t i = 0; i < column.size(); ++i) {
-      const auto bytes = little_endian(column[i]);
+      const auto bytes = little_endian<unsigned char>(column[i]);
       for (std::size_t b = 0; b < sizeof(T); ++b)
         bytes_[begin + b * column.size() + i] = bytes[b];
     }
@@ -86,9 +76,7 @@ public:
   std::size_t left() const { return bytes_.size(); }
   template <Number T>
   T get() {
-    std::array<unsigned char, sizeof(T)> raw;
-    std::copy_n(take(sizeof(T)).begin(), sizeof(T), raw.begin());
-    return number<T>(raw);
+    return little_endian_at<T>(take(sizeof(T)).data());
   }
   template <Number T>
   std::vector<T> get_column(std::size_t count) {
@@ -100,7 +88,7 @@ public:
       std::array<unsigned char, sizeof(T)> raw;
       for (std::size_t b = 0; b < sizeof(T); ++b)
         raw[b] = from[b * count + i];
-      column[i] = number<T>(raw);
+      column[i] = little_endian_at<T>(raw.data());
     }
     return column;
   }
@@ -117,20 +105,14 @@ private:
     bytes_ = bytes_.subspan(count);
     return taken;
   }
-  template <class T>
-  static T number(std::array<unsigned char, sizeof(T)> raw) {
-    if constexpr (std::endian::native == std::endian::big)
-      std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<T>(raw);
-  }
 
   std::span<const unsigned char> bytes_;
 };
 
-inline std::uint32_t checksum(const Bytes& bytes) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
+inline std::uint32_t checksum_of(const Bytes& bytes) {
+  Checksum checksum;
+  checksum.add(bytes.data(), bytes.size());
+  return static_cast<std::uint32_t>(checksum.value());
 }
 
 /// Compressed, where zstd is there; else throws std::runtime_error.

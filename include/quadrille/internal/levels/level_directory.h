@@ -19,14 +19,14 @@ namespace quadrille::internal {
 /// Where a block of a file is: that many bytes, which become others where they are compressed.
 struct FileBlock {
   std::uint64_t offset = 0, stored = 0, raw = 0;
-  std::uint32_t crc = 0; // of what is stored
+  std::uint32_t checksum = 0; // of what is stored
   std::uint8_t is_compressed = 0;
 
   void put(ByteWriter& writer) const {
     writer.put(offset);
     writer.put(stored);
     writer.put(raw);
-    writer.put(crc);
+    writer.put(checksum);
     writer.put(is_compressed);
   }
   static FileBlock get(ByteReader& reader) {
@@ -34,7 +34,7 @@ struct FileBlock {
     block.offset = reader.get<std::uint64_t>();
     block.stored = reader.get<std::uint64_t>();
     block.raw = reader.get<std::uint64_t>();
-    block.crc = reader.get<std::uint32_t>();
+    block.checksum = reader.get<std::uint32_t>();
     block.is_compressed = reader.get<std::uint8_t>();
     return block;
   }
@@ -50,7 +50,7 @@ struct FileBlock {
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(stored));
     if (!file)
       throw std::runtime_error("it cannot be read");
-    if (checksum(bytes) != crc)
+    if (checksum_of(bytes) != checksum)
       throw std::runtime_error("a block is damaged: its checksum differs");
     return is_compressed == 0 ? bytes : decompressed(bytes, raw);
   }
@@ -60,7 +60,7 @@ struct FileBlock {
     const Bytes stored = compresses ? compressed(bytes) : bytes;
     file.write(reinterpret_cast<const char*>(stored.data()),
                static_cast<std::streamsize>(stored.size()));
-    return {offset, stored.size(), bytes.size(), checksum(stored), compresses};
+    return {offset, stored.size(), bytes.size(), checksum_of(stored), compresses};
   }
 };
 

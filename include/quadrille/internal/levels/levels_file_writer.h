@@ -76,7 +76,7 @@ private:
       front.put(c);
     front.put(LevelDirectory::version);
     front.put(std::uint64_t{directory.size()});
-    front.put(checksum(directory));
+    front.put(checksum_of(directory));
     for (const Bytes& bytes : {front.bytes(), directory})
       file.write(reinterpret_cast<const char*>(bytes.data()),
                  static_cast<std::streamsize>(bytes.size()));

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_FILE_FILE_CHECKSUM_H
-#define QUADRILLE_INTERNAL_FILE_FILE_CHECKSUM_H
+#ifndef QUADRILLE_INTERNAL_BASE_CHECKSUM_H
+#define QUADRILLE_INTERNAL_BASE_CHECKSUM_H
 
 #include <bit>
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace quadrille::internal {
 /// A checksum of 64 bits, over bytes in blocks of any size, at some gigabytes a second. Each step
 /// is a bijection of the state for given bytes, so that a single changed word is always found. It
 /// is no protection against malice.
-class FileChecksum {
+class Checksum {
 public:
   void add(const void* bytes, std::size_t size) {
     const char* from = static_cast<const char*>(bytes);
@@ -28,7 +28,7 @@ public:
   }
 
   std::uint64_t value() const {
-    FileChecksum end = *this;
+    Checksum end = *this;
     end.mix(end.word_);
     end.mix(size_);
     std::uint64_t x = end.state_;
@@ -56,4 +56,4 @@ private:
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_FILE_FILE_CHECKSUM_H
+#endif // QUADRILLE_INTERNAL_BASE_CHECKSUM_H
