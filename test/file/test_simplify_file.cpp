@@ -1035,7 +1035,7 @@ void require_refusal(const std::string& name, const std::string& content,
   folder.file(name, content);
   INFO(message);
   CHECK_THROWS_WITH(run(folder, in_parts(folder, part_of_16), 800, name),
-                    Catch::Contains(folder.path(name).string() + ": ") && Catch::Contains(message));
+                    Catch::Contains(folder.path(name).string() + ":") && Catch::Contains(message));
   CHECK(folder.size() == 1);
 }
 
