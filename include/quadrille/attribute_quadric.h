@@ -37,7 +37,7 @@ namespace quadrille {
 template <std::size_t N, Attribute A = Attribute::any>
 struct AttributeQuadric {
   static constexpr std::size_t dimension = 3 + N; ///< of space, and the attributes
-  using ScaleFree = AttributeQuadric;             ///< gives the same result in any unit: see
+  using ScaleFree = AttributeQuadric;             ///< scale-invariant: see
                                                   ///< CostPolicy
   using TieBreak = AttributeQuadric;              ///< has the scale of this class's values
   static constexpr Attribute attribute = A;       ///< the source of the attributes

@@ -16,7 +16,7 @@ namespace quadrille {
 /// of least cost, and the cost is used with MidpointPlacement or EndpointPlacement.
 struct EdgeLength {
   static constexpr std::size_t dimension = 3; ///< positions only
-  using ScaleFree = EdgeLength;               ///< gives the same result in any unit: see CostPolicy
+  using ScaleFree = EdgeLength;               ///< scale-invariant: see CostPolicy
 
   /// Returns the power of lengths with which the cost grows.
   double degree() const { return 2; }

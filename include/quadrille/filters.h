@@ -35,7 +35,7 @@ enum class Folds { refused, allowed };
 /// and may get any normal; 180 degrees allows everything.
 class NormalFlip {
 public:
-  /// gives the same result in any unit of length
+  /// scale-invariant
   using ScaleFree = NormalFlip;
   static constexpr Rejection cause = Rejection::normal_flip; ///< counts its rejections
 
@@ -237,7 +237,7 @@ private:
 /// as well.
 class HeightField {
 public:
-  /// gives the same result in any unit of length
+  /// scale-invariant
   using ScaleFree = HeightField;
   static constexpr Rejection cause = Rejection::normal_flip; ///< counts its rejections
 

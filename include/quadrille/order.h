@@ -4,15 +4,15 @@
 namespace quadrille {
 
 /// The cheapest pair first: the order of the 1997 paper, and the default. Costs are compared as
-/// floats; equal ones by the indices of the vertices, which the engine chooses by itself where a
-/// large surface is in no spatial order. Of a vertex of more than 64 faces only the cheapest pairs
-/// take part at first, the others when these are done, so that it does not take the square of its
-/// faces at every contraction.
+/// floats; equal ones are ordered by the indices of the vertices, which the engine renumbers if a
+/// large surface is in no spatial order. For a vertex of more than 64 faces only the cheapest pairs
+/// are in the queue at first, and the others follow when these are done, so that its contractions
+/// do not take quadratic time.
 ///
-/// Costs that look at the surface as it is now (MemorylessQuadric, ThinFeatureQuadric) change beside
-/// each contraction. A pair that has become more costly goes back when its turn comes; where the
-/// unevenness of the faces around a vertex has fallen to 0.7 of what it was, its pairs are costed
-/// anew.
+/// Costs that depend on the current surface (MemorylessQuadric, ThinFeatureQuadric) change next to
+/// each contraction. A pair that has become more costly goes back into the queue when its turn
+/// comes. If the unevenness of the faces around a vertex has fallen to 0.7 of its old value, the
+/// pairs of the vertex are costed again.
 struct GreedyOrder {};
 
 struct RelaxedOrder; // is in <quadrille/relaxed_order.h>: include that to use it

@@ -11,20 +11,20 @@ namespace quadrille {
 
 /// The position halfway between the two ends of a pair.
 struct MidpointPlacement {
-  using ScaleFree = MidpointPlacement; ///< as well in any unit of length
+  using ScaleFree = MidpointPlacement; ///< scale-invariant
 
-  /// (first + second) / 2, attributes too.
+  /// Returns (first + second) / 2, attributes included.
   auto operator()(const auto& /*cost*/, const auto& pair) const {
     return 0.5 * (pair.first + pair.second);
   }
 };
 
-/// The cheaper end of a pair, the first if both cost the same. The output's vertices are a subset
-/// of the input's: exact positions, exact attributes.
+/// The cheaper end of a pair, or the first if both cost the same. The output's vertices are then a
+/// subset of the input's, with exact positions and exact attributes.
 struct EndpointPlacement {
-  using ScaleFree = EndpointPlacement; ///< as well in any unit of length
+  using ScaleFree = EndpointPlacement; ///< scale-invariant
 
-  /// One of the ends, as it is.
+  /// Returns one of the ends, unchanged.
   auto operator()(const auto& cost, const auto& pair) const {
     return cost(pair, pair.second) < cost(pair, pair.first) ? pair.second : pair.first;
   }
@@ -36,16 +36,18 @@ concept HasMinimizer = requires(const Cost cost, const Pair pair) {
   *cost.minimizer(pair);
 };
 
-/// The position of least cost; an end itself, to the last bit, where rounding alone parts it from
-/// that. Where the cost has none, or it lies further from both ends than `pair.squared_reach`, the
-/// distance to the farthest neighbour, the cheapest of the two ends and the midpoint.
+/// The position of least cost; if it differs from an end by rounding only, this end itself, bit for
+/// bit. If the cost has no minimizer, or it lies further from both ends than the farthest neighbour
+/// (whose squared distance is `pair.squared_reach`), it is the cheapest of the two ends and the
+/// midpoint.
 ///
-/// Source: Garland and Heckbert 1997, section 4 (without the segment as a step in between: where
-/// planes leave directions free, costs of ours choose in these, see Quadric).
+/// Source: Garland and Heckbert 1997, section 4 (without the intermediate search along the segment:
+/// where planes leave directions free, this library's costs choose a position in them, see
+/// Quadric).
 struct OptimalPlacement {
-  using ScaleFree = OptimalPlacement; ///< as well in any unit of length
+  using ScaleFree = OptimalPlacement; ///< scale-invariant
 
-  /// The position of least cost that is in reach.
+  /// Returns the position of least cost within the one-ring radius.
   template <class Cost, class Pair>
   requires HasMinimizer<Cost, Pair>
   auto operator()(const Cost& cost, const Pair& pair) const {
@@ -58,8 +60,9 @@ struct OptimalPlacement {
     return cost(pair, midpoint) < cost(pair, end) ? midpoint : end;
   }
 
-  /// Does the predicate hold of another position that costs as much as x, up to rounding: of an end
-  /// or the midpoint? On flat and straight parts filters may take one where they refuse x.
+  /// Returns whether the predicate holds for another position that costs as much as x, up to
+  /// rounding: an end or the midpoint. In flat and straight regions filters may accept one of these
+  /// where they reject x.
   template <class Cost, class Pair, class Predicate>
   requires HasMinimizer<Cost, Pair>
   static bool any_equal(const Cost& cost, const Pair& pair, const auto& x, Predicate predicate) {
@@ -73,15 +76,16 @@ struct OptimalPlacement {
   }
 
 private:
-  // Of what tells equal costs apart: a distance of about a millionth of the pair's.
+  // The threshold of rounding in the tie break: a distance of about a millionth of the pair's
+  // length.
   static constexpr double rounding = 1e-3;
 
-  // Is x that end, up to rounding?
+  // Returns whether x is that end, up to rounding.
   static bool is_rounded(const auto& pair, const auto& end, const auto& x) {
     return squared_distance(end, x) <= 0x1p-60 * pair.squared_reach;
   }
 
-  // False for a position that is not finite.
+  // Returns false for a position that is not finite.
   static bool is_within_reach(const auto& pair, const auto& x) {
     return (std::min)(squared_distance(space(x), space(pair.first)),
                       squared_distance(space(x), space(pair.second))) <= pair.squared_reach;

@@ -32,79 +32,83 @@ namespace quadrille {
 
 inline namespace QUADRILLE_THREADING {
 
-/// Simplifies a triangle mesh in place, contracting the cheapest pair of vertices again and again.
+/// Simplifies a triangle mesh in place, by repeatedly contracting the cheapest pair of vertices.
 ///
 /// `mesh` models CGAL's MutableFaceGraph and FaceListGraph: Surface_mesh, Polyhedron_3,
 /// Linear_cell_complex_for_combinatorial_map, OpenMesh. The arguments are policies, in any order
 /// and at most one of a kind, filters, a Topology, and CGAL named parameters:
 ///
-/// - a CostPolicy: what a contraction costs; or as the template argument Cost; Quadric by default
-/// - a PlacementPolicy: where the vertex goes; or as the template argument Placement;
-///   OptimalPlacement by default
-/// - a PairPolicy: which pairs there are; EdgePairs{} by default
+/// - a CostPolicy: the cost of a contraction; may be the template argument Cost instead; Quadric by
+///   default
+/// - a PlacementPolicy: the position of the new vertex; may be the template argument Placement
+///   instead; OptimalPlacement by default
+/// - a PairPolicy: the candidate pairs; EdgePairs{} by default
 /// - a StopPolicy: when to stop; FaceRatio{0.5} by default. Those that bound distances are in
 ///   <quadrille/distance_limits.h>
 /// - an order: GreedyOrder{} by default, or RelaxedOrder or AnyOrder of
 ///   <quadrille/relaxed_order.h>
-/// - FilterPolicy, any number: what to refuse; NormalFlip{90} unless another one is given
+/// - FilterPolicy, any number: contractions to reject; NormalFlip{90} unless another one is given
 /// - guards, any number, each with a header of its own: NoSelfIntersection, of
 ///   <quadrille/self_intersection.h>: no faces come to intersect; KeepSolid{}, of
 ///   <quadrille/self_intersection.h>: a closed solid stays one; NormalDeviation, of
 ///   <quadrille/normal_deviation.h>: normals stay within an angle of the input's; or a GuardPolicy
 ///   of the user's
-/// - Labels: of faces, whose regions are kept
+/// - Labels: labels of faces, whose regions are preserved
 /// - Texture, Normals, Colors, Attributes, of <quadrille/channels.h>, any number: channels of
 ///   attributes; SplitVertices, for a soup
 /// - Topology: kept, free, or parts_may_vanish; kept by default, free with pairs that are not edges
-/// - record_into(recorder), of <quadrille/record.h>: a recorder is told of contractions, as Levels
+/// - record_into(recorder), of <quadrille/record.h>: the recorder, such as Levels, receives all
+///   contractions
 ///
-/// Each of them may be a std::optional, which tells at run time whether it is given: one that holds
-/// nothing is as if it had not been passed, so that the default holds. Costs, placements, channels
-/// and SplitVertices can't be, since they are told by their types. Of the named parameters,
-/// visitor, bounding_box and these maps may be a std::optional: of what is constrained, shared,
-/// selected, a crease or a border, of tolerances, importance and face_patch_map.
+/// Each of them may be a std::optional: an empty one is the same as an argument that is not passed,
+/// so that the default applies. Costs, placements, channels and SplitVertices cannot be optional,
+/// since their types select them. Among the named parameters, visitor, bounding_box and these maps
+/// may be a std::optional: the maps of constrained, shared, selected, crease and boundary elements,
+/// of tolerances and importance, and face_patch_map.
 ///
 /// Named parameters:
 ///
 /// - vertex_point_map, vertex_index_map: as in CGAL
 /// - visitor: see Visitor
-/// - edge_is_constrained_map: such an edge stays, with its ends
-/// - vertex_is_constrained_map: such a vertex stays where it is
+/// - edge_is_constrained_map: a constrained edge stays, with its ends
+/// - vertex_is_constrained_map: a constrained vertex does not move
 /// - quadrille::parameters::vertex_tolerance_map: how far points may move: see ToleranceLimit
-/// - vertex_importance_map: where more faces stay
-/// - vertex_is_shared_map: of a piece of a surface, vertices that another piece has as well, with
-///   edge_is_border_map, of a soup border_edges(), for borders between them
-/// - coordinates_are_floats: places are rounded to floats before anything is decided about them
-/// - bounding_box: the box in the scale of which the surface is simplified, as other pieces are
-/// - face_is_selected_map: only such faces are simplified, and counted
+/// - vertex_importance_map: more faces stay where it is high
+/// - vertex_is_shared_map: for a tile of a surface, the vertices that another tile has too; with
+///   edge_is_border_map, or border_edges() for a soup, for boundary edges between them
+/// - coordinates_are_floats: positions are rounded to floats before they are tested
+/// - bounding_box: the box that sets the scale of the simplification, common to all tiles
+/// - face_is_selected_map: only selected faces are simplified and counted
 /// - edge_is_crease_map: creases, see Quadric
 /// - face_patch_map: the same as Labels
 /// - vertex_color_map, vertex_texture_map, vertex_normal_map, vertex_attribute_map: the same as
 ///   Colors, Texture, Normals and Attributes of <quadrille/channels.h>, or what the cost reads: see
 ///   AttributeQuadric
-/// - vertex_quadric_map: written, the quadrics of the vertices that are left
-/// - vertex_to_vertex_map: written, what became of each vertex
-/// - duplicate_output_iterator: gets the vertices that a non-manifold result is written with
+/// - vertex_quadric_map: output, the quadrics of the remaining vertices
+/// - vertex_to_vertex_map: output, the vertex that each input vertex has become
+/// - duplicate_output_iterator: receives the duplicated vertices of a non-manifold result
 ///
-/// A name that nothing in the call reads does not compile, but for CGAL's other maps to indices and
-/// for geom_traits, which must be of the mesh's points and says no more than they: all is computed
-/// with coordinates as doubles. Threads are chosen by the order and not by concurrency_tag.
+/// A named parameter that nothing in the call reads is a compile-time error. The exceptions are
+/// CGAL's other index maps, and geom_traits, which must fit the mesh's points and has no other
+/// effect: all computations use doubles. The order selects the number of threads; concurrency_tag
+/// does not.
 ///
-/// Vertices and edges without a face go, constrained or not. What is left keeps its descriptors, so
-/// property maps stay right. As in CGAL, meshes that only mark what is removed (Surface_mesh,
-/// OpenMesh) are left for the caller to tidy up: `mesh.collect_garbage()`.
+/// Vertices and edges without a face are removed, constrained or not. The remaining elements keep
+/// their descriptors, so property maps stay valid. As in CGAL, meshes that only mark removed
+/// elements (Surface_mesh, OpenMesh) must be cleaned up by the caller: `mesh.collect_garbage()`.
 ///
-/// Time O(n log n) for n faces and close to linear, also where vertices have very many faces; such
-/// a vertex stays where it is as long as it has more than 128. Memory: about 100 to 150 bytes a
-/// face beside the mesh, 190 with ThinFeatureQuadric, more with attributes (see AttributeQuadric).
+/// Time O(n log n) for n faces, and close to linear in practice, also with high-valence vertices; a
+/// vertex does not move as long as it has more than 128 faces. Memory: about 100 to 150 bytes per
+/// face in addition to the mesh, 190 with ThinFeatureQuadric, more with attributes (see
+/// AttributeQuadric).
 ///
 /// Throws std::invalid_argument for a face that is not a triangle, a vertex that is not finite,
-/// attributes that are too few or that no weight makes comparable with positions, or a policy that
-/// makes no sense, std::length_error above 2³⁰ faces, and what the user's own maps, policies and
-/// visitors throw. If it throws, the mesh is as it was; what it has put into maps is put back, as
-/// far as they let it (but for vertex_quadric_map and vertex_to_vertex_map, which nobody else
-/// fills), and vertices that it had added are removed again, which a mesh that labels what is
-/// removed may count as garbage.
+/// missing attributes or attributes whose range is too large or too small to be weighted against
+/// positions, or an invalid policy; std::length_error above 2³⁰ faces; and whatever the user's
+/// maps, policies and visitors throw. If it throws, the mesh is unchanged. Values written to maps
+/// are restored where the maps allow it, except in the pure output maps vertex_quadric_map and
+/// vertex_to_vertex_map. Added vertices are removed again; a mesh that marks removed elements may
+/// count them as garbage.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&... arguments) {
@@ -118,8 +122,8 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&.
   }
 }
 
-/// The same with nothing but defaults. It is here because CGAL::simplify(x), which is found beside
-/// the function above for a mesh of CGAL's, would be preferred to it.
+/// Simplifies a mesh with all defaults. Without this overload CGAL::simplify(x), which
+/// argument-dependent lookup finds for a CGAL mesh, would be preferred to the function above.
 template <class Mesh>
 requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
   return simplify<Quadric, OptimalPlacement>(mesh);
@@ -127,15 +131,15 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh) {
 
 /// Simplifies a polygon soup of triangles in place; it may be non-manifold and of any orientation.
 ///
-/// `points` and `triangles` are random-access containers: of points of a CGAL kernel or of three
-/// floating-point numbers, as std::array<float, 3> (or of anything, with `point_map`), and of three
-/// indices each. Points and triangles that are left keep their order; points of no triangle,
-/// degenerate triangles, and those on the vertices of another one that runs the same way round, are
-/// dropped. Two that run against each other are the sides of a sheet: both stay, each with what it
-/// has, and each counts as a face. Property maps of the named parameters are over the
-/// index of a point, CGAL::make_property_map(vector) say, and hold the results at the new indices;
-/// the vector behind one keeps its length, with old values at the end. There are no maps over
-/// edges, and no duplicates. Otherwise as above.
+/// `points` and `triangles` are random-access containers: points are those of a CGAL kernel or
+/// three floating-point numbers, as std::array<float, 3> (or anything, with `point_map`), and
+/// triangles have three indices each. The remaining points and triangles keep their order. Points
+/// without a triangle, degenerate triangles, and triangles with the vertices and the orientation of
+/// another one are dropped. Two triangles of opposite orientation are the sides of a double-sided
+/// face: both stay with their attributes, and each counts as a face. Property maps of the named
+/// parameters are over the index of a point, for example CGAL::make_property_map(vector), and
+/// contain the results at the new indices. The underlying vector keeps its length, with old values
+/// at the end. There are no maps over edges, and no duplicated vertices. Otherwise as above.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
@@ -150,24 +154,24 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
   }
 }
 
-/// Simplifies a soup whose numbers lie one after the other, in a matrix, or in the vertices of a
-/// renderer, in place.
+/// Simplifies in place a soup in flat arrays, in matrices, or in a renderer's vertex buffer.
 ///
 /// - points: a container of floating-point numbers, x y z x y z …, as std::vector<float>; an Eigen
-///   matrix of a row for each and three columns, as Eigen::MatrixXd, or of a column for each and
-///   three rows, as Eigen::Matrix3Xd; a Map or another view of one; a std::span of such numbers; a
-///   VertexAttribute (see buffers.h); or a container as above
+///   matrix with one row per point and three columns, as Eigen::MatrixXd, or with one column per
+///   point and three rows, as Eigen::Matrix3Xd; a Map or another view of one; a std::span of such
+///   numbers; a VertexAttribute (see buffers.h); or a container as above
 /// - triangles: a container of integers, three for each, as std::vector<std::uint32_t>; a matrix of
 ///   such rows or columns, as Eigen::MatrixXi; a view; a std::span; or a container as above
 ///
-/// A matrix of three rows and three columns, of a type that does not tell, has a row for each,
-/// unless the other one has columns. Containers and matrices get the size of the result. Spans,
-/// views and VertexAttributes cannot: what is left is at their beginning, Report::vertices_after
-/// points and Report::faces_after triangles; what follows it is unspecified. There is no point_map.
-/// The result has the same bits as that of std::array<float, 3>; otherwise as above.
+/// A matrix with three rows and three columns, whose type leaves it open, has one row per element,
+/// unless the other matrix has one column per element. Containers and matrices get the size of the
+/// result. Spans, views and VertexAttributes cannot be resized: the result is at their beginning,
+/// with Report::vertices_after points and Report::faces_after triangles, and the content after it
+/// is unspecified. There is no point_map. The result has the same bits as that of std::array<float,
+/// 3>; otherwise as above.
 ///
-/// Throws also std::invalid_argument for numbers that are not three for each point or triangle, and
-/// for a matrix of neither three columns nor three rows.
+/// It also throws std::invalid_argument for an array whose size is not a multiple of three, and for
+/// a matrix with neither three columns nor three rows.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::BufferedSoup<std::remove_reference_t<Points>,

@@ -26,26 +26,26 @@ inline void require_ratio(const std::string& policy, double ratio) {
 
 } // namespace internal
 
-/// Stops at `faces` faces: at exactly that many where topology allows and it is worth its price,
-/// else at the first number below, and StopReason::target_passed says so. On a surface without
-/// borders every contraction removes two faces. Elsewhere a pair that removes one is looked for; it
-/// is taken if it costs at most four times what the next pair in the order does.
+/// Stops at `faces` faces: at exactly this number if topology allows it at a reasonable cost,
+/// otherwise at the first number below, with StopReason::target_passed. On a surface without
+/// boundary every contraction removes two faces. Elsewhere the engine looks for a pair that removes
+/// one face, and contracts it if it costs at most four times as much as the next pair in the order.
 struct FaceCount {
-  std::size_t faces; ///< how many are enough
+  std::size_t faces; ///< the target
 
-  /// Is it enough?
+  /// Returns true once the target is reached.
   bool operator()(const Status& status) const { return status.faces <= faces; }
 
-  /// True of a surface that has gone beyond the target: the engine looks for another pair first.
+  /// Returns true for a surface beyond the target: the engine looks for another pair first.
   bool is_passed(const Status& status) const { return status.faces < faces; }
 };
 
-/// Stops when `ratio` of the input's faces are left, degenerate and doubled ones not counted, or as
-/// soon as fewer are: no pair is preferred for the sake of a number. ratio lies in [0, 1].
+/// Stops when at most `ratio` of the input's faces are left, not counting degenerate and doubled
+/// ones. No pair is preferred to meet the number exactly. ratio lies in [0, 1].
 struct FaceRatio {
-  double ratio = 0.5; ///< a part of the faces, in [0, 1]
+  double ratio = 0.5; ///< a fraction of the faces, in [0, 1]
 
-  /// Is it enough?
+  /// Returns true once the target is reached.
   bool operator()(const Status& status) const {
     const double target = ratio * static_cast<double>(status.initial_faces);
     return status.faces <= static_cast<std::size_t>(std::llround(target));
@@ -57,33 +57,32 @@ struct FaceRatio {
 
 /// Stops at `vertices` vertices.
 struct VertexCount {
-  std::size_t vertices; ///< how many are enough
+  std::size_t vertices; ///< the target
 
-  /// Is it enough?
+  /// Returns true once the target is reached.
   bool operator()(const Status& status) const { return status.vertices <= vertices; }
-  /// Is the surface beyond the target and not just at it? See StopPolicy.
+  /// Returns true if the surface is beyond the target, not just at it. See StopPolicy.
   bool is_passed(const Status& status) const { return status.vertices < vertices; }
 };
 
-/// Stops at `edges` edges, or at the first number below that contractions come to: one takes three,
-/// two at a border. An edge of several faces is one. Counting takes 5 to 9 % more time.
+/// Stops at the first number of edges that is at most `edges`: a contraction removes three edges,
+/// or two at a boundary. An edge with several faces counts once. Counting takes 5 to 9 % more time.
 struct EdgeCount {
-  std::size_t edges; ///< how many are enough
+  std::size_t edges; ///< the target
 
   static constexpr Needs needs = {.edges = true}; ///< looks at Status::edges: see StopPolicy
 
-  /// Is it enough?
+  /// Returns true once the target is reached.
   bool operator()(const Status& status) const { return status.edges <= edges; }
 };
 
-/// Stops when `ratio` of the input's edges are left, or as soon as fewer are: see EdgeCount. ratio
-/// lies in [0, 1].
+/// Stops when at most `ratio` of the input's edges are left: see EdgeCount. ratio lies in [0, 1].
 struct EdgeRatio {
-  double ratio = 0.5; ///< a part of the edges, in [0, 1]
+  double ratio = 0.5; ///< a fraction of the edges, in [0, 1]
 
   static constexpr Needs needs = {.edges = true}; ///< looks at Status::edges: see StopPolicy
 
-  /// Is it enough?
+  /// Returns true once the target is reached.
   bool operator()(const Status& status) const {
     return static_cast<double>(status.edges) <= ratio * static_cast<double>(status.initial_edges);
   }
@@ -93,10 +92,10 @@ struct EdgeRatio {
 };
 
 /// A stop predicate of CGAL::Surface_mesh_simplification as a stop policy:
-/// `simplify(mesh, CgalStop(Count_ratio_stop_predicate<Mesh>(0.1)))`. It is asked as CGAL asks it,
-/// with the cost of the next contraction, the initial and the current number of edges. The cost is
-/// that of this library's cost policy, in the mesh's units. There is no edge profile: a predicate
-/// that reads one, as Edge_length_stop_predicate, does not compile.
+/// `simplify(mesh, CgalStop(Count_ratio_stop_predicate<Mesh>(0.1)))`. It is called as in CGAL, with
+/// the cost of the next contraction and the initial and current numbers of edges. The cost comes
+/// from this library's cost policy, in the mesh's units. There is no edge profile: a predicate that
+/// reads one, as Edge_length_stop_predicate, does not compile.
 template <class Predicate>
 class CgalStop {
 public:
@@ -105,7 +104,7 @@ public:
   /// Keeps a copy of the predicate.
   explicit CgalStop(Predicate predicate) : predicate_(std::move(predicate)) {}
 
-  /// Does the predicate stop?
+  /// Returns true once the predicate does.
   bool operator()(const Status& status) const {
     return predicate_(status.next_cost, NoEdgeProfile{}, status.initial_edges, status.edges);
   }
@@ -116,12 +115,13 @@ private:
   Predicate predicate_;
 };
 
-/// Stops when so many seconds have passed since this policy was made: make it in the call itself,
-/// `simplify(mesh, AnyOf{FaceCount{1000}, TimeBudget{0.5}})`, and again for the next call. Reading
-/// the surface and costing pairs are among them; what these and writing take is taken all the same.
+/// Stops when the given seconds have passed since this policy was constructed: construct it in the
+/// call itself, `simplify(mesh, AnyOf{FaceCount{1000}, TimeBudget{0.5}})`, and again for the next
+/// call. The time includes reading the surface and costing pairs; but these stages, and writing,
+/// are never cut short.
 ///
-/// This is the one policy with which the same input may give another output the next time: how far
-/// it comes depends on the clock.
+/// This is the only policy with which the same input may give different results: the number of
+/// contractions depends on the clock.
 class TimeBudget {
 public:
   /// seconds is at least 0; throws std::invalid_argument otherwise.
@@ -131,7 +131,7 @@ public:
                                   " seconds are no time");
   }
 
-  /// Is it enough?
+  /// Returns true once the time is over.
   bool operator()(const Status&) const {
     return std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
   }
@@ -144,21 +144,21 @@ private:
 
 namespace internal {
 
-/// Several stop policies, which need what any of them does. Those that are a std::optional which
-/// holds nothing are not there.
+/// Several stop policies; it needs whatever any of them needs. Empty optionals among them are
+/// ignored.
 template <class... Stops>
 class SeveralStops {
 public:
-  /// What any of the policies may need: see StopPolicy.
+  /// The union of the needs of all policies: see StopPolicy.
   static constexpr Needs needs = (internal::needs_of<Stops>() | ... | Needs{});
-  /// What any of them needs this time.
+  /// Returns the union of the needs of these objects.
   Needs needs_now() const {
     return std::apply(
         [](const auto&... stop) { return (internal::needs_now(stop) | ... | Needs{}); }, stops_);
   }
   /// The policies, in the order in which they were given.
   const std::tuple<Stops...>& stops() const { return stops_; }
-  /// Throws what the policies throw that make no sense, and std::invalid_argument if none is there.
+  /// Throws whatever invalid policies throw, and std::invalid_argument if all are empty optionals.
   void validate() const {
     if constexpr ((IsOptional<Stops> && ...))
       if (std::apply([](const auto&... stop) { return (!stop && ...); }, stops_))
@@ -195,66 +195,66 @@ private:
 
 } // namespace internal
 
-/// Stops as soon as any of several stop policies says so: `AnyOf{FaceCount{1000},
-/// DistanceLimit{0.1}}`. Each may be a std::optional, and one has to be there.
+/// Stops as soon as any of several stop policies does: `AnyOf{FaceCount{1000},
+/// DistanceLimit{0.1}}`. Each may be a std::optional, but at least one must have a value.
 template <class... Stops>
 class AnyOf : public internal::SeveralStops<Stops...> {
 public:
-  /// Of stop policies of any type.
+  /// Takes stop policies of any type.
   explicit AnyOf(Stops... stops) : internal::SeveralStops<Stops...>(std::move(stops)...) {}
 
-  /// Is it enough?
+  /// Returns true once any policy stops.
   bool operator()(const Status& status) const {
     return this->is_any([&](const auto& stop) -> bool { return stop(status); });
   }
-  /// Is the surface beyond the target and not just at it? See StopPolicy.
+  /// Returns true if the surface is beyond the target, not just at it. See StopPolicy.
   bool is_passed(const Status& status) const {
     return this->is_any([&](const auto& stop) { return internal::is_passed(stop, status); });
   }
 };
 
-/// Stops when all of several stop policies say so. Each may be a std::optional, and one has to be
-/// there.
+/// Stops when all of several stop policies do. Each may be a std::optional, but at least one must
+/// have a value.
 template <class... Stops>
 class AllOf : public internal::SeveralStops<Stops...> {
 public:
-  /// Of stop policies of any type.
+  /// Takes stop policies of any type.
   explicit AllOf(Stops... stops) : internal::SeveralStops<Stops...>(std::move(stops)...) {}
 
-  /// Is it enough?
+  /// Returns true once all policies stop.
   bool operator()(const Status& status) const {
     return this->are_all([&](const auto& stop) -> bool { return stop(status); });
   }
-  /// Is the surface beyond the target and not just at it? See StopPolicy.
+  /// Returns true if the surface is beyond the target, not just at it. See StopPolicy.
   bool is_passed(const Status& status) const {
     return this->are_all([&](const auto& stop) { return internal::is_passed(stop, status); });
   }
 };
 
-/// Takes no contraction that costs more than a limit, and stops when all others are done: greedy
-/// order ends when the next pair in the order costs more, with what tells equal costs apart;
-/// passes leave out what costs more, and end when nothing that costs less can be contracted.
+/// Rejects contractions that cost more than a limit, and stops when all others are done. Greedy
+/// order ends when the next pair in the order costs more, including the tie break; passes skip
+/// pairs that cost more, and end when no cheaper pair can be contracted.
 ///
-/// The limit is in the units in which the cost policy computes its values in the mesh's units: of
-/// Quadric an area times a squared distance, the fourth power of a length (of plain weights the
-/// square of one); of MemorylessQuadric the power 4.5; of EdgeLength the square. A stop policy of
-/// one's own learns such numbers from Status::next_cost.
+/// The limit is in the units in which the cost policy computes its values in the mesh's units: for
+/// Quadric an area times a squared distance, so the fourth power of a length (the square with plain
+/// weights); for MemorylessQuadric the power 4.5; for EdgeLength the square. A user's stop policy
+/// reads such numbers from Status::next_cost.
 ///
-/// Pieces of a surface that are simplified apart and up to the same limit, in the scale of the same
-/// box, have about the density of one that is simplified whole, whatever their sizes: see
-/// vertex_is_shared_map and bounding_box in parameters.h. A target of faces can't do that: what a
-/// piece can't reach beside vertices that stay, it would destroy.
+/// Tiles of a surface that are simplified separately up to the same limit, in the scale of the same
+/// box, get about the same density as a surface that is simplified as a whole, whatever their
+/// sizes: see vertex_is_shared_map and bounding_box in parameters.h. A target of faces cannot do
+/// this: it would destroy a tile that cannot reach its target with its shared vertices fixed.
 ///
-/// Not checked: the limit of a cost of lengths beyond about 10^±60 is no double any more.
+/// Not checked: for lengths beyond about 10^±60 the limit exceeds the range of double.
 class CostLimit {
 public:
-  /// `cost` is at least 0; infinity: no limit.
+  /// `cost` is at least 0; infinity means no limit.
   explicit CostLimit(double cost) : cost_(cost) {}
 
   /// Looks at Status::next_cost: see StopPolicy.
   static constexpr Needs needs = {.cost = true};
 
-  /// Is it enough?
+  /// Returns true once the next contraction costs more than the limit.
   bool operator()(const Status& status) const { return status.next_cost > cost_; }
 
   double cost() const { return cost_; } ///< the limit
