@@ -18,17 +18,17 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 // A cost: how far the ends move, times the area of all faces that have gone into them.
 struct MovedArea {
   static constexpr std::size_t dimension = 3;
-  struct Memory {
+  struct State {
     double area = 0;
-    void operator+=(const Memory& other) { area += other.area; }
+    void operator+=(const State& other) { area += other.area; }
   };
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return {std::sqrt(squared_length(double_area_vector(p, q, r)))};
   }
   double operator()(const auto& pair, const Vector<3>& x) const {
-    return pair.memory.area * (squared_distance(pair.first, x) + squared_distance(pair.second, x));
+    return pair.state.area * (squared_distance(pair.first, x) + squared_distance(pair.second, x));
   }
-  double squared_error(const auto& pair, double cost) const { return cost / pair.memory.area; }
+  double squared_error(const auto& pair, double cost) const { return cost / pair.state.area; }
 };
 
 // A placement: the cheapest of nine points from one end to the other.
@@ -87,15 +87,15 @@ struct KeepAway {
 // vertex of the input that they stand for.
 struct ByImportance {
   static constexpr std::size_t dimension = 3;
-  struct Memory {
+  struct State {
     double importance = 0;
-    void operator+=(const Memory& m) { importance = std::max(importance, m.importance); }
+    void operator+=(const State& m) { importance = std::max(importance, m.importance); }
   };
   const std::vector<double>* importance; // of each vertex
-  Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
-  Memory input_vertex(std::size_t index) const { return {(*importance)[index]}; }
+  State face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
+  State input_vertex(std::size_t index) const { return {(*importance)[index]}; }
   double operator()(const auto& pair, const Vector<3>& x) const {
-    return pair.memory.importance *
+    return pair.state.importance *
            (squared_distance(pair.first, x) + squared_distance(pair.second, x));
   }
 };

@@ -41,8 +41,8 @@ struct AttributeQuadric {
                                                   ///< CostPolicy
   using TieBreak = AttributeQuadric;              ///< has the scale of this class's values
   static constexpr Attribute attribute = A;       ///< the source of the attributes
-  using Position = Vector<dimension>;    ///< a point with its attributes times their weights
-  using Memory = QuadricForm<dimension>; ///< a quadric in all dimensions
+  using Position = Vector<dimension>;   ///< a point with its attributes times their weights
+  using State = QuadricForm<dimension>; ///< a quadric in all dimensions
 
   double importance = A == Attribute::texture ? 0.2 : 0.02; ///< above 0
   /// The weight of each attribute, in mesh units per unit of the attribute; by default as above.
@@ -69,7 +69,7 @@ struct AttributeQuadric {
   /// Returns the quadric of the plane of the triangle pqr in all dimensions, about p: A = I − e₁e₁ᵀ
   /// − e₂e₂ᵀ, where e₁ and e₂ are an orthonormal basis of the triangle. It is zero for a face
   /// without a normal in space.
-  Memory face(const Position& p, const Position& q, const Position& r) const {
+  State face(const Position& p, const Position& q, const Position& r) const {
     const double doubled_area =
         std::sqrt(squared_length(normal_vector(space(p), space(q), space(r))));
     if (!(doubled_area > 0))
@@ -78,23 +78,23 @@ struct AttributeQuadric {
     const Position e1 = unit(q - p);
     const Position side = unit(r - p); // a unit vector first: it keeps e₂ perpendicular to e₁
     const Position e2 = unit(side - dot(side, e1) * e1);
-    Memory memory = Memory::point(weight);
-    memory += Memory::plane(e1, -weight);
-    memory += Memory::plane(e2, -weight);
-    return memory;
+    State state = State::point(weight);
+    state += State::plane(e1, -weight);
+    state += State::plane(e2, -weight);
+    return state;
   }
   /// The plane of a face is the same at all its corners.
   static constexpr bool face_is_alike_at_corners = true;
 
   /// Returns the quadric of the line of the boundary edge pq of a face pqr, in space: see Quadric.
-  Memory boundary(const Position& p, const Position& q, const Position& r) const {
+  State boundary(const Position& p, const Position& q, const Position& r) const {
     return in_all_dimensions(
         Quadric::constraint_line(space(p), space(q), space(r), boundary_weight));
   }
 
   /// Returns the sum of the weighted squared distances of x to the planes accumulated at both ends.
   double operator()(const auto& pair, const Position& x) const {
-    return pair.memory(x - pair.first);
+    return pair.state(x - pair.first);
   }
 
   /// Orders pairs of equal cost: see CostPolicy.
@@ -104,7 +104,7 @@ struct AttributeQuadric {
 
   /// Returns the position of least cost with its attributes, if it exists.
   std::optional<Position> minimizer(const auto& pair) const {
-    std::optional<Position> x = tie_break_of(pair).minimizer(pair.memory);
+    std::optional<Position> x = tie_break_of(pair).minimizer(pair.state);
     if (x)
       *x += pair.first;
     return x;
@@ -113,7 +113,7 @@ struct AttributeQuadric {
   /// Returns the square of the root mean square distance to the planes. Attributes times their
   /// weights are included.
   double squared_error(const auto& pair, double cost) const {
-    const double weight = pair.memory.trace() / (dimension - 2); // a plane leaves N + 1 directions
+    const double weight = pair.state.trace() / (dimension - 2); // a plane leaves N + 1 directions
     return weight > 0 ? cost / weight : 0;
   }
 
@@ -135,15 +135,15 @@ struct AttributeQuadric {
 
 private:
   static internal::TieBreak<dimension> tie_break_of(const auto& pair) {
-    return {pair.memory.trace(), pair.second - pair.first};
+    return {pair.state.trace(), pair.second - pair.first};
   }
 
-  static Memory in_all_dimensions(const QuadricForm<3>& form) {
+  static State in_all_dimensions(const QuadricForm<3>& form) {
     SymmetricMatrix<dimension> matrix;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j <= i; ++j)
         matrix.set(i, j, form.matrix()(i, j));
-    return Memory(matrix);
+    return State(matrix);
   }
 
   static Position unit(const Position& v) { return (1 / std::sqrt(squared_length(v))) * v; }

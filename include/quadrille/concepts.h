@@ -26,8 +26,8 @@
 /// Whether there is a pair, stop or filter policy may be told at run time: std::optional of it is
 /// an argument of `simplify`, and where it holds nothing it is as if it had not been passed.
 ///
-/// An argument of `simplify` is taken for a cost if it has a member `Memory` or `dimension`, else
-/// for what it models first of a filter, a stop, a placement and pairs.
+/// An argument of `simplify` is taken for a cost if it has a member `dimension`, or `State` and
+/// `face`, else for what it models first of a filter, a stop, a placement and pairs.
 
 namespace quadrille {
 
@@ -42,28 +42,28 @@ namespace quadrille {
 ///
 /// - `C::dimension`: 3 plus the number of attributes, which are of the kind `C::attribute`, or
 ///   Attribute::any without it.
-/// - `C::Memory`: what a vertex remembers, a semiregular type with `+=`.
-/// - `cost.face(p, q, r)`: the Memory that a face of the input leaves at its corner p.
+/// - `C::State`: what a vertex remembers, a semiregular type with `+=`.
+/// - `cost.face(p, q, r)`: the state that a face of the input leaves at its corner p.
 /// - `cost(pair, x)`: what it costs to contract a pair to x, a number. `pair.first` and
-///   `pair.second` are the positions of its ends, `pair.memory` is the sum of what both remember.
+///   `pair.second` are the positions of its ends, `pair.state` is the sum of what both remember.
 /// - Not checked: a cost is at least 0 and depends on nothing but its arguments.
 ///
 /// **Used where there**, each by itself:
 ///
-/// - `memory.move_origin(d)`: what is remembered is kept about its vertex; `pair.memory` is then
+/// - `state.move_origin(d)`: what is remembered is kept about its vertex; `pair.state` is then
 ///   about `pair.first`.
-/// - `C::Memory::sum_about_first(first, second, d)`: the sum of what two vertices remember, about
+/// - `C::State::sum_about_first(first, second, d)`: the sum of what two vertices remember, about
 ///   the first, where that is quicker than to move the second by −d and to add.
 /// - `cost.minimizer(pair)`: an optional position of least cost, which OptimalPlacement needs.
 /// - `C::asks_for_indices`, true: `pair.first_index` and `pair.second_index` tell which vertices of
 ///   the input the ends are: see FilterPolicy. A cost that does not say it pays nothing for them.
-/// - `cost.input_vertex(index)`: the Memory that a vertex leaves of which the cost knows something
+/// - `cost.input_vertex(index)`: the state that a vertex leaves of which the cost knows something
 ///   by its index in the input. A vertex remembers that of all that have become part of it, so that
-///   `pair.memory` tells of all that the ends stand for.
-/// - `cost.boundary(p, q, r)`: the Memory that the boundary edge pq of the face pqr leaves at p.
+///   `pair.state` tells of all that the ends stand for.
+/// - `cost.boundary(p, q, r)`: the state that the boundary edge pq of the face pqr leaves at p.
 /// - `cost.crease(p, q, r)` with `cost.crease_degrees`: the same for a crease, an edge whose
 ///   normals differ by more than that, or that `edge_is_crease_map` names.
-/// - `cost.vertex(memory, normal)` with `cost.has_vertex_terms()`: what a vertex leaves beside its
+/// - `cost.vertex(state, normal)` with `cost.has_vertex_terms()`: what a vertex leaves beside its
 ///   faces, where there is any such thing, from what these leave and the sum of their doubled area
 ///   vectors, a Vector<3>.
 /// - `cost.convert_lengths(convert)`, for a scale-free cost with members that are lengths in the
@@ -84,9 +84,9 @@ namespace quadrille {
 /// - `C::TwoLanes`: pairs may be costed two at a time where vertices go to the position of least
 ///   cost, which is the fast path of Quadric and its kin. `using TwoLanes = MyCost;` in the class
 ///   MyCost, for this class alone, says that it is scale-free and has values, tie break and
-///   minimizer as they have: those of Quadric for `pair.memory`, a `QuadricForm<3>`; or of
+///   minimizer as they have: those of Quadric for `pair.state`, a `QuadricForm<3>`; or of
 ///   MemorylessQuadric for what its `join` makes of its `Current`, and with `loss(growth, trace)`
-///   and `Memory::planes` of ThinFeatureQuadric as well. What faces, vertices and edges leave or
+///   and `State::planes` of ThinFeatureQuadric as well. What faces, vertices and edges leave or
 ///   say is its own. Keys are then the same to the rounding of a float.
 /// - `cost.degree()`: of a ScaleFree cost, by which power of lengths its values grow, so that stop
 ///   policies can be told what contractions cost in the mesh's units; a multiple of 1/2. A class
@@ -95,7 +95,7 @@ namespace quadrille {
 /// - `cost.attribute_weights(low, high, diagonal)`, for costs with attributes: by what these are
 ///   multiplied before anything sees them, from their least and greatest values and the diagonal
 ///   of the box of the surface.
-/// - `C::Memory` is `QuadricForm<3>`, or `pair.current.quadric` is one that others can be added to:
+/// - `C::State` is `QuadricForm<3>`, or `pair.current.quadric` is one that others can be added to:
 ///   channels (channels.h) then count in the cost; beside other costs they are carried along.
 /// - `C::channel_weight(area)`: how much a face counts for channels; without it its area.
 ///
@@ -116,8 +116,8 @@ namespace quadrille {
 /// ```cpp
 /// struct Distance {  // how far the two ends have to go
 ///   static constexpr std::size_t dimension = 3;
-///   struct Memory { Memory& operator+=(const Memory&) { return *this; } };
-///   Memory face(auto&&, auto&&, auto&&) const { return {}; }
+///   struct State { State& operator+=(const State&) { return *this; } };
+///   State face(auto&&, auto&&, auto&&) const { return {}; }
 ///   double operator()(const auto& pair, const auto& x) const {
 ///     return squared_distance(pair.first, x) + squared_distance(pair.second, x);
 ///   }
@@ -126,12 +126,12 @@ namespace quadrille {
 template <class C>
 concept CostPolicy = std::copy_constructible<C> && requires {
   requires C::dimension >= 3;
-  typename C::Memory;
-} && std::semiregular<typename C::Memory> &&
-    requires(const C cost, typename C::Memory memory, const Vector<C::dimension> p,
+  typename C::State;
+} && std::semiregular<typename C::State> &&
+    requires(const C cost, typename C::State state, const Vector<C::dimension> p,
              const internal::PairOf<C> pair) {
-  memory += memory;
-  { cost.face(p, p, p) } -> std::convertible_to<typename C::Memory>;
+  state += state;
+  { cost.face(p, p, p) } -> std::convertible_to<typename C::State>;
   { cost(pair, p) } -> std::convertible_to<double>;
 };
 
@@ -147,7 +147,7 @@ concept CostPolicy = std::copy_constructible<C> && requires {
 /// - `placement(cost, pair)`: a position, a Vector of the cost's dimension. `pair.first` and
 ///   `pair.second` are the ends, `pair.squared_reach` is how far their farthest neighbour is,
 ///   squared; `cost(pair, x)` tells what a position costs and, where the cost has one,
-///   `cost.minimizer(pair)` an optional position of least cost; `pair.memory` is there if the cost
+///   `cost.minimizer(pair)` an optional position of least cost; `pair.state` is there if the cost
 ///   is not ScaleFree, or the placement itself is.
 /// - Not checked: the position is finite. One that is not is refused, as Rejection::position.
 ///

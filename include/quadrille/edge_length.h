@@ -22,12 +22,12 @@ struct EdgeLength {
   double degree() const { return 2; }
 
   /// The empty state of a vertex.
-  struct Memory {
-    Memory& operator+=(const Memory&) { return *this; } ///< adds nothing
+  struct State {
+    State& operator+=(const State&) { return *this; } ///< adds nothing
   };
 
   /// Returns the empty state.
-  Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
+  State face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
 
   /// Returns the squared distance between the ends of the pair, for any target.
   double operator()(const auto& pair, const Vector<3>& /*x*/) const {

@@ -227,7 +227,7 @@ public:
   bool regroup() {
     lock();
     watch_.tell(job_, FileStage::regroup, 0);
-    return job_.end_phase(internal::PieceOfPart<Cost>::add_memory());
+    return job_.end_phase(internal::PieceOfPart<Cost>::add_state());
   }
 
   /// Writes the result to a binary PLY file, with floats or doubles as in the input, and empties
@@ -273,7 +273,7 @@ public:
 private:
   internal::PartedJob made_job(const internal::FileTarget& target) const {
     const internal::VertexScalars scalars = source_.scalars();
-    const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::memory_size,
+    const internal::MemoryBudget budget(options_, internal::PieceOfPart<Cost>::state_size,
                                         scalars.size(), target.is_limited());
     internal::JobKey key;
     key.add_number(source_.key());
@@ -288,7 +288,7 @@ private:
             options_.attribute_importance,
             key.value(),
             internal::JobEstimate::of(source_.size(), target, budget,
-                                      internal::PieceOfPart<Cost>::memory_size)};
+                                      internal::PieceOfPart<Cost>::state_size)};
   }
 
   void lock() {

@@ -32,7 +32,7 @@ concept SeesQuadric = requires(const Pair& pair) {
 };
 template <class Pair>
 concept RemembersQuadric = requires(const Pair& pair) {
-  { pair.memory } -> std::convertible_to<QuadricForm<3>>;
+  { pair.state } -> std::convertible_to<QuadricForm<3>>;
 };
 
 /// A set of half-spaces; a small set needs no memory of its own.
@@ -217,7 +217,7 @@ private:
       if constexpr (internal::SeesQuadric<Pair>)
         return pair.current.quadric;
       else
-        return pair.memory;
+        return pair.state;
     }
 
     static SymmetricMatrix<3> regular(SymmetricMatrix<3> matrix, double weight) {

@@ -39,11 +39,11 @@ struct MemorylessQuadric {
   double degree() const { return 4.5; }
 
   /// Nothing.
-  struct Memory {
-    Memory& operator+=(const Memory&) { return *this; } ///< nothing and nothing is nothing
+  struct State {
+    State& operator+=(const State&) { return *this; } ///< nothing and nothing is nothing
   };
   /// Leaves nothing.
-  Memory face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
+  State face(const Vector<3>&, const Vector<3>&, const Vector<3>&) const { return {}; }
   static constexpr bool face_is_alike_at_corners = true; ///< nothing is the same at all
 
   /// A pair that has become more costly while it waited, but by no more than this factor, is
@@ -197,29 +197,29 @@ struct ThinFeatureQuadric : MemorylessQuadric {
   double degree() const { return 4; }
 
   /// What a vertex remembers of its input faces.
-  struct Memory {
+  struct State {
     QuadricForm<3> planes; ///< about the vertex
     double before = 0;     ///< of a pair: what the planes cost at its two ends
 
     /// Joins what two vertices remember, about one origin.
-    Memory& operator+=(const Memory& other) {
+    State& operator+=(const State& other) {
       planes += other.planes;
       return *this;
     }
     /// Takes out what one of several pieces of a surface remembers, about one origin.
-    Memory& operator-=(const Memory& other) {
+    State& operator-=(const State& other) {
       planes -= other.planes;
       return *this;
     }
     void move_origin(const Vector<3>& d) { planes.move_origin(d); } ///< as QuadricForm::move_origin
     /// As QuadricForm::sum_about_first, and what both cost where they are.
-    static Memory sum_about_first(const Memory& first, const Memory& second, const Vector<3>& d) {
+    static State sum_about_first(const State& first, const State& second, const Vector<3>& d) {
       return {QuadricForm<3>::sum_about_first(first.planes, second.planes, d),
               first.planes.constant() + second.planes.constant()};
     }
   };
   /// The plane of an input face, weighted with its area.
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return {Quadric{}.face(p, q, r)};
   }
 
@@ -236,9 +236,9 @@ struct ThinFeatureQuadric : MemorylessQuadric {
 
   /// The cost of MemorylessQuadric by plain areas, and that of the loss.
   double operator()(const auto& pair, const Vector<3>& x) const {
-    const QuadricForm<3>& planes = pair.memory.planes;
+    const QuadricForm<3>& planes = pair.state.planes;
     return MemorylessQuadric::operator()(pair, x) +
-           loss(planes(x - pair.first) - pair.memory.before, planes.trace());
+           loss(planes(x - pair.first) - pair.state.before, planes.trace());
   }
 
   /// What it costs if remembered planes of a trace get worse by `growth`.

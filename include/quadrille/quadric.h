@@ -107,7 +107,7 @@ struct Quadric {
   using ScaleFree = Quadric;                  ///< as well in any unit: see CostPolicy
   using TieBreak = Quadric;                   ///< on the scale of the values of this class
   using TwoLanes = Quadric;                   ///< pairs may be costed two at a time: see CostPolicy
-  using Memory = QuadricForm<3>;              ///< planes, about the vertex
+  using State = QuadricForm<3>;               ///< planes, about the vertex
 
   double boundary_weight = 100; ///< at least 0; 0 lets boundaries recede
   double crease_weight = 100;   ///< the same for each of the two faces of a crease
@@ -135,7 +135,7 @@ struct Quadric {
   }
 
   /// What a face pqr leaves at each of its corners. Nothing for a face without a normal.
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const Vector<3> normal = normal_vector(p, q, r);
     const double squared = squared_length(normal);
     if (!(squared > 0))
@@ -143,7 +143,7 @@ struct Quadric {
     const double weight = weighting == Weighting::by_area           ? std::sqrt(squared) / 2
                           : weighting == Weighting::by_squared_area ? squared / 4
                                                                     : 1;
-    return Memory::plane(normal, weight / squared);
+    return State::plane(normal, weight / squared);
   }
   /// All corners of a face get the same plane.
   static constexpr bool face_is_alike_at_corners = true;
@@ -154,15 +154,15 @@ struct Quadric {
   }
   /// What it leaves: a line along its normal, of any length, and noise. `planes` are those that its
   /// faces leave.
-  Memory vertex(const Memory& planes, const Vector<3>& normal) const {
+  State vertex(const State& planes, const Vector<3>& normal) const {
     const double weight = planes.trace(); // of unit normals
     const double s2 = normal_noise * normal_noise, t2 = position_noise * position_noise;
     SymmetricMatrix<3> a;
     a.add_to_diagonal(s2 * weight);
-    Memory terms(a, {}, (1 + 3 * s2) * t2 * weight);
+    State terms(a, {}, (1 + 3 * s2) * t2 * weight);
     if (const double squared = squared_length(normal); squared > 0) {
-      terms += Memory::point(line_weight * weight);
-      terms += Memory::plane(normal, -line_weight * weight / squared);
+      terms += State::point(line_weight * weight);
+      terms += State::plane(normal, -line_weight * weight / squared);
     }
     return terms;
   }
@@ -170,18 +170,18 @@ struct Quadric {
   void convert_lengths(const auto& convert) { position_noise = convert(position_noise); }
 
   /// What the boundary edge pq of a face pqr leaves at both of its ends.
-  Memory boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return constraint_line(p, q, r, boundary_weight * emphasis(p, q));
   }
 
   /// What a crease pq leaves at both of its ends for its face pqr.
-  Memory crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return constraint_line(p, q, r, crease_weight * emphasis(p, q));
   }
 
   /// The weighted sum of the squared distances of x to the planes that both ends remember.
   double operator()(const auto& pair, const Vector<3>& x) const {
-    return pair.memory(x - pair.first);
+    return pair.state(x - pair.first);
   }
 
   /// Tells pairs of equal costs apart: see CostPolicy.
@@ -191,7 +191,7 @@ struct Quadric {
 
   /// The position of least cost, if there is one.
   std::optional<Vector<3>> minimizer(const auto& pair) const {
-    std::optional<Vector<3>> x = tie_break_of(pair).minimizer(pair.memory);
+    std::optional<Vector<3>> x = tie_break_of(pair).minimizer(pair.state);
     if (x)
       *x += pair.first;
     return x;
@@ -199,32 +199,32 @@ struct Quadric {
 
   /// The square of the root mean square distance to the planes: see Report::error.
   double squared_error(const auto& pair, double cost) const {
-    const double weight = pair.memory.trace(); // a plane of unit normal has a trace of its weight
+    const double weight = pair.state.trace(); // a plane of unit normal has a trace of its weight
     return weight > 0 ? cost / weight : 0;
   }
 
   /// The squared distance to the line pq, about p, with weight · |pq|²; along the normal of pqr a
   /// distance counts half.
-  static Memory constraint_line(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
+  static State constraint_line(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
+                               double weight) {
+    const Vector<3> normal = normal_vector(p, q, r);
+    const double squared = squared_length(normal);
+    if (!(squared > 0))
+      return {};
+    State line = constraint_plane(p, q, r, weight);
+    line += State::plane(normal, 0.25 * weight * squared_distance(p, q) / squared);
+    return line;
+  }
+
+  /// The plane through the edge pq and perpendicular to the face pqr, about p, with weight · |pq|².
+  static State constraint_plane(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
                                 double weight) {
     const Vector<3> normal = normal_vector(p, q, r);
     const double squared = squared_length(normal);
     if (!(squared > 0))
       return {};
-    Memory line = constraint_plane(p, q, r, weight);
-    line += Memory::plane(normal, 0.25 * weight * squared_distance(p, q) / squared);
-    return line;
-  }
-
-  /// The plane through the edge pq and perpendicular to the face pqr, about p, with weight · |pq|².
-  static Memory constraint_plane(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r,
-                                 double weight) {
-    const Vector<3> normal = normal_vector(p, q, r);
-    const double squared = squared_length(normal);
-    if (!(squared > 0))
-      return {};
     // edge × unit normal is as long as the edge: its square brings the weight's |pq|²
-    return Memory::plane(cross(q - p, normal), weight / squared);
+    return State::plane(cross(q - p, normal), weight / squared);
   }
 
 private:
@@ -234,7 +234,7 @@ private:
   }
 
   static internal::TieBreak<3> tie_break_of(const auto& pair) {
-    return {pair.memory.trace(), pair.second - pair.first};
+    return {pair.state.trace(), pair.second - pair.first};
   }
 };
 

@@ -100,7 +100,7 @@ std::size_t vertex_at(const IndexedMesh& mesh, const Point& place) {
 
 struct Pair {
   quadrille::Vector<5> first, second;
-  CarryingCost<quadrille::Quadric, 2>::Memory memory;
+  CarryingCost<quadrille::Quadric, 2>::State state;
   double squared_reach;
   int current;
 };

@@ -48,7 +48,7 @@ Soup roof(std::uint32_t n) {
 
 struct CountCreases : Quadric {
   std::size_t* count;
-  Memory crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     ++*count;
     return Quadric::crease(p, q, r);
   }

@@ -421,7 +421,7 @@ TEST_CASE("Maps that throw leave a soup as it was") {
     colors.emplace_back(shade += 7, 99, 7);
   std::vector<char> is_fixed(soup.points.size(), 0);
   is_fixed[7] = 1;
-  std::vector<ColorQuadric::Memory> quadrics(soup.points.size());
+  std::vector<ColorQuadric::State> quadrics(soup.points.size());
   const Snapshot before = snapshot(soup);
   const auto colors_before = colors;
   const std::size_t accidents = survive_accidents(
@@ -505,15 +505,15 @@ struct FusedCost : Quadric {
   Fuse* fuse;
   explicit FusedCost(Fuse* f) : Quadric{.crease_degrees = 60}, fuse(f) {}
 
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     fuse->burn();
     return Quadric::face(p, q, r);
   }
-  Memory boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State boundary(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     fuse->burn();
     return Quadric::boundary(p, q, r);
   }
-  Memory crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State crease(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     fuse->burn();
     return Quadric::crease(p, q, r);
   }

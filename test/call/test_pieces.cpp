@@ -148,25 +148,25 @@ TEMPLATE_TEST_CASE("What shared vertices remember adds up to what they do in the
   const Soup soup = terrain(5);
   const FaceCount all{soup.triangles.size()};
   const auto in_core = simplify_piece(whole<TestType>(soup), TestType{}, OptimalPlacement{}, all);
-  REQUIRE(in_core.memories.size() == soup.points.size());
+  REQUIRE(in_core.states.size() == soup.points.size());
   CostHistogram costs;
   test::Sewn<TestType> sewn{soup, {}};
-  const auto form = [](const auto& memory) {
-    if constexpr (requires { memory.planes; })
-      return memory.planes;
+  const auto form = [](const auto& state) {
+    if constexpr (requires { state.planes; })
+      return state.planes;
     else
-      return memory;
+      return state;
   };
   for (int phase = 0; phase < 3; ++phase) { // whose gains are nothing after the first
     const auto parts = kd_parts(sewn.soup, 7, 0.5 + 0.1 * phase);
     sewn = simplified_in_parts(sewn, parts, Box<3>(soup.points), costs, TestType{},
                                OptimalPlacement{}, all);
-    REQUIRE(sewn.memories.size() == soup.points.size());
+    REQUIRE(sewn.states.size() == soup.points.size());
     for (std::size_t v = 0; v < soup.points.size(); ++v) {
       std::size_t w = 0; // the same point, in the whole
       while (!(soup.points[w] == sewn.soup.points[v]))
         ++w;
-      const auto a = form(in_core.memories[w]), b = form(sewn.memories[v]);
+      const auto a = form(in_core.states[w]), b = form(sewn.states[v]);
       CHECK(b.trace() == Approx(a.trace()));
       CHECK(b(Position{{0.3, -0.2, 5}}) == Approx(a(Position{{0.3, -0.2, 5}})));
     }
@@ -181,7 +181,7 @@ TEST_CASE("Edges of one face are borders unless both ends are shared, and if the
     piece.is_shared = std::move(is_shared);
     piece.borders = std::move(borders);
     const auto left = simplify_piece(piece, Quadric{}, OptimalPlacement{}, FaceCount{1});
-    return left.memories[0].trace();
+    return left.states[0].trace();
   };
   const double none = trace({true, true, true}, {});
   CHECK(none == Approx(trace({true, true, true}, {{1, 2}})));
@@ -250,11 +250,11 @@ TEST_CASE("What pieces remember in the next phase is all that they did") {
   piece.triangles = first.triangles;
   piece.box = Box<3>(soup.points);
   const auto forgetful = simplify_piece(piece, Quadric{}, OptimalPlacement{}, limit);
-  piece.memories = first.memories;
+  piece.states = first.states;
   const auto knowing = simplify_piece(piece, Quadric{}, OptimalPlacement{}, limit);
   CHECK(knowing.report.contractions < first.report.contractions / 100);
   CHECK(forgetful.report.contractions > 3 * knowing.report.contractions + 10);
-  piece.has_memory.assign(piece.positions.size(), false); // none is given then
+  piece.has_state.assign(piece.positions.size(), false); // none is given then
   CHECK(simplify_piece(piece, Quadric{}, OptimalPlacement{}, limit).positions ==
         forgetful.positions);
 }
@@ -466,12 +466,12 @@ TEST_CASE("A piece that makes no sense is refused") {
   bad.is_fixed = {true, false};
   refuses(bad, "2 values of is_fixed, not 4");
   bad = good;
-  bad.memories.resize(5);
-  refuses(bad, "5 memories, not 4");
+  bad.states.resize(5);
+  refuses(bad, "5 states, not 4");
   bad = good;
-  bad.memories.resize(4);
-  bad.has_memory = {true};
-  refuses(bad, "1 values of has_memory, not 4");
+  bad.states.resize(4);
+  bad.has_state = {true};
+  refuses(bad, "1 values of has_state, not 4");
   bad = good;
   bad.labels = {0, 1, 0};
   refuses(bad, "3 labels, not 2");

@@ -3,11 +3,11 @@
 
 struct Distance {
   static constexpr std::size_t dimension = 3;
-  struct Memory {
-    Memory& operator+=(const Memory&) { return *this; }
+  struct State {
+    State& operator+=(const State&) { return *this; }
   };
 #ifdef REMEDY
-  Memory face(auto&&, auto&&, auto&&) const {
+  State face(auto&&, auto&&, auto&&) const {
     return {};
   }
 #endif

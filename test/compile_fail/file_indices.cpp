@@ -8,8 +8,8 @@ struct OfIndices {
 #ifndef REMEDY
   static constexpr bool asks_for_indices = true;
 #endif
-  struct Memory {};
+  struct State {};
 };
 
 // As simplify_file does for its cost.
-const bool has_memory = quadrille::internal::PieceOfPart<OfIndices>::has_memory; // mistake
+const bool has_state = quadrille::internal::PieceOfPart<OfIndices>::has_state; // mistake

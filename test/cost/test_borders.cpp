@@ -66,10 +66,10 @@ TEST_CASE("A line named as a crease on a flat noisy part makes no spikes") {
 TEST_CASE(
     "What a border leaves at its ends is a distance to its line, half as far along the normal") {
   const Vector<3> p{{1, 2, 3}}, q{{1, 4, 3}}, r{{2, 2, 3}}; // along y, in the plane z = 3
-  const auto memory = Quadric{.boundary_weight = 10}.boundary(p, q, r);
+  const auto state = Quadric{.boundary_weight = 10}.boundary(p, q, r);
   const double weight = 10 * 4; // times the squared length of the edge
-  CHECK(memory({{0, 5, 0}}) == Approx(0).margin(1e-12));
-  CHECK(memory({{0.5, 5, 0}}) == Approx(weight * 0.25));
-  CHECK(memory({{0, 5, 0.5}}) == Approx(weight * 0.25 / 4));
-  CHECK(memory({{0.5, 0, 0.5}}) == Approx(weight * 0.25 * 5 / 4));
+  CHECK(state({{0, 5, 0}}) == Approx(0).margin(1e-12));
+  CHECK(state({{0.5, 5, 0}}) == Approx(weight * 0.25));
+  CHECK(state({{0, 5, 0.5}}) == Approx(weight * 0.25 / 4));
+  CHECK(state({{0.5, 0, 0.5}}) == Approx(weight * 0.25 * 5 / 4));
 }

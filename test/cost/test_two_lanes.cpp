@@ -40,16 +40,16 @@ struct OfOnesOwn {
   static constexpr std::size_t dimension = 3;
   using ScaleFree = OfOnesOwn;
   using TwoLanes = std::conditional_t<two, OfOnesOwn, void>;
-  using Memory = QuadricForm<3>;
+  using State = QuadricForm<3>;
   using TieBreak = OfOnesOwn;
 
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     const Vector<3> normal = normal_vector(p, q, r);
     const double squared = squared_length(normal);
-    return squared > 0 ? Memory::plane(normal, std::pow(squared, -0.75)) : Memory();
+    return squared > 0 ? State::plane(normal, std::pow(squared, -0.75)) : State();
   }
   double operator()(const auto& pair, const Vector<3>& x) const {
-    return pair.memory(x - pair.first);
+    return pair.state(x - pair.first);
   }
   double tie_break(const auto& pair, const Vector<3>& x) const {
     return Quadric{}.tie_break(pair, x);
@@ -64,9 +64,9 @@ struct Lopsided : Quadric {
   using TieBreak = Lopsided;
   using TwoLanes = std::conditional_t<two, Lopsided, Quadric>;
 
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
-    Memory memory = Quadric::face(p, q, r);
-    return memory *= p[0] + q[0] + r[0] > 0 ? 20 : 1;
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+    State state = Quadric::face(p, q, r);
+    return state *= p[0] + q[0] + r[0] > 0 ? 20 : 1;
   }
 };
 

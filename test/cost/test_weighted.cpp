@@ -56,7 +56,7 @@ static_assert(!breaks_ties<OfNoTemplate>);
 
 // What changes other members has the same values.
 struct OtherFaces : ThinFeatureQuadric {
-  Memory face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
+  State face(const Vector<3>& p, const Vector<3>& q, const Vector<3>& r) const {
     return ThinFeatureQuadric::face(p, q, r);
   }
 };

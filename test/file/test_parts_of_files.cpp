@@ -217,37 +217,37 @@ TEST_CASE("Edges of one face, over all parts") {
 }
 
 /// Vertices with what they remember as doubles; what is given may be missing.
-Survivors remembering(const std::vector<VertexRow>& vertices, const std::vector<double>& memories,
+Survivors remembering(const std::vector<VertexRow>& vertices, const std::vector<double>& states,
                       const std::vector<std::uint64_t>& given,
-                      const std::vector<double>& given_memories) {
+                      const std::vector<double>& given_states) {
   Survivors s{vertices, {}};
   s.given = given;
   const auto put = [](std::vector<char>& bytes, const std::vector<double>& from) {
     bytes.resize(from.size() * sizeof(double));
     std::memcpy(bytes.data(), from.data(), bytes.size());
   };
-  put(s.memories, memories);
-  put(s.given_memories, given_memories);
+  put(s.states, states);
+  put(s.given_states, given_states);
   return s;
 }
 
 TEST_CASE(
     "what shared vertices remember is what they were given, and what they gain in each part") {
-  const AddMemory add = [](void* total, const void* gained) {
+  const AddState add = [](void* total, const void* gained) {
     double a = 0, b = 0;
     std::memcpy(&a, total, sizeof(a));
     std::memcpy(&b, gained, sizeof(b));
     a += b;
     std::memcpy(total, &a, sizeof(a));
   };
-  SharedMemories memories(sizeof(double), add);
-  memories.add(remembering({{3, 1, {}}, {4, 0, {}}, {7, 1, {}}}, {1, 50, 2}, {0, 2}, {100, 200}));
-  memories.add(remembering({{3, 1, {}}, {8, 1, {}}}, {4, 8}, {0}, {100}));
-  memories.add(remembering({{3, 1, {}}, {7, 1, {}}, {8, 1, {}}}, {16, 32, 64}, {0, 1}, {100, 200}));
-  memories.sum_up();
+  SharedStates states(sizeof(double), add);
+  states.add(remembering({{3, 1, {}}, {4, 0, {}}, {7, 1, {}}}, {1, 50, 2}, {0, 2}, {100, 200}));
+  states.add(remembering({{3, 1, {}}, {8, 1, {}}}, {4, 8}, {0}, {100}));
+  states.add(remembering({{3, 1, {}}, {7, 1, {}}, {8, 1, {}}}, {16, 32, 64}, {0, 1}, {100, 200}));
+  states.sum_up();
   const auto total = [&](VertexId id) {
     double value = 0;
-    std::memcpy(&value, memories.total(id), sizeof(value));
+    std::memcpy(&value, states.total(id), sizeof(value));
     return value;
   };
   CHECK(total(3) == 100 + 1 + 4 + 16);

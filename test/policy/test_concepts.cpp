@@ -63,10 +63,10 @@ struct NoCopy : CostArchetype<> {
 static_assert(!CostPolicy<NoCopy>);
 
 struct Base {
-  struct Memory {
-    void operator+=(const Memory&) {}
+  struct State {
+    void operator+=(const State&) {}
   };
-  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+  State face(auto&&, auto&&, auto&&) const { return {}; }
   double operator()(auto&&, auto&&) const { return 0; }
 };
 struct Whole : Base {
@@ -86,53 +86,53 @@ struct NegativeDimension : Base {
 };
 static_assert(!CostPolicy<NegativeDimension>);
 
-struct NoMemory {
+struct NoState {
   static constexpr int dimension = 3;
   int face(auto&&, auto&&, auto&&) const { return 0; }
   double operator()(auto&&, auto&&) const { return 0; }
 };
-static_assert(!CostPolicy<NoMemory>);
+static_assert(!CostPolicy<NoState>);
 
-struct MemoryWithoutSum : Whole {
-  struct Memory {};
-  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+struct StateWithoutSum : Whole {
+  struct State {};
+  State face(auto&&, auto&&, auto&&) const { return {}; }
 };
-static_assert(!CostPolicy<MemoryWithoutSum>);
+static_assert(!CostPolicy<StateWithoutSum>);
 
-struct MemoryWithoutDefault : Whole {
-  struct Memory {
-    explicit Memory(int) {}
-    void operator+=(const Memory&) {}
+struct StateWithoutDefault : Whole {
+  struct State {
+    explicit State(int) {}
+    void operator+=(const State&) {}
   };
-  Memory face(auto&&, auto&&, auto&&) const { return Memory(0); }
+  State face(auto&&, auto&&, auto&&) const { return State(0); }
 };
-static_assert(!CostPolicy<MemoryWithoutDefault>);
+static_assert(!CostPolicy<StateWithoutDefault>);
 
-struct MemoryWithoutCopy : Whole {
-  struct Memory {
-    Memory() = default;
-    Memory(Memory&&) = default;
-    Memory& operator=(Memory&&) = default;
-    void operator+=(const Memory&) {}
+struct StateWithoutCopy : Whole {
+  struct State {
+    State() = default;
+    State(State&&) = default;
+    State& operator=(State&&) = default;
+    void operator+=(const State&) {}
   };
-  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+  State face(auto&&, auto&&, auto&&) const { return {}; }
 };
-static_assert(!CostPolicy<MemoryWithoutCopy>);
+static_assert(!CostPolicy<StateWithoutCopy>);
 
 struct NoFace {
   static constexpr int dimension = 3;
-  using Memory = Base::Memory;
+  using State = Base::State;
   double operator()(auto&&, auto&&) const { return 0; }
 };
 static_assert(!CostPolicy<NoFace>);
 
 struct FaceOfTwoCorners : Whole {
-  Memory face(auto&&, auto&&) const { return {}; }
+  State face(auto&&, auto&&) const { return {}; }
 };
 static_assert(!CostPolicy<FaceOfTwoCorners>);
 
 struct FaceNotConst : Whole {
-  Memory face(auto&&, auto&&, auto&&) { return {}; }
+  State face(auto&&, auto&&, auto&&) { return {}; }
 };
 static_assert(!CostPolicy<FaceNotConst>);
 
@@ -143,8 +143,8 @@ static_assert(!CostPolicy<FaceOfAnotherType>);
 
 struct NoCost {
   static constexpr int dimension = 3;
-  using Memory = Base::Memory;
-  Memory face(auto&&, auto&&, auto&&) const { return {}; }
+  using State = Base::State;
+  State face(auto&&, auto&&, auto&&) const { return {}; }
 };
 static_assert(!CostPolicy<NoCost>);
 

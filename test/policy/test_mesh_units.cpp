@@ -176,13 +176,13 @@ struct RoundedColor {
 // Equal values only; remembers the greatest, in the mesh's units.
 struct SameValue {
   static constexpr std::size_t dimension = 4;
-  struct Memory {
+  struct State {
     double greatest = 0;
-    void operator+=(const Memory& other) { greatest = std::max(greatest, other.greatest); }
+    void operator+=(const State& other) { greatest = std::max(greatest, other.greatest); }
   };
-  Memory face(const Vector<4>& p, const Vector<4>&, const Vector<4>&) const { return {p[3]}; }
+  State face(const Vector<4>& p, const Vector<4>&, const Vector<4>&) const { return {p[3]}; }
   double operator()(const auto& pair, const Vector<4>& x) const {
-    return squared_distance(pair.first, pair.second) + (pair.memory.greatest > 10 ? 1e20 : 0) +
+    return squared_distance(pair.first, pair.second) + (pair.state.greatest > 10 ? 1e20 : 0) +
            (x[3] > 10 ? 1e20 : 0);
   }
 };

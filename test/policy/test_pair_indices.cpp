@@ -31,9 +31,9 @@ struct Seen {
 struct ByImportance {
   static constexpr std::size_t dimension = 3;
   static constexpr bool asks_for_indices = true;
-  struct Memory {
+  struct State {
     std::vector<std::size_t> indices; // of all that a vertex stands for
-    void operator+=(const Memory& other) {
+    void operator+=(const State& other) {
       indices.insert(indices.end(), other.indices.begin(), other.indices.end());
     }
     bool has(std::size_t index) const { return std::ranges::count(indices, index) == 1; }
@@ -43,13 +43,13 @@ struct ByImportance {
   const std::vector<double>* importance;
   Seen* seen;
 
-  Memory face(const Position&, const Position&, const Position&) const { return {}; }
-  Memory input_vertex(std::size_t index) const { return {{index}}; }
+  State face(const Position&, const Position&, const Position&) const { return {}; }
+  State input_vertex(std::size_t index) const { return {{index}}; }
   double operator()(const auto& pair, const Position& x) const {
-    const std::vector<std::size_t>& all = pair.memory.indices;
+    const std::vector<std::size_t>& all = pair.state.indices;
     ++seen->calls;
     seen->greatest = std::max(seen->greatest, all.size());
-    seen->is_wrong |= !pair.memory.has(pair.first_index) || !pair.memory.has(pair.second_index);
+    seen->is_wrong |= !pair.state.has(pair.first_index) || !pair.state.has(pair.second_index);
     if (all.size() == 2) { // both are where they were
       ++seen->untouched;
       seen->is_wrong |=
@@ -70,7 +70,7 @@ static_assert(
     std::derived_from<internal::PairOf<Weighted<ByImportance, Two>>, internal::PairIndices>);
 static_assert(std::is_empty_v<internal::IndicesFor<Quadric>>); // who does not ask pays nothing
 static_assert(sizeof(internal::PairOf<Quadric>) ==
-              2 * sizeof(Position) + sizeof(Quadric::Memory) + sizeof(double));
+              2 * sizeof(Position) + sizeof(Quadric::State) + sizeof(double));
 static_assert(std::is_empty_v<internal::PairNames<internal::UsualPolicies<Quadric, false>>>);
 
 // A surface whose vertices lie in any order, three of them without a face, and how important they

@@ -40,19 +40,19 @@ template <std::size_t attributes = 0>
 struct CostArchetype : Minimal {
   static constexpr std::size_t dimension = 3 + attributes;
 
-  struct Memory {
-    void operator+=(const Memory&) {}
+  struct State {
+    void operator+=(const State&) {}
   };
   using Position = quadrille::Vector<dimension>;
 
-  ConvertibleTo<Memory> face(const Position&, const Position&, const Position&) const {
-    return ConvertibleTo<Memory>({});
+  ConvertibleTo<State> face(const Position&, const Position&, const Position&) const {
+    return ConvertibleTo<State>({});
   }
 
   template <class Pair>
   ConvertibleTo<double> operator()(const Pair& pair, const Position& x) const {
-    const Memory& memory = pair.memory;
-    static_cast<void>(memory);
+    const State& state = pair.state;
+    static_cast<void>(state);
     return ConvertibleTo<double>(squared_distance(pair.first, x) +
                                  squared_distance(pair.second, x));
   }

@@ -63,9 +63,9 @@ inline std::vector<std::uint32_t> kd_parts(const Soup& soup, std::uint32_t parts
 /// A surface between two phases: with what vertices remember, if anything.
 template <class Cost>
 struct Sewn {
-  using Memory = typename Cost::Memory;
+  using State = typename Cost::State;
   Soup soup;
-  std::vector<Memory> memories; ///< empty, or one for each point
+  std::vector<State> states; ///< empty, or one for each point
 };
 
 /// A part of a surface as a piece, and which point of the surface each of its points is.
@@ -107,8 +107,8 @@ std::vector<CutPiece<Cost>> cut(const Sewn<Cost>& surface, const std::vector<std
       points.push_back(v);
       piece.positions.push_back(soup.points[v]);
       piece.is_shared.push_back(is_shared[v]);
-      if (!surface.memories.empty())
-        piece.memories.push_back(surface.memories[v]);
+      if (!surface.states.empty())
+        piece.states.push_back(surface.states[v]);
     }
     piece.triangles.push_back(t);
   }
@@ -133,7 +133,7 @@ Sewn<Cost> simplified_in_parts(const Sewn<Cost>& surface, const std::vector<std:
                                quadrille::internal::CostHistogram& costs, const Cost& cost,
                                const Policies&... policies) {
   Sewn<Cost> result;
-  constexpr bool remembers = !std::is_empty_v<typename Cost::Memory>;
+  constexpr bool remembers = !std::is_empty_v<typename Cost::State>;
   std::map<std::uint32_t, std::uint32_t> number; // of each point of the surface that is left
   for (auto& [piece, points] : cut(surface, part, box)) {
     const std::vector<bool> is_shared = piece.is_shared;
@@ -146,10 +146,10 @@ Sewn<Cost> simplified_in_parts(const Sewn<Cost>& surface, const std::vector<std:
       if (is_new)
         result.soup.points.push_back(left.positions[i]);
       if constexpr (remembers) {
-        const bool has_given = is_shared[left.vertices[i]] && !surface.memories.empty();
+        const bool has_given = is_shared[left.vertices[i]] && !surface.states.empty();
         if (is_new)
-          result.memories.push_back(has_given ? surface.memories[v] : typename Cost::Memory{});
-        result.memories[at->second] += left.memories[i];
+          result.states.push_back(has_given ? surface.states[v] : typename Cost::State{});
+        result.states[at->second] += left.states[i];
       }
     }
     for (const auto& t : left.triangles) {

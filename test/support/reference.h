@@ -35,7 +35,7 @@ public:
 
   /// The soup is manifold.
   explicit Reference(const Soup& soup, double boundary_weight = 100) : position_(soup.points) {
-    memory_.resize(position_.size());
+    state_.resize(position_.size());
     reach_.resize(position_.size());
     for (Vertex v = 0; v < position_.size(); ++v)
       image_.push_back(v);
@@ -92,7 +92,7 @@ protected:
   virtual Real cost(const Edge& edge, const Position& x) const {
     Real sum = 0;
     for (Vertex v : edge)
-      for (const Plane& plane : memory_[v]) {
+      for (const Plane& plane : state_[v]) {
         Real distance = 0;
         for (std::size_t i = 0; i < 3; ++i)
           distance += Real(plane.normal[i]) * (Real(x[i]) - plane.point[i]);
@@ -105,7 +105,7 @@ protected:
   virtual System system(const Edge& edge, const Position& origin) const {
     System m{};
     for (Vertex v : edge)
-      for (const Plane& plane : memory_[v]) {
+      for (const Plane& plane : state_[v]) {
         Real offset = 0;
         for (std::size_t i = 0; i < 3; ++i)
           offset += Real(plane.normal[i]) * (Real(plane.point[i]) - origin[i]);
@@ -122,7 +122,7 @@ protected:
   Real plane_weight(const Edge& edge) const {
     Real sum = 0;
     for (Vertex v : edge)
-      for (const Plane& plane : memory_[v])
+      for (const Plane& plane : state_[v])
         sum += plane.weight;
     return sum;
   }
@@ -150,8 +150,8 @@ protected:
           continue;
         const double weight = weight_of_line * squared_length(along);
         for (Vertex v : edge) {
-          memory_[v].push_back({position_[t[i]], unit(within), weight});
-          memory_[v].push_back({position_[t[i]], unit(normal), weight / 4});
+          state_[v].push_back({position_[t[i]], unit(within), weight});
+          state_[v].push_back({position_[t[i]], unit(normal), weight / 4});
         }
       }
   }
@@ -177,7 +177,7 @@ private:
     Position point, normal; // of unit length
     double weight;
   };
-  using Memory = std::vector<Plane>;
+  using State = std::vector<Plane>;
   struct Candidate {
     float key; // what it costs, and what tells it from others that cost the same
     Edge edge;
@@ -206,7 +206,7 @@ private:
     if (!(area > 0))
       return;
     for (Vertex v : face)
-      memory_[v].push_back({position_[p], 0.5 / area * twice, area});
+      state_[v].push_back({position_[p], 0.5 / area * twice, area});
   }
 
   static Position unit(const Position& v) { return 1 / std::sqrt(squared_length(v)) * v; }
@@ -455,7 +455,7 @@ private:
       std::swap(kept, gone);
     error = std::max(error, std::sqrt(double(candidate.cost / plane_weight(candidate.edge))));
     remember({kept, gone, target});
-    memory_[kept].insert(memory_[kept].end(), memory_[gone].begin(), memory_[gone].end());
+    state_[kept].insert(state_[kept].end(), state_[gone].begin(), state_[gone].end());
     position_[kept] = target;
     image_[gone] = kept;
     std::erase_if(faces_, [&](const auto& face) { return has(face, kept) && has(face, gone); });
@@ -471,7 +471,7 @@ private:
   }
 
   std::vector<Position> position_;
-  std::vector<Memory> memory_;
+  std::vector<State> state_;
   std::vector<float> reach_; // squared
   std::vector<Vertex> image_;
   std::map<Vertex, Triangle> faces_;

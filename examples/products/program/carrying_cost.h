@@ -19,53 +19,53 @@ template <class Cost, std::size_t N>
 struct CarryingCost : Cost {
   static constexpr std::size_t dimension = 3 + N;
   using Position = quadrille::Vector<dimension>;
-  using SpaceMemory = typename Cost::Memory;
+  using SpaceState = typename Cost::State;
   using ScaleFree = CarryingCost; ///< for a cost that is
 
   explicit CarryingCost(const Cost& cost) : Cost(cost) {}
 
   /// What the cost remembers, for the engine that moves it in all dimensions.
-  struct Memory {
-    SpaceMemory in_space{};
+  struct State {
+    SpaceState in_space{};
 
-    Memory& operator+=(const Memory& other) {
+    State& operator+=(const State& other) {
       in_space += other.in_space;
       return *this;
     }
-    void move_origin(const Position& d) requires requires(SpaceMemory m, quadrille::Vector<3> v) {
+    void move_origin(const Position& d) requires requires(SpaceState m, quadrille::Vector<3> v) {
       m.move_origin(v);
     }
     { in_space.move_origin(space(d)); }
-    static Memory sum_about_first(const Memory& first, const Memory& second,
-                                  const Position& d) requires
-        requires(SpaceMemory m, quadrille::Vector<3> v) {
-      SpaceMemory::sum_about_first(m, m, v);
+    static State sum_about_first(const State& first, const State& second,
+                                 const Position& d) requires
+        requires(SpaceState m, quadrille::Vector<3> v) {
+      SpaceState::sum_about_first(m, m, v);
     }
-    { return {SpaceMemory::sum_about_first(first.in_space, second.in_space, space(d))}; }
+    { return {SpaceState::sum_about_first(first.in_space, second.in_space, space(d))}; }
   };
 
   /// A pair as the cost sees it.
   template <class Pair>
   struct InSpace {
     explicit InSpace(const Pair& pair)
-        : first(space(pair.first)), second(space(pair.second)), memory(pair.memory.in_space),
+        : first(space(pair.first)), second(space(pair.second)), state(pair.state.in_space),
           squared_reach(pair.squared_reach), current(pair.current) {}
 
     quadrille::Vector<3> first, second;
-    const SpaceMemory& memory;
+    const SpaceState& state;
     double squared_reach;
     const decltype(Pair::current)& current;
   };
 
-  Memory face(const Position& p, const Position& q, const Position& r) const {
+  State face(const Position& p, const Position& q, const Position& r) const {
     return {Cost::face(space(p), space(q), space(r))};
   }
-  Memory boundary(const Position& p, const Position& q, const Position& r) const requires
+  State boundary(const Position& p, const Position& q, const Position& r) const requires
       requires(const Cost c, quadrille::Vector<3> v) {
     c.boundary(v, v, v);
   }
   { return {Cost::boundary(space(p), space(q), space(r))}; }
-  Memory crease(const Position& p, const Position& q, const Position& r) const requires
+  State crease(const Position& p, const Position& q, const Position& r) const requires
       requires(const Cost c, quadrille::Vector<3> v) {
     c.crease(v, v, v);
   }

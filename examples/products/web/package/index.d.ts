@@ -108,7 +108,7 @@ export interface Options {
   splitVertices?: boolean;
   /** Of order relaxed: which part of the pairs a pass takes; in (0, 1], default 0.5. */
   share?: number;
-  /** Of order relaxed: memories are made anew between passes. */
+  /** Of order relaxed: states are made anew between passes. */
   refresh?: boolean;
 
   /** All levels of detail are recorded into these. */

@@ -10,7 +10,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/edge_sides.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/columns.h>
 #include <quadrille/internal/core/policy/policies.h>
@@ -142,7 +142,7 @@ private:
 
 /// Do the vertices remember what channels leave in what they remember anyway?
 template <class Cost>
-inline constexpr bool remembers_forms = std::same_as<typename Cost::Memory, QuadricForm<3>>;
+inline constexpr bool remembers_forms = std::same_as<typename Cost::State, QuadricForm<3>>;
 
 /// Does a cost add what channels leave to what it sees now?
 template <class Cost>
@@ -160,8 +160,8 @@ public:
   using Left = ChannelsLeft;
   using Seams = ChannelSeams;
 
-  Channels(const TriangleComplex& complex, const Geometry& geometry, VertexMemories<Cost>& memories)
-      : complex_(complex), geometry_(geometry), memories_(memories), forms_(complex.workspace()),
+  Channels(const TriangleComplex& complex, const Geometry& geometry, VertexStates<Cost>& states)
+      : complex_(complex), geometry_(geometry), states_(states), forms_(complex.workspace()),
         traces_(complex.workspace()) {}
 
   /// Reads what an adapter has read; where backs have values of their own, these are channels
@@ -236,7 +236,7 @@ public:
   /// What the attributes cost at a pair is seen by the cost of the pair.
   QUADRILLE_ALWAYS_INLINE void add_to(PairOf<Cost>& pair, Index a, Index b) const {
     if constexpr (remembers_forms<Cost>)
-      add_joins(pair.memory, contracted(a, b));
+      add_joins(pair.state, contracted(a, b));
     else if constexpr (sees_forms<Cost>)
       pair.current.quadric += form(contracted(a, b));
   }
@@ -247,7 +247,7 @@ public:
     double weight = 0;
     QuadricForm<3> form;
     if constexpr (remembers_forms<Cost>) {
-      weight = pair.memory.trace();
+      weight = pair.state.trace();
     } else if constexpr (sees_forms<Cost>) {
       weight = pair.current.quadric.trace();
       add_joins(form, contracted(a, b));
@@ -276,7 +276,7 @@ public:
     else
       ChannelContraction(channel, complex_, pair).add_joins(form);
   }
-  /// What channels have left at a vertex, where its memory does not hold it.
+  /// What channels have left at a vertex, where its state does not contain it.
   const QuadricForm<3>& form(Index v) const { return forms_[v]; }
 
   /// Would a contraction turn a face over in a texture?
@@ -372,16 +372,16 @@ private:
 
   QuadricForm<3>& form_at(Index v) {
     if constexpr (remembers_forms<Cost>)
-      return memories_[v];
+      return states_[v];
     else
       return forms_[v];
   }
 
-  // Of the joins of a pair, which are given where its memory does not hold them.
+  // Of the joins of a pair, which are given where its state does not contain them.
   double trace_of_joins(const PairOf<Cost>& pair, Index a, Index b,
                         const QuadricForm<3>& joins) const {
     if constexpr (remembers_forms<Cost>)
-      return pair.memory.trace() - memories_[a].trace() - memories_[b].trace();
+      return pair.state.trace() - states_[a].trace() - states_[b].trace();
     else
       return joins.trace();
   }
@@ -396,10 +396,10 @@ private:
 
   const TriangleComplex& complex_;
   const Geometry& geometry_;
-  VertexMemories<Cost>& memories_;
+  VertexStates<Cost>& states_;
   std::vector<Channel> channels_;
   std::vector<std::size_t> back_channels_;
-  Array<QuadricForm<3>> forms_; // of each vertex, where its memory does not hold them
+  Array<QuadricForm<3>> forms_; // of each vertex, where its state does not contain them
   Array<double> traces_;        // of what channels have left at each vertex
 };
 

@@ -23,13 +23,13 @@ namespace quadrille::internal {
 class PartOfPart {
 public:
   static LoadedPart of(const LoadedPart& part, std::size_t vertices, std::uint64_t seed,
-                       std::size_t memory_size) {
+                       std::size_t state_size) {
     PartOfPart piece(part);
     while (piece.order_.size() > vertices) {
       piece.halve((seed & 1U) != 0);
       seed >>= 1U;
     }
-    return piece.extracted(memory_size);
+    return piece.extracted(state_size);
   }
 
 private:
@@ -61,7 +61,7 @@ private:
     return axis;
   }
 
-  LoadedPart extracted(std::size_t memory_size) {
+  LoadedPart extracted(std::size_t state_size) {
     std::sort(order_.begin(), order_.end());
     std::vector<Index> place(part_.ids.size(), none);
     LoadedPart piece;
@@ -73,10 +73,10 @@ private:
       const std::size_t scalars = part_.scalars.size() / part_.ids.size();
       const auto row = part_.scalars.begin() + static_cast<std::ptrdiff_t>(v * scalars);
       piece.scalars.insert(piece.scalars.end(), row, row + static_cast<std::ptrdiff_t>(scalars));
-      const auto memory = part_.memories.begin() + static_cast<std::ptrdiff_t>(v * memory_size);
-      if (!part_.memories.empty())
-        piece.memories.insert(piece.memories.end(), memory,
-                              memory + static_cast<std::ptrdiff_t>(memory_size));
+      const auto state = part_.states.begin() + static_cast<std::ptrdiff_t>(v * state_size);
+      if (!part_.states.empty())
+        piece.states.insert(piece.states.end(), state,
+                            state + static_cast<std::ptrdiff_t>(state_size));
     }
     for (std::size_t f = 0; f < part_.triangles.size(); ++f) {
       const std::array<Index, 3>& t = part_.triangles[f];

@@ -37,10 +37,10 @@ struct InputSize {
 /// What a job will take, from sizes alone.
 class JobEstimate {
 public:
-  /// `memory_size` are bytes of what a vertex remembers.
+  /// `state_size` are bytes of what a vertex remembers.
   static FileEstimate of(const InputSize& input, const FileTarget& target,
-                         const MemoryBudget& budget, std::size_t memory_size) {
-    const JobEstimate job(input, target, budget, memory_size);
+                         const MemoryBudget& budget, std::size_t state_size) {
+    const JobEstimate job(input, target, budget, state_size);
     FileEstimate result;
     result.faces = input.faces;
     result.output = target.is_limited() ? 0 : job.output_bytes();
@@ -65,11 +65,11 @@ private:
   }
 
   JobEstimate(const InputSize& input, const FileTarget& target, const MemoryBudget& budget,
-              std::size_t memory_size)
+              std::size_t state_size)
       : input_(input), schedule_(input.faces, target.faces(input.faces), budget.part_vertices()),
         part_faces_(budget.part_faces()), part_vertices_(budget.part_vertices()),
         is_limited_(target.is_limited()), target_(target.faces(input.faces)),
-        memory_size_(memory_size) {}
+        state_size_(state_size) {}
 
   double vertices_of(double faces) const {
     return input_.faces == 0
@@ -78,9 +78,9 @@ private:
   }
 
   // A compact patch of V vertices has 4 √V around it, which others have, too.
-  double bytes_of(double faces, std::size_t memory_size) const {
+  double bytes_of(double faces, std::size_t state_size) const {
     const double vertex =
-        static_cast<double>(sizeof(VertexRow) + input_.scalars * sizeof(double) + memory_size);
+        static_cast<double>(sizeof(VertexRow) + input_.scalars * sizeof(double) + state_size);
     const double face = static_cast<double>(sizeof(FaceRow)) + (input_.has_labels ? 4 : 0) +
                         (is_limited_ ? sizeof(FaceBound) : 0);
     return (vertices_of(faces) * vertex + faces * face) *
@@ -113,7 +113,7 @@ private:
       double left = (std::min)(all, static_cast<double>(schedule_.wanted(step, target_)));
       if (is_limited_)
         left = (std::max)(left, all / 2);
-      const double bytes = bytes_of(left, memory_size_);
+      const double bytes = bytes_of(left, state_size_);
       most = (std::max)({most, parts + samples + bytes, 2 * bytes});
       parts = bytes;
     }
@@ -128,7 +128,7 @@ private:
   std::uint64_t part_faces_, part_vertices_;
   bool is_limited_;
   std::uint64_t target_;
-  std::size_t memory_size_;
+  std::size_t state_size_;
 };
 
 /// In the file system where a path is, or will be; nothing where that is not known.

@@ -28,7 +28,7 @@ struct LoadedPart {
   std::vector<Vector<3>> positions;
   std::vector<bool> is_shared;
   std::vector<double> scalars; ///< of the vertices, one row after the other, or none
-  std::vector<char> memories;  ///< of `memory_size` bytes each; empty in the first phase
+  std::vector<char> states;    ///< of `state_size` bytes each; empty in the first phase
   std::vector<std::array<Index, 3>> triangles;
   std::vector<std::uint32_t> labels;         ///< of the triangles, or none
   std::vector<FaceBound> bounds;             ///< of the triangles, or none
@@ -36,11 +36,11 @@ struct LoadedPart {
 
   /// Reads part `part` of a phase. Throws for files that are not what was written.
   static LoadedPart read(const JobFolder& folder, const PhasePlan& plan, std::size_t part,
-                         std::size_t memory_size) {
+                         std::size_t state_size) {
     LoadedPart loaded;
     const PartFiles& files = plan.parts[part];
     loaded.take_vertices(read_rows<char>(folder.vertices(plan.phase, part), files.vertices),
-                         plan.input.ranges.low.size(), plan.phase > 1 ? memory_size : 0);
+                         plan.input.ranges.low.size(), plan.phase > 1 ? state_size : 0);
     const IdIndex index(loaded.ids);
     const auto path = folder.faces(plan.phase, part);
     loaded.triangles = read_rows<FaceRow>(path, files.faces);
@@ -63,9 +63,9 @@ struct LoadedPart {
 private:
   // A vertex that came from several parts comes once from each of them, with the same content.
   void take_vertices(const std::vector<char>& rows, std::size_t scalar_count,
-                     std::size_t memory_size) {
+                     std::size_t state_size) {
     const std::size_t scalars_size = scalar_count * sizeof(double);
-    const std::size_t row_size = sizeof(VertexRow) + scalars_size + memory_size;
+    const std::size_t row_size = sizeof(VertexRow) + scalars_size + state_size;
     const std::size_t count = rows.size() / row_size;
     const auto row = [&](std::size_t i) {
       VertexRow result;
@@ -89,8 +89,8 @@ private:
       scalars.resize(scalars.size() + scalar_count);
       if (scalar_count > 0)
         std::memcpy(scalars.data() + scalars.size() - scalar_count, behind, scalars_size);
-      const char* const memory = behind + scalars_size;
-      memories.insert(memories.end(), memory, memory + memory_size);
+      const char* const state = behind + scalars_size;
+      states.insert(states.end(), state, state + state_size);
     }
   }
 

@@ -18,16 +18,16 @@
 namespace quadrille::internal {
 
 /// Adds what a vertex remembers, as bytes, to what it remembers.
-using AddMemory = void (*)(void* total, const void* gained);
+using AddState = void (*)(void* total, const void* gained);
 
 /// What vertices remember that several parts have had: what they had been given, and what they have
 /// gained in each of them, in ascending order of parts, so that the sum has the same bits however
 /// the parts were run.
-class SharedMemories {
+class SharedStates {
 public:
-  SharedMemories(std::size_t size, AddMemory add_memory) : size_(size), add_(add_memory) {}
+  SharedStates(std::size_t size, AddState add_state) : size_(size), add_(add_state) {}
 
-  std::size_t size() const { return size_; } ///< of a memory, in bytes
+  std::size_t size() const { return size_; } ///< of a state, in bytes
 
   /// From parts in ascending order.
   void add(const Survivors& part) {
@@ -41,8 +41,8 @@ public:
         continue;
       const bool is_given = given < part.given.size() && part.given[given] == v;
       entries_.push_back({part.vertices[v].id, entries_.size(), is_given});
-      append(part.memories.data() + v * size_);
-      append(is_given ? part.given_memories.data() + given * size_ : zeros_.data());
+      append(part.states.data() + v * size_);
+      append(is_given ? part.given_states.data() + given * size_ : zeros_.data());
     }
   }
 
@@ -71,7 +71,7 @@ private:
     bool is_given;
   };
 
-  void append(const char* memory) { bytes_.insert(bytes_.end(), memory, memory + size_); }
+  void append(const char* state) { bytes_.insert(bytes_.end(), state, state + size_); }
   const char* gained(const Entry& e) const { return bytes_.data() + 2 * e.place * size_; }
 
   // All parts have been given the same, so that of the first is taken.
@@ -84,7 +84,7 @@ private:
   }
 
   std::size_t size_;
-  AddMemory add_;
+  AddState add_;
   std::vector<Entry> entries_;
   std::vector<char> bytes_; // of each entry, what it has gained, and what it had been given
   std::vector<char> zeros_ = std::vector<char>(size_);
@@ -98,9 +98,9 @@ private:
 class NextParts {
 public:
   NextParts(const JobFolder& folder, unsigned phase, std::vector<SurvivorsHeader> old_parts,
-            AddMemory add)
-      : folder_(folder), phase_(phase), old_(std::move(old_parts)),
-        memories_(memory_size(old_), add) {}
+            AddState add)
+      : folder_(folder), phase_(phase), old_(std::move(old_parts)), states_(state_size(old_), add) {
+  }
 
   /// Calls take(Survivors) for each of them, in ascending order.
   template <class Take>
@@ -131,9 +131,9 @@ public:
           take(v.position);
       });
     });
-    if (memories_.size() > 0)
-      for_survivors([&](const Survivors& part) { memories_.add(part); });
-    memories_.sum_up();
+    if (states_.size() > 0)
+      for_survivors([&](const Survivors& part) { states_.add(part); });
+    states_.sum_up();
     PartScatter scatter(folder_, phase_ + 1, cut.size(), ids, buffers,
                         has(&SurvivorsHeader::labels), has(&SurvivorsHeader::bounds));
     for_survivors([&](const Survivors& part) { give_faces(scatter, part, cut); });
@@ -149,10 +149,10 @@ private:
                        [&](const SurvivorsHeader& h) { return h.*count > 0; });
   }
 
-  static std::size_t memory_size(const std::vector<SurvivorsHeader>& parts) {
+  static std::size_t state_size(const std::vector<SurvivorsHeader>& parts) {
     std::uint64_t size = 0;
     for (const SurvivorsHeader& h : parts)
-      size = (std::max)(size, h.memory_size);
+      size = (std::max)(size, h.state_size);
     return static_cast<std::size_t>(size);
   }
 
@@ -195,14 +195,14 @@ private:
         requests.add({static_cast<VertexId>(places[i]), to});
     });
     requests.sort();
-    const std::size_t size = memories_.size();
+    const std::size_t size = states_.size();
     for (std::size_t v = 0; v < part.vertices.size(); ++v) {
       const VertexRow& row = part.vertices[v];
-      const char* const memory = size == 0            ? nullptr
-                                 : row.is_shared != 0 ? memories_.total(row.id)
-                                                      : part.memories.data() + v * size;
+      const char* const state = size == 0            ? nullptr
+                                : row.is_shared != 0 ? states_.total(row.id)
+                                                     : part.states.data() + v * size;
       requests.for_parts(static_cast<VertexId>(v), [&](PartNumber to) {
-        scatter.add_vertex(to, row, part.scalars_of(v), {memory, size});
+        scatter.add_vertex(to, row, part.scalars_of(v), {state, size});
       });
     }
   }
@@ -210,7 +210,7 @@ private:
   const JobFolder& folder_;
   unsigned phase_; // that is over
   std::vector<SurvivorsHeader> old_;
-  SharedMemories memories_;
+  SharedStates states_;
 };
 
 } // namespace quadrille::internal

@@ -68,12 +68,12 @@ public:
   template <class IsCancelled>
   bool simplify(const PartedJob& job, std::size_t part, const IsCancelled& is_cancelled) const {
     const PhasePlan& plan = job.plan();
-    auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::memory_size);
+    auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::state_size);
     const std::vector<VertexId> ids = std::move(loaded.ids);
     const std::vector<bool> is_shared = loaded.is_shared;
     const std::vector<std::uint32_t> labels = loaded.labels;
     const std::vector<double> scalars = std::move(loaded.scalars);
-    const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.memories;
+    const std::vector<char> given = plan.is_last ? std::vector<char>() : loaded.states;
     auto piece = Pieces::piece(std::move(loaded), plan.input.box, locks_boundary_);
     const double greatest_tolerance = take_tolerances(piece, job, scalars);
     const PieceChannels channels = job.channels(scalars);
@@ -94,7 +94,7 @@ public:
   std::vector<CostSample> samples(const PartedJob& job, std::size_t part, std::size_t pieces,
                                   const IsCancelled& is_cancelled) const {
     const PhasePlan& plan = job.plan();
-    auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::memory_size);
+    auto loaded = LoadedPart::read(job.folder(), plan, part, Pieces::state_size);
     const std::size_t vertices =
         std::max<std::size_t>(loaded.ids.size() / 16 / pieces, least_sample);
     if (vertices * pieces >= loaded.ids.size() / 2)
@@ -102,7 +102,7 @@ public:
     std::vector<CostSample> result;
     for (std::size_t i = 0; i < pieces; ++i)
       result.push_back(
-          sample(PartOfPart::of(loaded, vertices, i + part * 0x9E3779B1U, Pieces::memory_size), job,
+          sample(PartOfPart::of(loaded, vertices, i + part * 0x9E3779B1U, Pieces::state_size), job,
                  is_cancelled));
     return result;
   }

@@ -101,15 +101,15 @@ public:
       parts_[p].bounds = bounds[p];
   }
 
-  /// `scalars` are those of the vertex, `memory` the bytes of what it remembers.
+  /// `scalars` are those of the vertex, `state` the bytes of what it remembers.
   void add_vertex(PartNumber part, VertexRow row, std::span<const double> scalars,
-                  std::span<const char> memory) {
+                  std::span<const char> state) {
     row.is_shared = shared_.has(row.id) ? 1 : 0;
     vertices_.add(part, &row, sizeof(row));
     if (!scalars.empty())
       vertices_.add(part, scalars.data(), scalars.size_bytes());
-    if (!memory.empty())
-      vertices_.add(part, memory.data(), memory.size());
+    if (!state.empty())
+      vertices_.add(part, state.data(), state.size());
   }
 
   void end_vertices() {

@@ -147,7 +147,7 @@ public:
 
   /// Ends a phase of which all parts are done, and begins the next one; or, if it has left far too
   /// little, the same again, which leaves more. False if it was the last.
-  bool end_phase(AddMemory add) {
+  bool end_phase(AddState add) {
     NextParts next(folder_, plan_.phase, headers(), add);
     if (has_taken_too_much(next.faces()))
       return take_back(next.faces()), true;

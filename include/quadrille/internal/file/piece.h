@@ -4,7 +4,7 @@
 #include <quadrille/channels.h>
 #include <quadrille/internal/core/call/arguments.h>
 #include <quadrille/internal/core/call/run.h>
-#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/evaluation/cost_units.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/surface/box.h>
@@ -49,7 +49,7 @@ const PieceChannels* channels_among(const First& first, const Rest&... rest) {
 /// Asks for what is remembered, where that is anything.
 template <class Cost>
 struct PieceTeller {
-  static constexpr bool asks_for_memories = !std::is_empty_v<typename Cost::Memory>;
+  static constexpr bool asks_for_states = !std::is_empty_v<typename Cost::State>;
 };
 
 /// Simplifies a piece by itself, with any policies that `simplify` takes beside cost and placement,
@@ -61,15 +61,15 @@ struct PieceTeller {
 template <class Cost, class Placement, class... Arguments>
 PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Placement& placement,
                                  const Arguments&... arguments) {
-  using Memory = typename Cost::Memory;
+  using State = typename Cost::State;
   static_assert(
-      std::is_empty_v<Memory> || requires(Memory m) { m -= m; },
-      "quadrille: a cost that remembers anything needs a Memory with -= here");
+      std::is_empty_v<State> || requires(State m) { m -= m; },
+      "quadrille: a cost that remembers anything needs a State with -= here");
   PieceResult<Cost> result;
-  const GivenMemories<Memory> given{std::move(piece.memories), std::move(piece.has_memory)};
+  const GivenStates<State> given{std::move(piece.states), std::move(piece.has_state)};
   auto policies = pick_policies<NotGiven, NotGiven>(cost, placement, arguments...);
-  if (!given.memories.empty())
-    policies.optional.memories = &given;
+  if (!given.states.empty())
+    policies.optional.states = &given;
   policies.optional.costs = &result.costs;
   std::vector<FaceBound> bounds = std::move(piece.bounds);
   if (!bounds.empty() && bounds.size() != piece.triangles.size())

@@ -9,7 +9,7 @@
 #include <quadrille/internal/core/base/points.h>
 #include <quadrille/internal/core/base/read_surface.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/input/input_with_channels.h>
 #include <quadrille/internal/core/input/surface_input.h>
 #include <quadrille/internal/core/memory/array.h>
@@ -38,7 +38,7 @@ namespace quadrille::internal {
 template <class Cost>
 struct Piece {
   static constexpr std::size_t dimension = Cost::dimension;
-  using Memory = typename Cost::Memory;
+  using State = typename Cost::State;
 
   std::vector<Vector<dimension>> positions; ///< in the mesh's units; attributes of the cost behind
   std::vector<std::array<Index, 3>> triangles; ///< of positions
@@ -49,10 +49,10 @@ struct Piece {
   /// Of the whole surface, or larger: it decides about the units, and the weights of attributes.
   Box<dimension> box = {};
   /// What each position remembers, as PieceResult tells it, summed up over the pieces. Empty: all
-  /// memories are made of the faces of this piece. Of a cost that remembers nothing: empty.
-  std::vector<Memory> memories = {};
-  /// Of each position: is its memory there? Empty: all are, if any is.
-  std::vector<bool> has_memory = {};
+  /// states are made of the faces of this piece. Of a cost that remembers nothing: empty.
+  std::vector<State> states = {};
+  /// Of each position: is its state there? Empty: all are, if any is.
+  std::vector<bool> has_state = {};
   /// Of each triangle, as PieceResult tells it, where the stop policy asks for distances; empty:
   /// all are of the input.
   std::vector<FaceBound> bounds = {};
@@ -93,9 +93,9 @@ struct PieceResult {
   std::vector<Index> faces;                       ///< which triangle of the piece each of them was
   std::vector<FaceBound> bounds; ///< of `triangles`; empty if the stop policy asks for no distances
   /// What each position remembers, in the engine's units, about the position. Of a shared vertex
-  /// that had been given a memory: what has been added to that. So what a shared vertex remembers
+  /// that had been given a state: what has been added to that. So what a shared vertex remembers
   /// then is what it was given, plus the sum over all pieces. Empty if the cost remembers nothing.
-  std::vector<typename Cost::Memory> memories;
+  std::vector<typename Cost::State> states;
   /// Of each channel its values, by position; those of fixed vertices bit by bit.
   std::vector<std::vector<double>> channels;
   CostHistogram costs; ///< of the contractions, by keys in the engine's unit
@@ -108,11 +108,11 @@ class PieceAdapter {
 public:
   static constexpr std::size_t dimension = Cost::dimension;
   using Input = InputOf<dimension, has_channels>;
-  using Memory = typename Cost::Memory;
+  using State = typename Cost::State;
 
-  /// `given` are the memories of the piece, `channels` are what it carries; null if it has none.
-  PieceAdapter(Piece<Cost>& piece, const GivenMemories<Memory>& given,
-               const PieceChannels* channels, PieceResult<Cost>& result, Workspace& workspace)
+  /// `given` are the states of the piece, `channels` are what it carries; null if it has none.
+  PieceAdapter(Piece<Cost>& piece, const GivenStates<State>& given, const PieceChannels* channels,
+               PieceResult<Cost>& result, Workspace& workspace)
       : workspace_(&workspace), piece_(piece), given_(given), channels_(channels), result_(result) {
   }
 
@@ -160,8 +160,8 @@ public:
     for (Index v : vertices) {
       result_.positions.push_back(position(result, v, inputs[v]));
       result_.vertices.push_back(inputs[v]);
-      if constexpr (Tell::asks_for_memories)
-        result_.memories.push_back(gained(result.memory(v), inputs[v]));
+      if constexpr (Tell::asks_for_states)
+        result_.states.push_back(gained(result.state(v), inputs[v]));
     }
     if constexpr (has_channels)
       write_channels(result, vertices);
@@ -184,8 +184,8 @@ private:
     };
     require("values of is_shared", piece_.is_shared, points);
     require("values of is_fixed", piece_.is_fixed, points);
-    require("values of has_memory", given_.is_given, points);
-    require("memories", given_.memories, points);
+    require("values of has_state", given_.is_given, points);
+    require("states", given_.states, points);
     require("tolerances", piece_.tolerances, points);
     require("labels", piece_.labels, piece_.triangles.size());
     for (const auto& edge : piece_.borders)
@@ -251,15 +251,15 @@ private:
     piece_.labels = {};
   }
 
-  Memory gained(Memory memory, Index vertex) const {
+  State gained(State state, Index vertex) const {
     if (given_.has(vertex) && !piece_.is_shared.empty() && piece_.is_shared[vertex])
-      memory -= given_.memories[vertex];
-    return memory;
+      state -= given_.states[vertex];
+    return state;
   }
 
   Workspace* workspace_;
   Piece<Cost>& piece_;
-  const GivenMemories<Memory>& given_;
+  const GivenStates<State>& given_;
   const PieceChannels* channels_;
   PieceResult<Cost>& result_;
 };

@@ -46,11 +46,11 @@ inline std::vector<bool> boundary_vertices(const LoadedPart& part) {
 /// Between parts as files have them and pieces as the engine has them.
 template <class Cost>
 struct PieceOfPart {
-  using Memory = typename Cost::Memory;
-  static constexpr bool has_memory = !std::is_empty_v<Memory>;
-  static constexpr std::size_t memory_size = has_memory ? sizeof(Memory) : 0;
+  using State = typename Cost::State;
+  static constexpr bool has_state = !std::is_empty_v<State>;
+  static constexpr std::size_t state_size = has_state ? sizeof(State) : 0;
   static_assert(Cost::dimension == 3, "quadrille: a file is simplified with a cost in space");
-  static_assert(std::is_trivially_copyable_v<Memory>,
+  static_assert(std::is_trivially_copyable_v<State>,
                 "quadrille: what a vertex remembers is written to files, so it has to be bytes");
   static_assert(!asks_for_indices<Cost> && !RemembersByIndex<Cost>,
                 "quadrille: each part of a file counts its vertices anew: a cost that asks for "
@@ -80,15 +80,15 @@ struct PieceOfPart {
     piece.labels = std::move(part.labels);
     piece.bounds = std::move(part.bounds);
     piece.box = box(of_file);
-    if constexpr (has_memory) {
-      piece.memories.resize(part.memories.size() / memory_size);
-      std::copy(part.memories.begin(), part.memories.end(),
-                reinterpret_cast<char*>(piece.memories.data()));
+    if constexpr (has_state) {
+      piece.states.resize(part.states.size() / state_size);
+      std::copy(part.states.begin(), part.states.end(),
+                reinterpret_cast<char*>(piece.states.data()));
     }
     return piece;
   }
 
-  /// By the numbers of the input. `given` are memories of the part, if it had any.
+  /// By the numbers of the input. `given` are states of the part, if it had any.
   static Survivors survivors(PieceResult<Cost>& result, const std::vector<VertexId>& ids,
                              const std::vector<bool>& is_shared, const std::vector<char>& given,
                              const std::vector<std::uint32_t>& labels) {
@@ -97,11 +97,11 @@ struct PieceOfPart {
     for (std::size_t i = 0; i < result.positions.size(); ++i) {
       const Index v = result.vertices[i];
       s.vertices.push_back({ids[v], is_shared[v] ? 1U : 0U, result.positions[i]});
-      if (has_memory && is_shared[v] && !given.empty()) {
+      if (has_state && is_shared[v] && !given.empty()) {
         s.given.push_back(i);
-        const auto from = given.begin() + static_cast<std::ptrdiff_t>(v * memory_size);
-        s.given_memories.insert(s.given_memories.end(), from,
-                                from + static_cast<std::ptrdiff_t>(memory_size));
+        const auto from = given.begin() + static_cast<std::ptrdiff_t>(v * state_size);
+        s.given_states.insert(s.given_states.end(), from,
+                              from + static_cast<std::ptrdiff_t>(state_size));
       }
     }
     s.faces.reserve(result.triangles.size());
@@ -111,22 +111,22 @@ struct PieceOfPart {
       for (const Index face : result.faces)
         s.labels.push_back(labels[face]);
     s.bounds = std::move(result.bounds);
-    if constexpr (has_memory) {
-      s.memories.resize(result.memories.size() * memory_size);
-      const char* const bytes = reinterpret_cast<const char*>(result.memories.data());
-      std::copy(bytes, bytes + s.memories.size(), s.memories.begin());
+    if constexpr (has_state) {
+      s.states.resize(result.states.size() * state_size);
+      const char* const bytes = reinterpret_cast<const char*>(result.states.data());
+      std::copy(bytes, bytes + s.states.size(), s.states.begin());
     }
     return s;
   }
 
-  static AddMemory add_memory() {
-    if constexpr (has_memory)
+  static AddState add_state() {
+    if constexpr (has_state)
       return [](void* total, const void* gained) {
-        Memory sum, more;
-        std::memcpy(&sum, total, sizeof(Memory));
-        std::memcpy(&more, gained, sizeof(Memory));
+        State sum, more;
+        std::memcpy(&sum, total, sizeof(State));
+        std::memcpy(&more, gained, sizeof(State));
         sum += more;
-        std::memcpy(total, &sum, sizeof(Memory));
+        std::memcpy(total, &sum, sizeof(State));
       };
     else
       return nullptr;

@@ -56,18 +56,18 @@ struct SurvivorsHeader {
   std::uint64_t key = 0; ///< of the job
   std::uint64_t phase = 0, part = 0;
   std::uint64_t vertices = 0, faces = 0;
-  std::uint64_t scalars = 0;     ///< of a vertex, behind the vertices
-  std::uint64_t memory_size = 0; ///< of a vertex, in bytes, behind the faces
-  std::uint64_t labels = 0;      ///< one for each face, or none
-  std::uint64_t bounds = 0;      ///< one for each face, or none
-  std::uint64_t given = 0;       ///< vertices whose memory before the phase is told, behind that
-  std::uint64_t checksum = 0;    ///< of all that follows
+  std::uint64_t scalars = 0;    ///< of a vertex, behind the vertices
+  std::uint64_t state_size = 0; ///< of a vertex, in bytes, behind the faces
+  std::uint64_t labels = 0;     ///< one for each face, or none
+  std::uint64_t bounds = 0;     ///< one for each face, or none
+  std::uint64_t given = 0;      ///< vertices whose state before the phase is stored, behind that
+  std::uint64_t checksum = 0;   ///< of all that follows
   PartTally tally = {};
 
   std::uint64_t content_size() const {
-    return vertices * (sizeof(VertexRow) + scalars * sizeof(double) + memory_size) +
+    return vertices * (sizeof(VertexRow) + scalars * sizeof(double) + state_size) +
            faces * sizeof(FaceRow) + labels * sizeof(std::uint32_t) + bounds * sizeof(FaceBound) +
-           given * (sizeof(std::uint64_t) + memory_size);
+           given * (sizeof(std::uint64_t) + state_size);
   }
 };
 static_assert(std::is_trivially_copyable_v<SurvivorsHeader>);
@@ -75,16 +75,16 @@ static_assert(std::is_trivially_copyable_v<SurvivorsHeader>);
 /// What is left of a part, by the numbers of the input: vertices in ascending order, their scalars,
 /// then faces.
 /// Memories are bytes: those of each vertex, then pairs of a place among the vertices and the
-/// memory that it had been given.
+/// state that it had been given.
 struct Survivors {
   std::vector<VertexRow> vertices;
   std::vector<FaceRow> faces;
   std::vector<double> scalars = {};       ///< of the vertices, or none
   std::vector<std::uint32_t> labels = {}; ///< of the faces, or none
   std::vector<FaceBound> bounds = {};     ///< of the faces, or none
-  std::vector<char> memories = {};
+  std::vector<char> states = {};
   std::vector<std::uint64_t> given = {};
-  std::vector<char> given_memories = {};
+  std::vector<char> given_states = {};
 
   /// Those of one vertex.
   std::span<const double> scalars_of(std::size_t vertex) const {
@@ -100,7 +100,7 @@ struct Survivors {
     header.bounds = bounds.size();
     header.given = given.size();
     header.scalars = vertices.empty() ? 0 : scalars.size() / vertices.size();
-    header.memory_size = vertices.empty() ? 0 : memories.size() / vertices.size();
+    header.state_size = vertices.empty() ? 0 : states.size() / vertices.size();
     Checksum checksum;
     for_content([&](const void* bytes, std::size_t size) { checksum.add(bytes, size); });
     header.checksum = checksum.value();
@@ -119,9 +119,9 @@ struct Survivors {
     s.scalars.resize(static_cast<std::size_t>(header.vertices * header.scalars));
     s.labels.resize(static_cast<std::size_t>(header.labels));
     s.bounds.resize(static_cast<std::size_t>(header.bounds));
-    s.memories.resize(static_cast<std::size_t>(header.vertices * header.memory_size));
+    s.states.resize(static_cast<std::size_t>(header.vertices * header.state_size));
     s.given.resize(static_cast<std::size_t>(header.given));
-    s.given_memories.resize(static_cast<std::size_t>(header.given * header.memory_size));
+    s.given_states.resize(static_cast<std::size_t>(header.given * header.state_size));
     Checksum checksum;
     std::uint64_t offset = sizeof(header);
     s.for_content([&](void* bytes, std::size_t size) {
@@ -160,9 +160,9 @@ private:
     visit(s.faces.data(), s.faces.size() * sizeof(FaceRow));
     visit(s.labels.data(), s.labels.size() * sizeof(std::uint32_t));
     visit(s.bounds.data(), s.bounds.size() * sizeof(FaceBound));
-    visit(s.memories.data(), s.memories.size());
+    visit(s.states.data(), s.states.size());
     visit(s.given.data(), s.given.size() * sizeof(std::uint64_t));
-    visit(s.given_memories.data(), s.given_memories.size());
+    visit(s.given_states.data(), s.given_states.size());
   }
   template <class Visit>
   void for_content(Visit visit) const {

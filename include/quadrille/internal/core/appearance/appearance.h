@@ -6,7 +6,7 @@
 #include <quadrille/internal/core/appearance/seam_graph.h>
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
-#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/surface/geometry.h>
@@ -29,9 +29,9 @@ public:
   using Seams = SeamGraph<typename Channels::Seams>;
 
   Appearance(const Policies& policies, TriangleComplex& complex,
-             Geometry<Cost::dimension>& geometry, VertexMemories<Cost>& memories)
-      : policies_(policies), complex_(complex), geometry_(geometry), memories_(memories),
-        channels_(complex, geometry, memories) {}
+             Geometry<Cost::dimension>& geometry, VertexStates<Cost>& states)
+      : policies_(policies), complex_(complex), geometry_(geometry), states_(states),
+        channels_(complex, geometry, states) {}
 
   const Channels& channels() const { return channels_; }
   Channels& channels() { return channels_; }
@@ -66,8 +66,8 @@ public:
     });
     if constexpr (has_channels)
       channels_.hold_borders(seams_.labels(), !seams_.is_empty());
-    memories_.remember_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
-                               complex_, edges);
+    states_.remember_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
+                             complex_, edges);
   }
 
   auto take_channels() { return channels_.take(); }
@@ -78,7 +78,7 @@ private:
   const Policies& policies_;
   TriangleComplex& complex_;
   Geometry<Cost::dimension>& geometry_;
-  VertexMemories<Cost>& memories_;
+  VertexStates<Cost>& states_;
   QUADRILLE_NO_UNIQUE_ADDRESS Channels channels_;
   Seams seams_;
 };

@@ -58,13 +58,14 @@ inline constexpr bool is_recorder = false;
 template <class R>
 inline constexpr bool is_recorder<RecordInto<R>> = true;
 
-/// Is a type meant to be a cost? Nothing else has these members.
+/// Is a type meant to be a cost? Nothing else has a dimension, or a state and a function `face`.
 template <class T>
 concept LooksLikeCost = requires {
-  typename T::Memory;
-}
-|| requires {
   T::dimension;
+}
+|| requires(const T cost, const Vector<3> p) {
+  typename T::State;
+  cost.face(p, p, p);
 };
 
 /// Is a type meant to be a placement? What it gives for a pair is something, if not a position.

@@ -67,7 +67,7 @@ void check_tolerances(const Input& input, const StopRule& stop, bool have_faces)
 template <class Policies>
 std::optional<typename ResultOf<Policies>::Finished>
 contract_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
-               const Policies& policies, bool keeps_memories, Report& report, StopWatch& watch) {
+               const Policies& policies, bool keeps_states, Report& report, StopWatch& watch) {
   check_tolerances(input, policies.stop, policies.optional.greatest_tolerance.has_value());
   const auto own_box = input.box();
   const auto box = box_of_units(input, own_box);
@@ -84,17 +84,18 @@ contract_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
     return std::nullopt;
   if (surface.run().recording())
     surface.run().recording()->end(report.stop);
-  return std::move(surface).finish(keeps_memories, report);
+  return std::move(surface).finish(keeps_states, report);
 }
 
 /// The engine: what is left of a surface; nothing if the visitor cancels before the first
 /// contraction. It does not know the mesh: where it has been instantiated for a cost and a
-/// placement, calls with these compile no more than adapters (see <quadrille/internal/core/call/compiled_engines.h>).
+/// placement, calls with these compile no more than adapters (see
+/// <quadrille/internal/core/call/compiled_engines.h>).
 template <class Policies>
 std::optional<ResultOf<Policies>>
 simplify_input(InputOf<Policies::Cost::dimension, Policies::has_channels> input,
-               const Policies& policies, bool keeps_memories, Report& report, StopWatch& watch) {
-  auto finished = contract_input(std::move(input), policies, keeps_memories, report, watch);
+               const Policies& policies, bool keeps_states, Report& report, StopWatch& watch) {
+  auto finished = contract_input(std::move(input), policies, keeps_states, report, watch);
   report.seconds.contract = watch.lap();
   if (!finished)
     return std::nullopt;

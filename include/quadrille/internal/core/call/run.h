@@ -68,7 +68,7 @@ Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell
     return untouched(report);
 
   const auto result =
-      simplify_input(std::move(input), policies, Tell::asks_for_memories, report, watch);
+      simplify_input(std::move(input), policies, Tell::asks_for_states, report, watch);
   if (!result)
     return untouched(report);
   report.duplicated_vertices = adapter.write(*result, tell);

@@ -19,7 +19,7 @@ namespace quadrille::internal {
 template <class QuadricMap, class ImageMap, class Duplicates>
 class Teller {
 public:
-  static constexpr bool asks_for_memories = is_given<QuadricMap>;
+  static constexpr bool asks_for_states = is_given<QuadricMap>;
   static constexpr bool asks_for_images = is_given<ImageMap>;
 
   Teller(QuadricMap quadrics, ImageMap images, Duplicates duplicates)

@@ -18,7 +18,7 @@ struct FinishedSurface {
   TriangleComplex complex;
   Array<Vector<Cost::dimension>> positions;
   Array<unsigned char> is_moved;
-  UninitializedArray<typename Cost::Memory> memories; ///< if they were asked for
+  UninitializedArray<typename Cost::State> states; ///< if they were asked for
   Numbering numbering;
   QUADRILLE_NO_UNIQUE_ADDRESS ChannelsLeft channels;
 };

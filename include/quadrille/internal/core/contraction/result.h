@@ -83,15 +83,15 @@ public:
     return surface_.channels.origin(complex(), c, wedge);
   }
 
-  /// What a vertex remembers, in the engine's units, about the vertex; if memories are kept.
-  const typename Cost::Memory& memory(Index v) const { return surface_.memories[vertices_[v]]; }
+  /// What a vertex remembers, in the engine's units, about the vertex; if states are kept.
+  const typename Cost::State& state(Index v) const { return surface_.states[vertices_[v]]; }
 
   /// As vertex_quadric_map tells it.
   auto mean_quadric(Index v) const {
-    static_assert(std::same_as<typename Cost::Memory, QuadricForm<Cost::dimension>>,
+    static_assert(std::same_as<typename Cost::State, QuadricForm<Cost::dimension>>,
                   "vertex_quadric_map needs a cost that remembers a QuadricForm: use Quadric or an "
                   "AttributeQuadric.");
-    return surface_.scale.mean_of_mesh(surface_.memories[vertices_[v]]);
+    return surface_.scale.mean_of_mesh(surface_.states[vertices_[v]]);
   }
 
 private:

@@ -53,8 +53,8 @@ public:
     if (!progress().proceed())
       return;
     remember();
-    if (policies.optional.memories)
-      state_.memories.take_given(*policies.optional.memories, state_.numbering.vertices);
+    if (policies.optional.states)
+      state_.states.take_given(*policies.optional.states, state_.numbering.vertices);
     QUADRILLE_ASSERT(have_rows(followers(*this), complex().vertex_capacity()));
     if (run_.recording())
       run_.recording()->begin();
@@ -153,9 +153,9 @@ public:
     }
   }
 
-  /// What has become of the surface, which is gone then; with memories, if that is asked for. Tells
+  /// What has become of the surface, which is gone then; with states, if that is asked for. Tells
   /// the report the rest, and the visitor that this is the end.
-  FinishedSurface<Cost, ChannelsLeftOf<Policies>> finish(bool keeps_memories, Report& report) && {
+  FinishedSurface<Cost, ChannelsLeftOf<Policies>> finish(bool keeps_states, Report& report) && {
     progress().tell(report);
     if (policies().stop.needs().distance)
       distances_->tell(report, progress().has_all_points());
@@ -170,7 +170,7 @@ public:
             std::move(state_.complex),
             state_.geometry.take_positions(),
             state_.moved.take(),
-            keeps_memories ? state_.memories.take() : UninitializedArray<typename Cost::Memory>(),
+            keeps_states ? state_.states.take() : UninitializedArray<typename Cost::State>(),
             std::move(state_.numbering),
             std::move(channels)};
   }

@@ -71,7 +71,7 @@ public:
   /// Asks for what costs of pairs read of a vertex.
   QUADRILLE_ALWAYS_INLINE void prefetch_pair(Index v) const {
     geometry().prefetch(v);
-    prefetch_columns(state_.memories, v);
+    prefetch_columns(state_.states, v);
     prefetch_columns(terms_, v);
     if constexpr (counts_channels)
       state_.channels().prefetch(v);
@@ -225,7 +225,7 @@ private:
   Pair view(Index a, Index b) const {
     const Position &p = geometry().position(a), &q = geometry().position(b);
     Pair pair{
-        names_.of_cost(a, b), p, q, sum_about_first(state_.memories[a], state_.memories[b], q - p),
+        names_.of_cost(a, b), p, q, sum_about_first(state_.states[a], state_.states[b], q - p),
         static_cast<double>((std::max)(geometry().squared_reach(a), geometry().squared_reach(b)))};
     if constexpr (has_local_terms<Cost>)
       pair.current =

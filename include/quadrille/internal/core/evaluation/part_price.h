@@ -76,9 +76,9 @@ private:
                       {},
                       squared_distance(space(first), space(second))};
     for (Index v : vertices) {
-      typename Cost::Memory memory = evaluator_.state().memories[v];
-      move_origin(memory, first - position(v));
-      pair.memory += memory;
+      typename Cost::State state = evaluator_.state().states[v];
+      move_origin(state, first - position(v));
+      pair.state += state;
     }
     if constexpr (has_local_terms<Cost>) {
       typename Cost::Current sum{};

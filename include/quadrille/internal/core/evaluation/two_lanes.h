@@ -36,9 +36,9 @@ inline constexpr bool
 
 /// Does a cost of that kind count losses of remembered planes, as ThinFeatureQuadric does?
 template <class Cost>
-concept CountsLosses = requires(const Cost& cost, const typename Cost::Memory& memory,
+concept CountsLosses = requires(const Cost& cost, const typename Cost::State& state,
                                 const Lanes& lanes) {
-  { memory.planes } -> std::convertible_to<const QuadricForm<3>&>;
+  { state.planes } -> std::convertible_to<const QuadricForm<3>&>;
   { cost.loss(lanes, lanes) } -> std::convertible_to<Lanes>;
 };
 
@@ -70,14 +70,14 @@ public:
 
   /// The last pair is taken alone twice, if need be: there is room for one key more.
   void evaluate_all(const AppendBuffer<VertexPair>& pairs, float* keys, VertexLabels&) const {
-    const auto& memories = evaluator_.state().memories;
+    const auto& states = evaluator_.state().states;
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
       const TwoPairs two = {pairs[i], pairs[(std::min)(i + 1, pairs.size() - 1)]};
       const auto& [p, q] = two;
       const std::array<Vector<3>, 2> to_seconds = ways(two);
-      const Lanes values = least_values({&memories[p.first], &memories[q.first]},
-                                        {&memories[p.second], &memories[q.second]}, to_seconds,
-                                        squared_reaches(two), channel_forms(two, to_seconds));
+      const Lanes values =
+          least_values({&states[p.first], &states[q.first]}, {&states[p.second], &states[q.second]},
+                       to_seconds, squared_reaches(two), channel_forms(two, to_seconds));
       write(two, values, keys + i);
     }
     rewrite_fixed(pairs, keys);
@@ -138,7 +138,7 @@ private:
   Lanes losses(const TwoPairs& two, const LaneVector& minimizers) const {
     const auto& [p, q] = two;
     const auto planes = [&](Index v) -> const auto& {
-      return evaluator_.state().memories[v].planes;
+      return evaluator_.state().states[v].planes;
     };
     const Lanes trace =
         planes(p.first).trace() + Lanes{planes(p.second).trace(), planes(q.second).trace()};

@@ -149,8 +149,8 @@ template <class Policies>
 struct DistanceNeeds;
 template <class Policies, bool both_ways>
 std::unique_ptr<MeasuredDistances<Policies>> make_distances(const DistanceNeeds<Policies>& needs);
-template <class Memory>
-struct GivenMemories;
+template <class State>
+struct GivenStates;
 struct FaceBound;
 class CostHistogram;
 
@@ -169,7 +169,7 @@ struct OptionalParts {
   std::unique_ptr<MeasuredDistances<Policies>> (*make_distances)(const DistanceNeeds<Policies>&) =
       nullptr;
   /// What vertices remember at the beginning instead of what their faces leave, if that is given.
-  const GivenMemories<typename Policies::Cost::Memory>* memories = nullptr;
+  const GivenStates<typename Policies::Cost::State>* states = nullptr;
   /// How far each input face is from the input of all pieces, at the beginning and then at the end;
   /// where a stop policy asks for distances.
   std::vector<FaceBound>* bounds = nullptr;

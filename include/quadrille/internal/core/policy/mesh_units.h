@@ -36,9 +36,9 @@ struct RememberedInMeshUnits {
 template <class Cost>
 requires(!is_scale_free<Cost>) struct RememberedInMeshUnits<Cost> {
   explicit RememberedInMeshUnits(const PairOf<Cost>& pair)
-      : memory(pair.memory), current(pair.current) {}
+      : state(pair.state), current(pair.current) {}
 
-  const typename Cost::Memory& memory;
+  const typename Cost::State& state;
   const typename PairCurrentOf<Cost>::type& current;
 };
 

@@ -22,8 +22,8 @@ inline constexpr bool asks_for_indices = requires {
 
 /// Does a cost let vertices remember something that it knows by their indices in the input?
 template <class Cost>
-concept RemembersByIndex = requires(const Cost& cost, typename Cost::Memory memory) {
-  memory += cost.input_vertex(std::size_t{});
+concept RemembersByIndex = requires(const Cost& cost, typename Cost::State state) {
+  state += cost.input_vertex(std::size_t{});
 };
 
 struct NoIndices {};
@@ -139,9 +139,9 @@ struct PairCurrentOf<Cost> {
 template <class Cost>
 struct PairOf : IndicesFor<Cost> {
   Vector<Cost::dimension> first, second;
-  typename Cost::Memory memory; ///< of both ends, about `first`
-  double squared_reach = 0;     ///< of the distance from an end to its farthest neighbour, as each
-                                ///< end had it when it took its place
+  typename Cost::State state; ///< of both ends, about `first`
+  double squared_reach = 0;   ///< of the distance from an end to its farthest neighbour, as each
+                              ///< end had it when it took its place
   QUADRILLE_NO_UNIQUE_ADDRESS
   typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
 };
@@ -163,21 +163,21 @@ struct Carried {
   Channels channels;
 };
 
-/// Expresses what is remembered about the point d, where the cost keeps its memory about its
+/// Expresses what is remembered about the point d, where the cost keeps its state about its
 /// vertex.
-template <class Memory, std::size_t N>
-void move_origin(Memory& memory, const Vector<N>& d) {
-  if constexpr (requires { memory.move_origin(d); })
-    memory.move_origin(d);
+template <class State, std::size_t N>
+void move_origin(State& state, const Vector<N>& d) {
+  if constexpr (requires { state.move_origin(d); })
+    state.move_origin(d);
 }
 
 /// What two vertices remember, about the first: the second is at d from it.
-template <class Memory, std::size_t N>
-Memory sum_about_first(const Memory& first, const Memory& second, const Vector<N>& d) {
-  if constexpr (requires { Memory::sum_about_first(first, second, d); }) {
-    return Memory::sum_about_first(first, second, d);
+template <class State, std::size_t N>
+State sum_about_first(const State& first, const State& second, const Vector<N>& d) {
+  if constexpr (requires { State::sum_about_first(first, second, d); }) {
+    return State::sum_about_first(first, second, d);
   } else {
-    Memory sum = second;
+    State sum = second;
     move_origin(sum, -1.0 * d);
     sum += first;
     return sum;

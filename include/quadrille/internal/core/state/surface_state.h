@@ -9,7 +9,7 @@
 #include <quadrille/internal/core/complex/topology_count.h>
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/cost/vertex_importance.h>
-#include <quadrille/internal/core/cost/vertex_memories.h>
+#include <quadrille/internal/core/cost/vertex_states.h>
 #include <quadrille/internal/core/input/surface_input.h>
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/memory/columns.h>
@@ -159,9 +159,9 @@ struct SurfaceState {
         geometry(complex, scale.scaled(std::move(input.positions)), std::move(input.is_fixed),
                  policies.threads),
         shared(std::move(input.is_shared), std::move(input.borders), numbering),
-        moved(geometry, complex.workspace()), memories(complex.workspace()),
+        moved(geometry, complex.workspace()), states(complex.workspace()),
         importance(relative_importances(input.importances)),
-        appearance(policies, complex, geometry, memories) {
+        appearance(policies, complex, geometry, states) {
     if (!is_topology_kept || input.has_duplicate_faces)
       settle_doubled_faces(complex, numbering.faces, input, scratch().tally, policies.threads);
     if (policies.topology == Topology::parts_may_vanish) {
@@ -196,10 +196,10 @@ struct SurfaceState {
   /// Vertices remember the surface as it is now.
   void remember() {
     const auto is_interior = [this](Index v) { return link_condition.is_interior(v); };
-    memories.remember(with_engine_lengths(policies.cost, scale), geometry.positions(), complex,
-                      scratch().labels, creases.left(numbering), shared, is_interior,
-                      policies.threads);
-    memories.remember_input(policies.cost, numbering);
+    states.remember(with_engine_lengths(policies.cost, scale), geometry.positions(), complex,
+                    scratch().labels, creases.left(numbering), shared, is_interior,
+                    policies.threads);
+    states.remember_input(policies.cost, numbering);
     appearance.remember();
   }
 
@@ -212,7 +212,7 @@ struct SurfaceState {
     numbering.merge(event.kept, event.gone);
     moved.contract(event); // looks at the old place
     geometry.contract(event);
-    memories.contract(event);
+    states.contract(event);
     link_condition.merge(event.kept, event.gone);
     appearance.seams().merge(event.kept, event.gone);
     importance.merge(event.kept, event.gone);
@@ -232,7 +232,7 @@ struct SurfaceState {
   /// The members with columns, to be packed, prefetched and counted: see columns.h.
   static auto columns(auto& self) {
     return std::tie(self.appearance.channels(), self.appearance.seams(), self.numbering, self.moved,
-                    self.memories, self.geometry, self.shared, self.link_condition, self.importance,
+                    self.states, self.geometry, self.shared, self.link_condition, self.importance,
                     self.parts);
   }
 
@@ -250,7 +250,7 @@ struct SurfaceState {
   MovedVertices<dimension> moved;
   Parts<dimension> parts; // none before they are measured
   InputParts input_parts; // none where topology is kept
-  VertexMemories<Cost> memories;
+  VertexStates<Cost> states;
   VertexImportance importance;
   Appearance<Policies> appearance;
 

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_COST_VERTEX_MEMORIES_H
-#define QUADRILLE_INTERNAL_CORE_COST_VERTEX_MEMORIES_H
+#ifndef QUADRILLE_INTERNAL_CORE_COST_VERTEX_STATES_H
+#define QUADRILLE_INTERNAL_CORE_COST_VERTEX_STATES_H
 
 #include <quadrille/internal/core/base/ranges.h>
 #include <quadrille/internal/core/complex/edge_star.h>
@@ -26,38 +26,38 @@ namespace quadrille::internal {
 
 /// What each vertex remembers at the beginning: its faces, itself, its boundary edges, its creases.
 template <class Cost>
-class InitialMemories {
+class InitialStates {
 public:
-  using Memory = typename Cost::Memory;
+  using State = typename Cost::State;
   using Position = Vector<Cost::dimension>;
   using Edge = std::array<Index, 2>;
 
   /// is_interior(v) tells of vertices that have no boundary edge for certain.
   template <class IsInterior>
-  static void compute(UninitializedArray<Memory>& result, const Cost& cost,
+  static void compute(UninitializedArray<State>& result, const Cost& cost,
                       const Array<Position>& positions, TriangleComplex& complex,
                       VertexLabels& labels, const std::vector<Edge>& creases,
                       const SharedVertices& shared, IsInterior is_interior, Threads threads) {
     result.resize(positions.size());
-    InitialMemories memories(cost, positions, complex, result);
+    InitialStates states(cost, positions, complex, result);
     for_each_range(threads, positions.size(), [&](const auto& range, std::size_t) {
-      std::fill(result.begin() + range.begin, result.begin() + range.end, Memory{});
-      memories.add_faces(range);
-      memories.add_vertices(range);
+      std::fill(result.begin() + range.begin, result.begin() + range.end, State{});
+      states.add_faces(range);
+      states.add_vertices(range);
     });
     if constexpr (has_boundaries || has_creases)
-      memories.add_edges(labels, shared, is_interior);
+      states.add_edges(labels, shared, is_interior);
     add_creases(result, cost, positions, complex, creases);
   }
 
   /// Adds what creases leave, for a cost that knows them.
-  static void add_creases(UninitializedArray<Memory>& result, const Cost& cost,
+  static void add_creases(UninitializedArray<State>& result, const Cost& cost,
                           const Array<Position>& positions, TriangleComplex& complex,
                           const std::vector<Edge>& creases) {
-    InitialMemories memories(cost, positions, complex, result);
+    InitialStates states(cost, positions, complex, result);
     if constexpr (has_creases)
       for (const auto& [v, w] : creases)
-        memories.add_crease(v, w);
+        states.add_crease(v, w);
   }
 
 private:
@@ -68,14 +68,14 @@ private:
     c.crease(p, p, p);
     c.crease_degrees;
   };
-  static constexpr bool may_have_vertex_terms = requires(const Cost c, const Memory m) {
+  static constexpr bool may_have_vertex_terms = requires(const Cost c, const State m) {
     c.vertex(m, Vector<3>{});
     { c.has_vertex_terms() } -> std::convertible_to<bool>;
   };
 
-  InitialMemories(const Cost& cost, const Array<Position>& positions, TriangleComplex& complex,
-                  UninitializedArray<Memory>& memories)
-      : cost_(cost), positions_(positions), complex_(complex), memories_(memories) {}
+  InitialStates(const Cost& cost, const Array<Position>& positions, TriangleComplex& complex,
+                UninitializedArray<State>& states)
+      : cost_(cost), positions_(positions), complex_(complex), states_(states) {}
 
   // To the vertices of a range.
   template <class R>
@@ -88,17 +88,17 @@ private:
   void add_face(const TriangleComplex::Triangle& corners, const R& range) {
     const auto [p, q, r] = corners;
     if constexpr (requires { requires Cost::face_is_alike_at_corners; }) {
-      const Memory memory = cost_.face(positions_[p], positions_[q], positions_[r]);
+      const State state = cost_.face(positions_[p], positions_[q], positions_[r]);
       for (Index v : corners)
         if (range.contains(v))
-          memories_[v] += memory;
+          states_[v] += state;
     } else {
       if (range.contains(p))
-        memories_[p] += cost_.face(positions_[p], positions_[q], positions_[r]);
+        states_[p] += cost_.face(positions_[p], positions_[q], positions_[r]);
       if (range.contains(q))
-        memories_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
+        states_[q] += cost_.face(positions_[q], positions_[r], positions_[p]);
       if (range.contains(r))
-        memories_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
+        states_[r] += cost_.face(positions_[r], positions_[p], positions_[q]);
     }
   }
 
@@ -117,7 +117,7 @@ private:
             normals[v - range.begin] += normal;
       });
       for (Index v = range.begin; v < range.end; ++v)
-        memories_[v] += cost_.vertex(memories_[v], normals[v - range.begin]);
+        states_[v] += cost_.vertex(states_[v], normals[v - range.begin]);
     }
   }
 
@@ -131,7 +131,7 @@ private:
       for (const EdgeAt& edge : star.gather(complex_, v, labels)) {
         if constexpr (has_boundaries)
           if (edge.faces == 1 && !shared.is_seam(v, edge.other))
-            memories_[v] +=
+            states_[v] +=
                 cost_.boundary(positions_[v], positions_[edge.other], positions_[edge.opposite[0]]);
         if constexpr (has_creases)
           if (edge.faces == 2 && v < edge.other && is_crease(v, edge))
@@ -164,40 +164,40 @@ private:
       if (!f.has(w))
         return;
       const Index opposite = f.other_than(w);
-      memories_[v] += cost_.crease(positions_[v], positions_[w], positions_[opposite]);
-      memories_[w] += cost_.crease(positions_[w], positions_[v], positions_[opposite]);
+      states_[v] += cost_.crease(positions_[v], positions_[w], positions_[opposite]);
+      states_[w] += cost_.crease(positions_[w], positions_[v], positions_[opposite]);
     });
   }
 
   const Cost& cost_;
   const Array<Position>& positions_;
   TriangleComplex& complex_;
-  UninitializedArray<Memory>& memories_;
+  UninitializedArray<State>& states_;
 };
 
 /// What vertices remember at the beginning, by input indices, instead of what their faces leave: in
 /// the engine's units, about the vertex.
-template <class Memory>
-struct GivenMemories {
-  std::vector<Memory> memories;
+template <class State>
+struct GivenStates {
+  std::vector<State> states;
   std::vector<bool> is_given; ///< of each; empty: all are
 
   bool has(std::size_t vertex) const {
-    return !memories.empty() && (is_given.empty() || is_given[vertex]);
+    return !states.empty() && (is_given.empty() || is_given[vertex]);
   }
 };
 
 /// What each vertex remembers of the surface: for a quadric, the sum over its planes.
 template <class Cost>
-class VertexMemories {
+class VertexStates {
 public:
-  using Memory = typename Cost::Memory;
+  using State = typename Cost::State;
   using Positions = Array<Vector<Cost::dimension>>;
 
-  explicit VertexMemories(Workspace* workspace) : memories_(workspace) {}
+  explicit VertexStates(Workspace* workspace) : states_(workspace) {}
 
-  const Memory& operator[](Index v) const { return memories_[v]; }
-  Memory& operator[](Index v) { return memories_[v]; }
+  const State& operator[](Index v) const { return states_[v]; }
+  State& operator[](Index v) { return states_[v]; }
 
   /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
   /// boundary edge for certain.
@@ -205,8 +205,8 @@ public:
   void remember(const Cost& cost, const Positions& positions, TriangleComplex& complex,
                 VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
                 const SharedVertices& shared, IsInterior is_interior, Threads threads) {
-    InitialMemories<Cost>::compute(memories_, cost, positions, complex, labels, creases, shared,
-                                   is_interior, threads);
+    InitialStates<Cost>::compute(states_, cost, positions, complex, labels, creases, shared,
+                                 is_interior, threads);
   }
 
   /// Adds what vertices of the input leave that the cost knows by their indices, for a cost that
@@ -217,7 +217,7 @@ public:
       const InputIndices numbers = numbering.vertices.inverse();
       for (Index input = 0; input < numbering.vertices.input_count(); ++input)
         if (const Index v = numbers[numbering.image(input)]; v != none)
-          memories_[v] += cost.input_vertex(input);
+          states_[v] += cost.input_vertex(input);
     }
   }
 
@@ -227,34 +227,34 @@ public:
                         const std::vector<std::array<Index, 2>>& creases) {
     if constexpr (requires { cost.crease_weight; })
       cost.crease_weight = weight;
-    InitialMemories<Cost>::add_creases(memories_, cost, positions, complex, creases);
+    InitialStates<Cost>::add_creases(states_, cost, positions, complex, creases);
   }
 
-  /// Those vertices to which memories are given remember these and nothing else.
-  void take_given(const GivenMemories<Memory>& given, const InputIndices& input_vertices) {
-    for (Index v = 0; v < memories_.size(); ++v)
+  /// Those vertices to which states are given remember these and nothing else.
+  void take_given(const GivenStates<State>& given, const InputIndices& input_vertices) {
+    for (Index v = 0; v < states_.size(); ++v)
       if (const Index input = input_vertices[v]; given.has(input))
-        memories_[v] = given.memories[input];
+        states_[v] = given.states[input];
   }
 
-  static auto vertex_columns(auto& self) { return std::tie(self.memories_); }
+  static auto vertex_columns(auto& self) { return std::tie(self.states_); }
 
   /// The vertex that a contraction has left remembers what both of its ends did.
   template <class Event>
   void contract(const Event& event) {
     const auto& pair = event.contraction.pair();
-    Memory& memory = memories_[event.kept];
-    memory = pair.memory;
-    move_origin(memory, event.contraction.target() - pair.first);
+    State& state = states_[event.kept];
+    state = pair.state;
+    move_origin(state, event.contraction.target() - pair.first);
   }
 
   /// All of it, which is no longer here then.
-  UninitializedArray<Memory> take() { return std::move(memories_); }
+  UninitializedArray<State> take() { return std::move(states_); }
 
 private:
-  UninitializedArray<Memory> memories_;
+  UninitializedArray<State> states_;
 };
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_COST_VERTEX_MEMORIES_H
+#endif // QUADRILLE_INTERNAL_CORE_COST_VERTEX_STATES_H

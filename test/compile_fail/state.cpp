@@ -4,10 +4,10 @@
 struct Distance {
   static constexpr std::size_t dimension = 3;
 #ifdef REMEDY
-  struct Memory {
-    Memory& operator+=(const Memory&) { return *this; }
+  struct State {
+    State& operator+=(const State&) { return *this; }
   };
-  Memory face(auto&&, auto&&, auto&&) const {
+  State face(auto&&, auto&&, auto&&) const {
     return {};
   }
 #endif
