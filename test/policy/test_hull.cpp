@@ -146,7 +146,7 @@ std::size_t contract_and_check(const Soup& soup, int sign, bool are_floats) {
       for (double coordinate : x.coordinates)
         CHECK(static_cast<double>(static_cast<float>(coordinate)) == coordinate);
     surface.apply(contraction, internal::AtOnce{});
-    surface.progress().count(surface.scratch().tally);
+    surface.progress().count(surface.scratch().counters);
     ++contracted;
   }
   return contracted;

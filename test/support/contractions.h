@@ -33,7 +33,7 @@ bool contract(Surface& surface, quadrille::internal::Index a, quadrille::interna
   if (surface.checks().rejection(contraction))
     return false;
   surface.apply(contraction, quadrille::internal::AtOnce{});
-  surface.progress().count(surface.scratch().tally);
+  surface.progress().count(surface.scratch().counters);
   return true;
 }
 

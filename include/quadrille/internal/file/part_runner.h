@@ -85,7 +85,7 @@ public:
     Survivors survivors = Pieces::survivors(result, ids, is_shared, given, labels);
     survivors.scalars =
         job.scalars().rows(result.channels, result.vertices, scalars, plan.input.ranges);
-    job.write(part, survivors, PartTally::of(result.report, greatest_tolerance));
+    job.write(part, survivors, PartCounters::of(result.report, greatest_tolerance));
     return true;
   }
 

@@ -136,12 +136,12 @@ public:
     }
   }
 
-  void write(std::size_t part, const Survivors& survivors, const PartTally& tally) const {
+  void write(std::size_t part, const Survivors& survivors, const PartCounters& counters) const {
     SurvivorsHeader header;
     header.key = part_key();
     header.phase = plan_.phase;
     header.part = part;
-    header.tally = tally;
+    header.counters = counters;
     survivors.write(folder_.left(plan_.phase, part), header);
   }
 
@@ -157,7 +157,7 @@ public:
     plan.attempt = 0;
     plan.is_by_count = false;
     plan.faces_after_phases.push_back(next.faces());
-    tally(plan);
+    count_up(plan);
     const bool fits = next.faces() <= budget_.whole_faces();
     const std::vector<std::uint64_t>& left = plan_.faces_after_phases;
     const std::uint64_t before = left.empty() ? plan_.input.counted_faces : left.back();
@@ -199,21 +199,21 @@ public:
     report.faces_of_phases = plan_.faces_after_phases;
     report.diagonal = diagonal();
     report.peak_memory = MemoryBudget::peak();
-    add_tally(plan_, report);
+    add_counters(plan_, report);
     return report;
   }
 
   /// Adds what the phase at work has done, which is over.
   void add_last_phase(FileReport& report) const {
     PhasePlan plan = plan_;
-    tally(plan);
-    add_tally(plan, report);
+    count_up(plan);
+    add_counters(plan, report);
     const std::vector<SurvivorsHeader> parts = headers();
     const std::uint64_t left = add_distances(parts, report);
     report.faces_of_phases.push_back(left);
     report.is_count_exact = plan_.is_last || left == target();
     report.stop =
-        plan_.is_last ? static_cast<StopReason>(parts.front().tally.stop)
+        plan_.is_last ? static_cast<StopReason>(parts.front().counters.stop)
         : left == target() || (left > target() && target_.is_limited()) ? StopReason::target_met
         : left < target() && target() - left <= parts.size()            ? StopReason::target_passed
                                                              : StopReason::target_unreachable;
@@ -252,17 +252,17 @@ private:
     report.distance_bound = report.hausdorff_bound = 0;
     for (const SurvivorsHeader& h : parts) {
       left += h.faces;
-      report.distance_bound = (std::max)(report.distance_bound, h.tally.distance_bound);
-      report.hausdorff_bound = (std::max)(report.hausdorff_bound, h.tally.hausdorff_bound);
-      if (h.tally.used_tolerance > used.part)
-        used = {h.tally.used_tolerance, h.tally.place_of_used};
+      report.distance_bound = (std::max)(report.distance_bound, h.counters.distance_bound);
+      report.hausdorff_bound = (std::max)(report.hausdorff_bound, h.counters.hausdorff_bound);
+      if (h.counters.used_tolerance > used.part)
+        used = {h.counters.used_tolerance, h.counters.place_of_used};
     }
     if (used.part >= 0 && std::isfinite(report.hausdorff_bound)) // else points have been lost
       report.used_tolerance = used;
     return left;
   }
 
-  static void add_tally(const PhasePlan& plan, FileReport& report) {
+  static void add_counters(const PhasePlan& plan, FileReport& report) {
     report.contractions = static_cast<std::size_t>(plan.contractions);
     report.error = plan.error;
     for (std::size_t i = 0; i < rejection_causes; ++i)
@@ -305,13 +305,13 @@ private:
   static bool is_limit(double limit) { return limit > 0x1p-120 && limit < 0x1p120; }
 
   // What the phase that is over has done.
-  void tally(PhasePlan& plan) const {
+  void count_up(PhasePlan& plan) const {
     for (const SurvivorsHeader& h : headers()) {
-      plan.contractions += h.tally.contractions;
-      plan.error = (std::max)(plan.error, h.tally.error);
-      plan.greatest_tolerance = (std::max)(plan.greatest_tolerance, h.tally.greatest_tolerance);
+      plan.contractions += h.counters.contractions;
+      plan.error = (std::max)(plan.error, h.counters.error);
+      plan.greatest_tolerance = (std::max)(plan.greatest_tolerance, h.counters.greatest_tolerance);
       for (std::size_t i = 0; i < rejection_causes; ++i)
-        plan.rejections[i] += h.tally.rejections[i];
+        plan.rejections[i] += h.counters.rejections[i];
       plan.bytes_written += h.content_size();
     }
     for (const PartFiles& p : plan_.parts)

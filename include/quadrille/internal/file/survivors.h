@@ -20,7 +20,7 @@
 namespace quadrille::internal {
 
 /// What all parts of a run add up to.
-struct PartTally {
+struct PartCounters {
   std::uint64_t faces_before = 0, contractions = 0;
   std::array<std::uint64_t, rejection_causes> rejections{};
   double error = 0, seconds = 0;
@@ -30,23 +30,23 @@ struct PartTally {
   std::array<double, 3> place_of_used{};
   std::uint32_t stop = 0; ///< a StopReason
 
-  static PartTally of(const Report& report, double greatest_tolerance) {
-    PartTally tally;
-    tally.greatest_tolerance = greatest_tolerance;
-    tally.faces_before = report.faces_before;
-    tally.contractions = report.contractions;
+  static PartCounters of(const Report& report, double greatest_tolerance) {
+    PartCounters counters;
+    counters.greatest_tolerance = greatest_tolerance;
+    counters.faces_before = report.faces_before;
+    counters.contractions = report.contractions;
     for (std::size_t i = 0; i < rejection_causes; ++i)
-      tally.rejections[i] = report.rejections[i];
-    tally.error = report.error;
-    tally.distance_bound = report.distance_bound;
-    tally.hausdorff_bound = report.hausdorff_bound;
+      counters.rejections[i] = report.rejections[i];
+    counters.error = report.error;
+    counters.distance_bound = report.distance_bound;
+    counters.hausdorff_bound = report.hausdorff_bound;
     if (report.used_tolerance) {
-      tally.used_tolerance = report.used_tolerance->part;
-      tally.place_of_used = report.used_tolerance->place;
+      counters.used_tolerance = report.used_tolerance->part;
+      counters.place_of_used = report.used_tolerance->place;
     }
-    tally.seconds = report.seconds.total();
-    tally.stop = static_cast<std::uint32_t>(report.stop);
-    return tally;
+    counters.seconds = report.seconds.total();
+    counters.stop = static_cast<std::uint32_t>(report.stop);
+    return counters;
   }
 };
 
@@ -62,7 +62,7 @@ struct SurvivorsHeader {
   std::uint64_t bounds = 0;     ///< one for each face, or none
   std::uint64_t given = 0;      ///< vertices whose state before the phase is stored, behind that
   std::uint64_t checksum = 0;   ///< of all that follows
-  PartTally tally = {};
+  PartCounters counters = {};
 
   std::uint64_t content_size() const {
     return vertices * (sizeof(VertexRow) + scalars * sizeof(double) + state_size) +
@@ -92,7 +92,7 @@ struct Survivors {
     return std::span(scalars).subspan(vertex * size, size);
   }
 
-  /// `header` has key, phase, part and tally.
+  /// `header` has key, phase, part and counters.
   void write(const std::filesystem::path& path, SurvivorsHeader header) const {
     header.vertices = vertices.size();
     header.faces = faces.size();

@@ -2,7 +2,7 @@
 #define QUADRILLE_INTERNAL_CORE_CONTRACTION_PROGRESS_H
 
 #include <quadrille/internal/core/state/cleanup.h>
-#include <quadrille/internal/core/state/tally.h>
+#include <quadrille/internal/core/state/counters.h>
 #include <quadrille/report.h>
 
 #include <algorithm>
@@ -45,22 +45,22 @@ public:
   bool has_begun() const { return status_.vertices < status_.initial_vertices; }
 
   /// Adds what contractions have changed, and forgets it.
-  void count(Tally& tally) {
-    status_.faces -= tally.faces;
-    status_.vertices -= tally.vertices;
-    status_.edges -= tally.edges;
-    status_.contractions += tally.contractions;
-    total_.non_edge_contractions += tally.non_edge_contractions;
-    total_.doubled_faces += tally.doubled_faces;
-    total_.doubled_labels += tally.doubled_labels;
-    total_.vanished_parts += tally.vanished_parts;
-    total_.error = (std::max)(total_.error, tally.error);
-    total_.vanished_size = (std::max)(total_.vanished_size, tally.vanished_size);
-    total_.moved += tally.moved;
-    total_.loses_points |= tally.loses_points;
+  void count(Counters& counters) {
+    status_.faces -= counters.faces;
+    status_.vertices -= counters.vertices;
+    status_.edges -= counters.edges;
+    status_.contractions += counters.contractions;
+    total_.non_edge_contractions += counters.non_edge_contractions;
+    total_.doubled_faces += counters.doubled_faces;
+    total_.doubled_labels += counters.doubled_labels;
+    total_.vanished_parts += counters.vanished_parts;
+    total_.error = (std::max)(total_.error, counters.error);
+    total_.vanished_size = (std::max)(total_.vanished_size, counters.vanished_size);
+    total_.moved += counters.moved;
+    total_.loses_points |= counters.loses_points;
     for (std::size_t cause = 0; cause < rejection_causes; ++cause)
-      total_.rejections[cause] += tally.rejections[cause];
-    tally = {};
+      total_.rejections[cause] += counters.rejections[cause];
+    counters = {};
   }
 
   /// Tells the error of the contraction that comes next, the distance to which it would lead, and
@@ -126,7 +126,7 @@ private:
   const Policies& policies_;
   Status status_;
   Loss unselected_{0, 0};
-  Tally total_;
+  Counters total_;
   std::size_t expected_contractions_ = 0;
   Stage stage_ = Stage::prepare;
   bool is_cancelled_ = false;

@@ -164,12 +164,12 @@ public:
   }
   void vanished(const PartEvent& event) {
     if (is_asked_)
-      scratch_.tally.edges += count_edges(complex_, event.faces);
+      scratch_.counters.edges += count_edges(complex_, event.faces);
   }
 
 private:
   QUADRILLE_NOINLINE static void count(const PairStar& star, Index second, Scratch& scratch) {
-    scratch.tally.edges += count_edges_taken(star, second, scratch.labels);
+    scratch.counters.edges += count_edges_taken(star, second, scratch.labels);
   }
 
   bool is_asked_;
@@ -208,14 +208,14 @@ public:
   /// Counts a pair that is refused, or a part, which has no ends, and tells a recorder that wants
   /// to know.
   void refuse(const std::array<Index, 2>& ends, Rejection cause) {
-    scratch_.tally.reject(cause);
+    scratch_.counters.reject(cause);
     if (recording()) [[unlikely]]
       recording()->refuse(ends, cause, progress_.status().next_error);
   }
   /// Refuses a pair in a pass, by any thread; recorders are told when the stage has ended.
   void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) {
-    scratch.tally.reject(cause);
+    scratch.counters.reject(cause);
     if (recording()) [[unlikely]]
       recording()->refuse_in_pass(ends, cause, error, scratch);
   }
@@ -246,8 +246,8 @@ public:
   QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
     recording_.after(event);
     const double error = event.recession.error;
-    event.contraction.scratch().tally.count_contraction(error,
-                                                        displacement_of(event.contraction, error));
+    event.contraction.scratch().counters.count_contraction(
+        error, displacement_of(event.contraction, error));
   }
   void vanished(const PartEvent& event) {
     recording_.vanished(event);

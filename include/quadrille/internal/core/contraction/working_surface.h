@@ -134,7 +134,7 @@ public:
   /// Removes a part whole, of which these vertices are left. Observers are told before.
   void remove_part(Index part, std::span<const Index> vertices) {
     internal::remove_part(complex(), vertices, state_.parts[part], observers(*this),
-                          scratch().tally);
+                          scratch().counters);
   }
 
   /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If

@@ -37,7 +37,7 @@ public:
   /// Why it has ended.
   StopReason run() {
     const StopReason reason = contract_pairs();
-    surface_.progress().count(surface_.scratch().tally);
+    surface_.progress().count(surface_.scratch().counters);
     return reason;
   }
 
@@ -76,7 +76,7 @@ private:
     return attempt(surface_, pair.first, pair.second, surface_.scratch(), judge_,
                    [this](const Contraction& contraction) {
                      const Index kept = surface_.apply(contraction, AtOnce{});
-                     surface_.progress().count(surface_.scratch().tally);
+                     surface_.progress().count(surface_.scratch().counters);
                      updates_.follow(contraction, kept);
                    });
   }

@@ -174,8 +174,8 @@ private:
     }
     std::size_t left = 0;
     for (Worker& worker : workers_) {
-      left += worker.scratch.tally.left;
-      surface_.progress().count(worker.scratch.tally);
+      left += worker.scratch.counters.left;
+      surface_.progress().count(worker.scratch.counters);
     }
     contract_between(workers_.front());
     if (workers_.size() == 1)
@@ -260,12 +260,12 @@ private:
   bool contract_within(std::size_t& quota, const Proposal& proposal, Worker& worker) {
     if (quota == 0)
       return false;
-    const Tally& tally = worker.scratch.tally;
-    const std::size_t faces = tally.faces, vertices = tally.vertices, edges = tally.edges;
+    const Counters& counters = worker.scratch.counters;
+    const std::size_t faces = counters.faces, vertices = counters.vertices, edges = counters.edges;
     if (!contract(proposal, quota, worker.scratch))
       return false;
     const std::size_t used =
-        count_.used(tally.faces - faces, tally.vertices - vertices, tally.edges - edges);
+        count_.used(counters.faces - faces, counters.vertices - vertices, counters.edges - edges);
     quota -= (std::min)(quota, used); // edges of no face that goes may be more
     return true;
   }
@@ -299,7 +299,7 @@ private:
       if (is_over(proposals[i].first) || is_over(proposals[i].second))
         continue;
       contract(proposals[i], no_quota, worker.scratch);
-      surface_.progress().count(worker.scratch.tally);
+      surface_.progress().count(worker.scratch.counters);
     }
     surface_.run().end_stage();
   }
@@ -347,7 +347,7 @@ private:
     if (attempt.outcome == Outcome::rejected)
       surface_.run().refuse_in_pass(ends, attempt.cause, attempt.error, scratch);
     else if (attempt.outcome == Outcome::deferred)
-      ++scratch.tally.left;
+      ++scratch.counters.left;
     return attempt.outcome != Outcome::put_back;
   }
 

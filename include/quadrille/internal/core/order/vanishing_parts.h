@@ -122,7 +122,7 @@ public:
     surface_.remove_part(part, vertices);
     std::for_each(vertices.begin(), vertices.end(), gone);
     lists_.count_vanished();
-    surface_.progress().count(surface_.scratch().tally);
+    surface_.progress().count(surface_.scratch().counters);
     return true;
   }
 

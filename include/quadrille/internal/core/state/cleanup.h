@@ -68,8 +68,8 @@ public:
     scratch_.duplicates.clear();
     for (const StarFace& f : scratch_.star.shared)
       complex_.remove_face(f.face);
-    scratch_.tally.faces += complex_.backs().count_all(scratch_.star.shared);
-    scratch_.tally.non_edge_contractions += scratch_.star.shared.empty();
+    scratch_.counters.faces += complex_.backs().count_all(scratch_.star.shared);
+    scratch_.counters.non_edge_contractions += scratch_.star.shared.empty();
   }
 
   /// Of the faces that the contraction of the star has changed, those of the same three vertices go
@@ -84,7 +84,7 @@ public:
   void remove_isolated_vertices(Index b) {
     const PairStar& star = scratch_.star;
     for_each_cut_off(star, b, [&](Index v) { remove_if_isolated(v); });
-    scratch_.tally.vertices += star.first.empty() && star.second.empty();
+    scratch_.counters.vertices += star.first.empty() && star.second.empty();
   }
 
   /// How many faces and vertices the contraction of the star will take.
@@ -109,8 +109,8 @@ private:
     for_each_duplicate([this](Index face, Index left) {
       complex_.remove_face(face);
       scratch_.duplicates.push_back(face);
-      scratch_.tally.faces += complex_.backs().count(face);
-      scratch_.tally.doubled_labels += !labels_.empty() && labels_[face] != labels_[left];
+      scratch_.counters.faces += complex_.backs().count(face);
+      scratch_.counters.doubled_labels += !labels_.empty() && labels_[face] != labels_[left];
     });
   }
 
@@ -153,7 +153,7 @@ private:
     if (!complex_.has_faces(v))
       return;
     prune(v);
-    scratch_.tally.vertices += !complex_.has_faces(v);
+    scratch_.counters.vertices += !complex_.has_faces(v);
   }
 
   TriangleComplex& complex_;

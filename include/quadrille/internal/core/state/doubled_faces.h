@@ -10,7 +10,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/input/surface_input.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/internal/core/state/tally.h>
+#include <quadrille/internal/core/state/counters.h>
 #include <quadrille/internal/core/surface/numbering.h>
 
 #include <algorithm>
@@ -51,8 +51,9 @@ inline void join_labels_of_backs(const TriangleComplex& complex, const InputIndi
 class DoubledFaces {
 public:
   /// `labels`: of each face; or empty.
-  DoubledFaces(TriangleComplex& complex, const Array<Index>& labels, Tally& tally, Threads threads)
-      : complex_(complex), labels_(labels), tally_(tally), threads_(threads),
+  DoubledFaces(TriangleComplex& complex, const Array<Index>& labels, Counters& counters,
+               Threads threads)
+      : complex_(complex), labels_(labels), counters_(counters), threads_(threads),
         partner_(complex.workspace()) {}
 
   /// Removes all but one, whichever way round. What goes is tallied.
@@ -148,8 +149,9 @@ private:
   void remove_but_first(const std::vector<Side>& group) {
     for (std::size_t i = 1; i < group.size(); ++i) {
       complex_.remove_face(group[i].face);
-      ++tally_.doubled_faces;
-      tally_.doubled_labels += !labels_.empty() && labels_[group[i].face] != labels_[group[0].face];
+      ++counters_.doubled_faces;
+      counters_.doubled_labels +=
+          !labels_.empty() && labels_[group[i].face] != labels_[group[0].face];
     }
   }
 
@@ -230,7 +232,7 @@ private:
 
   TriangleComplex& complex_;
   const Array<Index>& labels_;
-  Tally& tally_;
+  Counters& counters_;
   Threads threads_;
   Array<Index> partner_; // of each face, the one on its other side; empty if there is none
   std::vector<bool> is_chosen_;
@@ -240,9 +242,9 @@ private:
 /// where the input may have them, of which labels tell both sides then.
 template <std::size_t N>
 void settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
-                          SurfaceInput<N>& input, Tally& tally, Threads threads) {
+                          SurfaceInput<N>& input, Counters& counters, Threads threads) {
   const Array<Index> labels = labels_by_face(input.labels, faces, complex);
-  DoubledFaces doubled(complex, labels, tally, threads);
+  DoubledFaces doubled(complex, labels, counters, threads);
   if (!input.may_have_backs)
     return doubled.remove();
   doubled.pair_up(faces);

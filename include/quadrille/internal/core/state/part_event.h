@@ -35,10 +35,10 @@ inline std::vector<Index> faces_of(const TriangleComplex& complex,
   return faces;
 }
 
-/// Removes a part whole, of which these vertices are left, tells observers before, and tallies it.
-template <class Part, class... Observer, class Tally>
+/// Removes a part whole, of which these vertices are left, tells observers before, and counts it.
+template <class Part, class... Observer, class Counters>
 void remove_part(TriangleComplex& complex, std::span<const Index> vertices, const Part& part,
-                 const std::tuple<Observer&...>& observers, Tally& tally) {
+                 const std::tuple<Observer&...>& observers, Counters& counters) {
   const std::vector<Index> faces = faces_of(complex, vertices);
   const PartEvent event{vertices, faces, part.radius, part.size};
   std::apply([&](auto&... observer) { (tell_vanished(observer, event), ...); }, observers);
@@ -49,7 +49,7 @@ void remove_part(TriangleComplex& complex, std::span<const Index> vertices, cons
   }
   for (Index v : vertices)
     complex.prune_corners(v);
-  tally.count_part(event, count);
+  counters.count_part(event, count);
 }
 
 } // namespace quadrille::internal

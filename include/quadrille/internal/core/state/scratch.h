@@ -4,7 +4,7 @@
 #include <quadrille/internal/core/base/index.h>
 #include <quadrille/internal/core/complex/star.h>
 #include <quadrille/internal/core/pairs/pair_tools.h>
-#include <quadrille/internal/core/state/tally.h>
+#include <quadrille/internal/core/state/counters.h>
 
 #include <cstddef>
 #include <vector>
@@ -18,7 +18,7 @@ struct Scratch : PairTools {
 
   std::size_t number = 0; // of the thread
   PairStar star;          // of the contraction at hand
-  Tally tally;
+  Counters counters;
   std::vector<StarFace> faces;   // that the contraction at hand changes, see Cleanup
   std::vector<Index> duplicates; // faces that the contraction at hand has removed as such
 };

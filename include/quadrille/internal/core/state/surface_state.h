@@ -163,7 +163,7 @@ struct SurfaceState {
         importance(relative_importances(input.importances)),
         appearance(policies, complex, geometry, states) {
     if (!is_topology_kept || input.has_duplicate_faces)
-      settle_doubled_faces(complex, numbering.faces, input, scratch().tally, policies.threads);
+      settle_doubled_faces(complex, numbering.faces, input, scratch().counters, policies.threads);
     if (policies.topology == Topology::parts_may_vanish) {
       measure_parts();
       parts.measure_isolation(complex, geometry, scale);

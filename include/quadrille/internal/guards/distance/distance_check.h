@@ -104,7 +104,7 @@ public:
     bounds_.set(contraction.star(), scratch.bounds);
     if (state_.policies.stop.needs().distance_back) {
       bounds_.set_back(contraction.star(), scratch.back.bounds(), scratch.tolerance);
-      contraction.scratch().tally.loses_points |= scratch.back.is_any_lost();
+      contraction.scratch().counters.loses_points |= scratch.back.is_any_lost();
     }
   }
   void pack() override {

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_STATE_TALLY_H
-#define QUADRILLE_INTERNAL_CORE_STATE_TALLY_H
+#ifndef QUADRILLE_INTERNAL_CORE_STATE_COUNTERS_H
+#define QUADRILLE_INTERNAL_CORE_STATE_COUNTERS_H
 
 #include <quadrille/internal/core/state/part_event.h>
 #include <quadrille/report.h>
@@ -12,7 +12,7 @@
 namespace quadrille::internal {
 
 /// What contractions have done since they were last counted.
-struct Tally {
+struct Counters {
   std::size_t faces = 0, vertices = 0; // that are gone
   std::size_t edges = 0;               // the same, where they are counted: see CountedEdges
   std::size_t contractions = 0, non_edge_contractions = 0;
@@ -44,4 +44,4 @@ struct Tally {
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_STATE_TALLY_H
+#endif // QUADRILLE_INTERNAL_CORE_STATE_COUNTERS_H
