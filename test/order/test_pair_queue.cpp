@@ -58,23 +58,24 @@ struct IsLater {
   bool operator()(const QueuedPair& a, const QueuedPair& b) const { return b < a; }
 };
 
-// Both queues and the stamps by which pairs are outdated.
+// Both queues and the versions by which pairs are outdated.
 class QueueUnderTest {
   auto outdated() const {
     return [this](const QueuedPair& p) {
-      return p.stamp < stamp_[p.first] || p.stamp < stamp_[p.second];
+      return p.version < versions_[p.first] || p.version < versions_[p.second];
     };
   }
 
 public:
-  QueueUnderTest(std::size_t vertices, std::size_t expected) : stamp_(vertices), queue_(expected) {}
+  QueueUnderTest(std::size_t vertices, std::size_t expected)
+      : versions_(vertices), queue_(expected) {}
 
   void push(QueuedPair pair) {
-    pair.stamp = time_;
+    pair.version = time_;
     queue_.push(pair, outdated());
     expected_.push(pair);
   }
-  void outdate(std::uint32_t vertex) { stamp_[vertex] = ++time_; }
+  void outdate(std::uint32_t vertex) { versions_[vertex] = ++time_; }
   void require_same_pop() {
     const std::optional<QueuedPair> pair = queue_.pop(outdated());
     while (!expected_.empty() && outdated()(expected_.top()))
@@ -90,7 +91,7 @@ public:
   bool is_empty() const { return expected_.empty(); }
 
 private:
-  std::vector<std::uint32_t> stamp_;
+  std::vector<std::uint32_t> versions_;
   std::uint32_t time_ = 1;
   PairQueue queue_;
   std::priority_queue<QueuedPair, std::vector<QueuedPair>, IsLater> expected_;
@@ -175,8 +176,8 @@ TEST_CASE("Pairs of one cost come by their indices") {
 TEST_CASE("Outdated pairs never make the queue grow") {
   // A hundred pairs are up to date at any time, and each is pushed anew thirty thousand times.
   const std::size_t pairs = 100, rounds = 30'000;
-  std::vector<std::uint32_t> stamp(pairs, 0);
-  const auto is_outdated = [&](const QueuedPair& p) { return p.stamp < stamp[p.first]; };
+  std::vector<std::uint32_t> version(pairs, 0);
+  const auto is_outdated = [&](const QueuedPair& p) { return p.version < version[p.first]; };
   PairQueue queue(pairs);
   Random random(8);
   std::vector<float> cost(pairs);
@@ -184,7 +185,7 @@ TEST_CASE("Outdated pairs never make the queue grow") {
   for (std::uint32_t round = 1; round <= rounds; ++round)
     for (std::uint32_t v = 0; v < pairs; ++v) {
       cost[v] = static_cast<float>(std::exp(random(-60, 60)));
-      stamp[v] = round;
+      version[v] = round;
       queue.push({cost[v], v, v, round}, is_outdated);
     }
   CHECK(allocated_bytes == before);
@@ -226,7 +227,7 @@ TEST_CASE("A refused pair comes back once, from whichever end is released first"
   refused.release(2, all, keep);
   REQUIRE(released.size() == 1);
   CHECK(released[0].cost == 2);
-  CHECK(released[0].stamp == 6);
+  CHECK(released[0].version == 6);
   refused.release(1, all, keep);
   REQUIRE(released.size() == 2);
   CHECK(released[1].cost == 1);

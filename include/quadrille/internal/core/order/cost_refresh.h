@@ -7,7 +7,7 @@
 #include <quadrille/internal/core/complex/triangle_complex.h>
 #include <quadrille/internal/core/contraction/working_surface.h>
 #include <quadrille/internal/core/memory/array.h>
-#include <quadrille/internal/core/order/stamped_queue.h>
+#include <quadrille/internal/core/order/versioned_queue.h>
 #include <quadrille/internal/core/order/waiting_pairs.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/order.h>
@@ -67,11 +67,11 @@ class CostRefresh {
 public:
   using Cost = typename Policies::Cost;
 
-  CostRefresh(WorkingSurface<Policies>& surface, PairStamps& stamps)
-      : surface_(surface), stamps_(stamps),
-        flattened_(looks_for_flattened ? stamps.size() : 0, tolerated_fall<Cost>,
+  CostRefresh(WorkingSurface<Policies>& surface, PairVersions& versions)
+      : surface_(surface), versions_(versions),
+        flattened_(looks_for_flattened ? versions.size() : 0, tolerated_fall<Cost>,
                    surface.complex().workspace()) {
-    for (Index v = 0; v < stamps.size(); ++v)
+    for (Index v = 0; v < versions.size(); ++v)
       note(v);
   }
 
@@ -100,23 +100,23 @@ private:
   template <class Push>
   QUADRILLE_NOINLINE void push_flattened(Push push) {
     ring_.clear();
-    stamps_.advance(); // so that what was pushed before is outdated
+    versions_.advance(); // so that what was pushed before is outdated
     flattened_.take([this](Index v) {
-      if (stamps_.is_retired(v) || !surface_.complex().has_faces(v))
+      if (versions_.is_retired(v) || !surface_.complex().has_faces(v))
         return;
       note(v);
       if (surface_.complex().degree_bound(v) > WaitingPairs::few_faces)
         return;
-      stamps_.renew(v);
+      versions_.renew(v);
       ring_.push_back(v);
     });
     surface_.pairs().for_each_of(
         surface_.scratch(), ring_,
-        [&](Index w, Index x) -> bool { return !stamps_.is_new(x) | (w < x); }, push);
+        [&](Index w, Index x) -> bool { return !versions_.is_new(x) | (w < x); }, push);
   }
 
   WorkingSurface<Policies>& surface_;
-  PairStamps& stamps_;
+  PairVersions& versions_;
   FlattenedVertices flattened_;
   std::vector<Index> ring_; // vertices whose pairs are costed anew
 };

@@ -17,11 +17,11 @@
 
 namespace quadrille::internal {
 
-/// A pair of vertices in the queue, with the cost that it had at time `stamp`.
+/// A pair of vertices in the queue, with the cost that it had at the time `version`.
 struct QueuedPair {
   float cost; // at least 0
   std::uint32_t first, second;
-  std::uint32_t stamp;
+  std::uint32_t version;
 
   friend bool operator<(const QueuedPair& a, const QueuedPair& b) {
     return std::tie(a.cost, a.first, a.second) < std::tie(b.cost, b.first, b.second);
@@ -134,7 +134,7 @@ private:
     place.cost = pair.cost;
     place.first = pair.first;
     place.second = pair.second;
-    place.stamp = pair.stamp;
+    place.version = pair.version;
   }
 
   QUADRILLE_NOINLINE void begin_block(std::size_t index) {

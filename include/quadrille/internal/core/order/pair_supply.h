@@ -7,7 +7,7 @@
 #include <quadrille/internal/core/order/deferred_pairs.h>
 #include <quadrille/internal/core/order/end_of_run.h>
 #include <quadrille/internal/core/order/pair_queue.h>
-#include <quadrille/internal/core/order/stamped_queue.h>
+#include <quadrille/internal/core/order/versioned_queue.h>
 #include <quadrille/internal/core/order/waiting_pairs.h>
 #include <quadrille/internal/core/policy/policies.h>
 
@@ -58,7 +58,7 @@ public:
                surface.complex().workspace()),
         waiting_(surface.complex()) {}
 
-  StampedQueue& queue() { return queue_; }
+  VersionedQueue& queue() { return queue_; }
   WaitingPairs& waiting() { return waiting_; }
   const WaitingPairs& waiting() const { return waiting_; }
   DeferredPairs& deferred() { return deferred_; }
@@ -89,13 +89,13 @@ public:
       next = queue_.pop();
     is_last_resort_ = !next;
     return next ? next : deferred_.take([this](const QueuedPair& pair) {
-      return !queue_.stamps().is_outdated(pair) && !has_isolated_end(pair);
+      return !queue_.versions().is_outdated(pair) && !has_isolated_end(pair);
     });
   }
 
   /// Have rejected pairs another turn, once no others are left? Then they are in the queue.
   bool have_another_turn() {
-    return waiting_.release_rest(queue_.stamps().time(), push_again()) || may_try_ends() ||
+    return waiting_.release_rest(queue_.versions().time(), push_again()) || may_try_ends() ||
            may_have_way();
   }
 
@@ -147,7 +147,7 @@ private:
   }
 
   WorkingSurface<Policies>& surface_;
-  StampedQueue queue_;
+  VersionedQueue queue_;
   WaitingPairs waiting_;
   DeferredPairs deferred_;
   bool is_last_resort_ = false;

@@ -7,7 +7,7 @@
 #include <quadrille/internal/core/contraction/working_surface.h>
 #include <quadrille/internal/core/memory/append_buffer.h>
 #include <quadrille/internal/core/order/cost_refresh.h>
-#include <quadrille/internal/core/order/stamped_queue.h>
+#include <quadrille/internal/core/order/versioned_queue.h>
 #include <quadrille/internal/core/order/waiting_pairs.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/contraction.h>
@@ -30,13 +30,13 @@ class PairUpdates {
 public:
   using Contraction = internal::Contraction<typename Policies::Cost>;
 
-  PairUpdates(WorkingSurface<Policies>& surface, StampedQueue& queue, WaitingPairs& waiting)
+  PairUpdates(WorkingSurface<Policies>& surface, VersionedQueue& queue, WaitingPairs& waiting)
       : surface_(surface), scratch_(surface.scratch()), queue_(queue), waiting_(waiting),
-        refresh_(surface, queue.stamps()) {}
+        refresh_(surface, queue.versions()) {}
 
   /// A contraction has been done that has left the vertex `kept`.
   void follow(const Contraction& contraction, Index kept) {
-    queue_.stamps().advance();
+    queue_.versions().advance();
     if (waiting_.has_behind()) [[unlikely]]
       release_behind(contraction.star());
     if (contraction.star().hub != none && surface_.pairs().are_edges())
@@ -49,7 +49,7 @@ public:
 
   /// All pairs of a vertex are outdated, for good.
   QUADRILLE_ALWAYS_INLINE void forget(Index v) {
-    queue_.stamps().retire(v);
+    queue_.versions().retire(v);
     waiting_.forget(v);
   }
 
@@ -64,7 +64,7 @@ private:
   QUADRILLE_ALWAYS_INLINE void follow_around(const Contraction& contraction, Index kept) {
     for (Index end : {contraction.first(), contraction.second()})
       forget(end);
-    queue_.stamps().renew(kept);
+    queue_.versions().renew(kept);
     release_around(contraction.star());
     if (!surface_.complex().has_faces(kept))
       return;
@@ -111,10 +111,10 @@ private:
     surface_.complex().review_hubs([this](Index v) {
       surface_.sum_up_terms(v);
       const TriangleComplex& complex = surface_.complex();
-      if (complex.hubs().has(v) || queue_.stamps().is_retired(v) || !complex.has_faces(v))
+      if (complex.hubs().has(v) || queue_.versions().is_retired(v) || !complex.has_faces(v))
         return;
-      queue_.stamps().advance();
-      queue_.stamps().renew(v);
+      queue_.versions().advance();
+      queue_.versions().renew(v);
       waiting_.forget(v);
       push_pairs(v);
     });
@@ -167,13 +167,13 @@ private:
     for (std::size_t i = 0; i < pushed; ++i)
       queue_.push(v, new_pairs_[i].second, new_pairs_[i].first);
     for (std::size_t i = pushed; i < new_pairs_.size(); ++i)
-      waiting_.add(queue_.stamps().pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
+      waiting_.add(queue_.versions().pair_now(v, new_pairs_[i].second, new_pairs_[i].first));
     waiting_.note_left_behind(v);
   }
 
   WorkingSurface<Policies>& surface_;
   Scratch& scratch_;
-  StampedQueue& queue_;
+  VersionedQueue& queue_;
   WaitingPairs& waiting_;
   CostRefresh<Policies> refresh_;
   std::vector<Index> neighbours_;                  // of a vertex that has come to a hub

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_ORDER_STAMPED_QUEUE_H
-#define QUADRILLE_INTERNAL_CORE_ORDER_STAMPED_QUEUE_H
+#ifndef QUADRILLE_INTERNAL_CORE_ORDER_VERSIONED_QUEUE_H
+#define QUADRILLE_INTERNAL_CORE_ORDER_VERSIONED_QUEUE_H
 
 #include <quadrille/internal/core/base/assert.h>
 #include <quadrille/internal/core/base/compiler.h>
@@ -16,24 +16,24 @@ namespace quadrille::internal {
 
 /// Since when the costs of the pairs of each vertex hold. A pair that was put into the queue before
 /// that is outdated: so a change of a vertex takes its pairs out of the queue without a search.
-class PairStamps {
+class PairVersions {
 public:
-  PairStamps(std::size_t vertices, Workspace* workspace) : stamp_(vertices, 0, workspace) {}
+  PairVersions(std::size_t vertices, Workspace* workspace) : versions_(vertices, 0, workspace) {}
 
-  std::size_t size() const { return stamp_.size(); }
+  std::size_t size() const { return versions_.size(); }
   std::uint32_t time() const { return time_; }
   /// From here on, what is put into the queue is later.
   void advance() { ++time_; }
 
   /// The pairs of a vertex that were put into the queue before now are outdated.
-  void renew(Index v) { stamp_[v] = time_; }
-  bool is_new(Index v) const { return stamp_[v] == time_; }
+  void renew(Index v) { versions_[v] = time_; }
+  bool is_new(Index v) const { return versions_[v] == time_; }
   /// All pairs of a vertex are outdated, for good.
-  void retire(Index v) { stamp_[v] = never; }
-  bool is_retired(Index v) const { return stamp_[v] == never; }
+  void retire(Index v) { versions_[v] = never; }
+  bool is_retired(Index v) const { return versions_[v] == never; }
 
   bool is_outdated(const QueuedPair& pair) const {
-    return pair.stamp < (std::max)(stamp_[pair.first], stamp_[pair.second]);
+    return pair.version < (std::max)(versions_[pair.first], versions_[pair.second]);
   }
   auto outdated() const {
     return [this](const QueuedPair& pair) { return is_outdated(pair); };
@@ -48,36 +48,36 @@ public:
 private:
   static constexpr std::uint32_t never = ~std::uint32_t{0};
 
-  Array<std::uint32_t> stamp_;
+  Array<std::uint32_t> versions_;
   std::uint32_t time_ = 0;
 };
 
 /// The queue of pairs, from which outdated ones never come.
-class StampedQueue {
+class VersionedQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
-  StampedQueue(std::size_t vertices, std::size_t expected, Workspace* workspace)
-      : stamps_(vertices, workspace), queue_(expected, workspace) {}
+  VersionedQueue(std::size_t vertices, std::size_t expected, Workspace* workspace)
+      : versions_(vertices, workspace), queue_(expected, workspace) {}
 
-  PairStamps& stamps() { return stamps_; }
-  const PairStamps& stamps() const { return stamps_; }
+  PairVersions& versions() { return versions_; }
+  const PairVersions& versions() const { return versions_; }
 
   QUADRILLE_ALWAYS_INLINE void push(Index v, Index w, float key) {
-    queue_.push(stamps_.pair_now(v, w, key), stamps_.outdated());
+    queue_.push(versions_.pair_now(v, w, key), versions_.outdated());
   }
   /// Pushes a pair with the key that it had, unless it is outdated.
   void push_again(const QueuedPair& pair) {
-    if (!stamps_.is_outdated(pair))
-      queue_.push(pair, stamps_.outdated());
+    if (!versions_.is_outdated(pair))
+      queue_.push(pair, versions_.outdated());
   }
-  std::optional<QueuedPair> pop() { return queue_.pop(stamps_.outdated()); }
+  std::optional<QueuedPair> pop() { return queue_.pop(versions_.outdated()); }
   const QueuedPair* peek(std::size_t ahead) const { return queue_.peek(ahead); }
 
 private:
-  PairStamps stamps_;
+  PairVersions versions_;
   PairQueue queue_;
 };
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_ORDER_STAMPED_QUEUE_H
+#endif // QUADRILLE_INTERNAL_CORE_ORDER_VERSIONED_QUEUE_H
