@@ -72,7 +72,7 @@ public:
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
     if (recording_) [[unlikely]]
-      recording_->after(event.contraction, event.kept, event.gone, event.recession.error,
+      recording_->after(event.contraction, event.kept, event.gone, event.feature_loss.error,
                         Event::is_in_pass);
   }
   void vanished(const PartEvent& event) {

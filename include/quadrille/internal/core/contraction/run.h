@@ -12,8 +12,8 @@
 #include <quadrille/internal/core/contraction/recording.h>
 #include <quadrille/internal/core/contraction/target_rules.h>
 #include <quadrille/internal/core/state/cleanup.h>
+#include <quadrille/internal/core/state/feature_loss.h>
 #include <quadrille/internal/core/state/part_event.h>
-#include <quadrille/internal/core/state/recession.h>
 #include <quadrille/internal/core/state/scratch.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/internal/core/surface/numbering.h>
@@ -245,7 +245,7 @@ public:
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
     recording_.after(event);
-    const double error = event.recession.error;
+    const double error = event.feature_loss.error;
     event.contraction.scratch().counters.count_contraction(
         error, displacement_of(event.contraction, error));
   }

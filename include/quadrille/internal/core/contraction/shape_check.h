@@ -7,8 +7,8 @@
 #include <quadrille/internal/core/memory/array.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/contraction.h>
+#include <quadrille/internal/core/state/feature_loss.h>
 #include <quadrille/internal/core/state/parts.h>
-#include <quadrille/internal/core/state/recession.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/internal/core/surface/box.h>
 #include <quadrille/internal/core/surface/geometry.h>

@@ -17,8 +17,8 @@
 #include <quadrille/internal/core/memory/columns.h>
 #include <quadrille/internal/core/policy/orders.h>
 #include <quadrille/internal/core/state/contraction.h>
+#include <quadrille/internal/core/state/feature_loss.h>
 #include <quadrille/internal/core/state/part_event.h>
-#include <quadrille/internal/core/state/recession.h>
 #include <quadrille/internal/core/state/surface_state.h>
 #include <quadrille/report.h>
 
@@ -115,7 +115,7 @@ public:
     const auto [kept, gone] = kept_and_gone(contraction, state_.geometry);
     QUADRILLE_ASSERT(kept != gone && complex().has_faces(kept) && complex().has_faces(gone));
     const ContractionEvent<Cost, Mode> event{
-        contraction, mode, kept, gone, recession_of(contraction, state_.geometry, state_.scale)};
+        contraction, mode, kept, gone, feature_loss_of(contraction, state_.geometry, state_.scale)};
     tell_all_before(observers(*this), event);
     state_.contract(event);
     tell_all_after(observers(*this), event);
@@ -125,7 +125,7 @@ public:
   /// How much a contraction would move.
   std::uint64_t displacement_of(const Contraction& contraction) const {
     return run_.displacement_of(contraction,
-                                recession_of(contraction, state_.geometry, state_.scale).error);
+                                feature_loss_of(contraction, state_.geometry, state_.scale).error);
   }
 
   /// Of a vertex that is a hub or was one: see LocalTerms::sum_up().

@@ -6,7 +6,7 @@
 #include <quadrille/internal/core/order/hold.h>
 #include <quadrille/internal/core/policy/policies.h>
 #include <quadrille/internal/core/state/contraction.h>
-#include <quadrille/internal/core/state/recession.h>
+#include <quadrille/internal/core/state/feature_loss.h>
 #include <quadrille/report.h>
 
 #include <cmath>

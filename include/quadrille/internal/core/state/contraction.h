@@ -98,8 +98,8 @@ std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
   return b_stays ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// What a contraction loses: see recession_of.
-struct Recession {
+/// What a contraction loses: see feature_loss_of.
+struct FeatureLoss {
   double way;   ///< in the engine's unit; 0 where the surface is not thin
   double error; ///< of the contraction, with that, in the mesh's unit: see Report::error
 };
@@ -118,7 +118,7 @@ struct ContractionEvent {
   const Contraction<Cost>& contraction;
   const Mode& mode;
   Index kept, gone;
-  Recession recession;
+  FeatureLoss feature_loss;
 };
 
 template <class Observer, class Event>

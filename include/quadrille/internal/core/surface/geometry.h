@@ -42,8 +42,8 @@ public:
   /// Was an edge next to nothing beside another, as in thin parts, when the vertex took its place?
   bool is_thin(Index v) const { return ways_[v] != not_thin; }
   /// How far places in thin parts that have been contracted to the vertex are from the faces around
-  /// it, at most: see recession_of.
-  double recession(Index v) const { return static_cast<double>((std::max)(0.0f, ways_[v])); }
+  /// it, at most: see feature_loss_of.
+  double feature_loss(Index v) const { return static_cast<double>((std::max)(0.0f, ways_[v])); }
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
   void fix(Index v) {
     is_fixed_.resize(positions_.size(), false);
@@ -75,8 +75,8 @@ public:
       nearest = (std::min)(nearest, second); // most neighbours are the second of one face
     });
     squared_reach_[event.kept] = farthest;
-    const bool is_any_thin = event.recession.way > 0 || is_thin(nearest, farthest);
-    ways_[event.kept] = is_any_thin ? static_cast<float>(event.recession.way) : not_thin;
+    const bool is_any_thin = event.feature_loss.way > 0 || is_thin(nearest, farthest);
+    ways_[event.kept] = is_any_thin ? static_cast<float>(event.feature_loss.way) : not_thin;
   }
 
   /// The positions, which are no longer here then.
@@ -114,7 +114,7 @@ private:
 
   Array<Position> positions_;
   Array<float> squared_reach_;
-  Array<float> ways_; // see recession
+  Array<float> ways_; // see feature_loss
   std::vector<bool> is_fixed_;
 };
 

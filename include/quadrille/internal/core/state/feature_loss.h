@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_STATE_RECESSION_H
-#define QUADRILLE_INTERNAL_CORE_STATE_RECESSION_H
+#ifndef QUADRILLE_INTERNAL_CORE_STATE_FEATURE_LOSS_H
+#define QUADRILLE_INTERNAL_CORE_STATE_FEATURE_LOSS_H
 
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/index.h>
@@ -66,7 +66,7 @@ template <class Cost>
 QUADRILLE_NOINLINE double way_where_thin(const Contraction<Cost>& contraction,
                                          const Geometry<Cost::dimension>& geometry) {
   const auto of_end = [&](Index end, const auto& place) {
-    return geometry.recession(end) + distance_left_behind(space(place), contraction, geometry);
+    return geometry.feature_loss(end) + distance_left_behind(space(place), contraction, geometry);
   };
   return (std::max)(of_end(contraction.first(), contraction.pair().first),
                     of_end(contraction.second(), contraction.pair().second));
@@ -117,9 +117,9 @@ bool is_measured(const Contraction<Cost>& contraction, const Scale<Cost::dimensi
 /// The planes of a thin wall weigh as little as its area is. The mean distance of a vertex to the
 /// planes that it remembers therefore hides it if a corner leaves such a wall far behind.
 template <class Cost>
-QUADRILLE_ALWAYS_INLINE inline Recession recession_of(const Contraction<Cost>& contraction,
-                                                      const Geometry<Cost::dimension>& geometry,
-                                                      const Scale<Cost::dimension>& scale) {
+QUADRILLE_ALWAYS_INLINE inline FeatureLoss
+feature_loss_of(const Contraction<Cost>& contraction, const Geometry<Cost::dimension>& geometry,
+                const Scale<Cost::dimension>& scale) {
   double way = 0, error = contraction.error();
   if (geometry.is_thin(contraction.first()) || geometry.is_thin(contraction.second())) [[unlikely]]
     way = way_where_thin(contraction, geometry);
@@ -130,4 +130,4 @@ QUADRILLE_ALWAYS_INLINE inline Recession recession_of(const Contraction<Cost>& c
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_STATE_RECESSION_H
+#endif // QUADRILLE_INTERNAL_CORE_STATE_FEATURE_LOSS_H
