@@ -3,7 +3,7 @@
 
 #include <quadrille/channel_options.h>
 #include <quadrille/internal/attributes/channel_map.h>
-#include <quadrille/internal/attributes/channel_teller.h>
+#include <quadrille/internal/attributes/channel_writer.h>
 #include <quadrille/internal/attributes/channels.h>
 #include <quadrille/internal/attributes/face_graph_channels.h>
 #include <quadrille/internal/attributes/soup_channels.h>

@@ -15,7 +15,7 @@
 #include <quadrille/internal/core/call/map_keys.h>
 #include <quadrille/internal/core/call/meshes.h>
 #include <quadrille/internal/core/call/named_parameters.h>
-#include <quadrille/internal/core/call/teller.h>
+#include <quadrille/internal/core/call/reporter.h>
 #include <quadrille/internal/planar/planar_remesh.h>
 #include <quadrille/parameters.h>
 #include <quadrille/quadric.h>

@@ -1,7 +1,7 @@
 #ifndef QUADRILLE_RECORD_H
 #define QUADRILLE_RECORD_H
 
-#include <quadrille/internal/core/recording/recorder_teller.h>
+#include <quadrille/internal/core/recording/record_writer.h>
 #include <quadrille/recorded.h>
 
 namespace quadrille {

@@ -50,8 +50,8 @@ struct Told {
 };
 
 template <bool is_scale_free>
-struct Teller {
-  using ScaleFree = std::conditional_t<is_scale_free, Teller, void>;
+struct Reporter {
+  using ScaleFree = std::conditional_t<is_scale_free, Reporter, void>;
   Told* told;
 
   bool allows(const auto& contraction) const {
@@ -156,8 +156,8 @@ TEST_CASE("A filter is told the indices that a recorder is told") {
     CHECK(told.contractions == report.contractions);
     CHECK(told.contractions > 200);
   };
-  check(Teller<false>{&told});
-  check(Teller<true>{&told});
+  check(Reporter<false>{&told});
+  check(Reporter<true>{&told});
 }
 
 TEST_CASE("A filter keeps the selected part of a soup, by vertices or by faces") {

@@ -90,9 +90,9 @@ private:
     if (is_cut && !is_estimate_told_ && !is_step)
       print_remark(options_, "about " + text_of(status.estimate));
     is_estimate_told_ = is_estimate_told_ || is_cut;
-    if ((is_phase && !is_step) || now - told_ >= std::chrono::minutes(1)) {
+    if ((is_phase && !is_step) || now - reported_ >= std::chrono::minutes(1)) {
       print_remark(options_, text_of(status));
-      told_ = now;
+      reported_ = now;
     }
     if (is_phase)
       phase_ = status.phase;
@@ -114,7 +114,7 @@ private:
   std::optional<quadrille::FileStatus> last_;
   unsigned phase_ = 0; // that has been told
   double from_ = 0;    // of the progress, where this run goes on
-  Clock::time_point began_ = Clock::now(), looked_{}, written_{}, told_ = began_;
+  Clock::time_point began_ = Clock::now(), looked_{}, written_{}, reported_ = began_;
 };
 
 } // namespace quadrille_examples

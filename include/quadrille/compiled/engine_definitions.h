@@ -2,10 +2,10 @@
 #define QUADRILLE_COMPILED_ENGINE_DEFINITIONS_H
 
 #include <quadrille/channels.h>
-#include <quadrille/internal/core/call/compiled_engines.h>
 #include <quadrille/distance_limits.h>
+#include <quadrille/internal/core/call/compiled_engines.h>
 #include <quadrille/internal/core/order/relaxed_passes.h>
-#include <quadrille/internal/core/recording/recorder_teller.h>
+#include <quadrille/internal/core/recording/record_writer.h>
 
 /// \file
 /// All that an engine of quadrille::compiled is made of, for the sources that define one.

@@ -48,7 +48,7 @@ const PieceChannels* channels_among(const First& first, const Rest&... rest) {
 
 /// Asks for what is remembered, where that is anything.
 template <class Cost>
-struct PieceTeller {
+struct PieceReporter {
   static constexpr bool asks_for_states = !std::is_empty_v<typename Cost::State>;
 };
 
@@ -89,7 +89,7 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   PieceAdapter<Cost, decltype(policies)::has_channels> adapter(
       piece, given, channels_among(arguments...), result, workspace);
   const auto read = [](auto& reader) { return reader.read(); };
-  result.report = run(adapter, policies, read, PieceTeller<Cost>{});
+  result.report = run(adapter, policies, read, PieceReporter<Cost>{});
   if (policies.optional.bounds)
     for (const Index face : result.faces)
       result.bounds.push_back(bounds[face]);

@@ -14,7 +14,7 @@ struct CheckCancelled {};
 class CheckProgress {
 public:
   CheckProgress(std::function<bool(double)> told, std::size_t stages)
-      : told_(std::move(told)), stages_(static_cast<double>(stages)) {}
+      : reported_(std::move(told)), stages_(static_cast<double>(stages)) {}
 
   /// So much of the present stage is done, from 0 to 1. Throws CheckCancelled.
   void at(double part) {
@@ -35,11 +35,11 @@ private:
   static constexpr std::size_t steps_between_words = 256;
 
   void tell() const {
-    if (told_ && !told_((static_cast<double>(stage_) + part_) / stages_))
+    if (reported_ && !reported_((static_cast<double>(stage_) + part_) / stages_))
       throw CheckCancelled{};
   }
 
-  std::function<bool(double)> told_;
+  std::function<bool(double)> reported_;
   double stages_, part_ = 0;
   std::size_t stage_ = 0, steps_ = 0;
 };

@@ -145,7 +145,7 @@ public:
   /// lie.
   ///
   /// Everything that can throw (memory, the user's maps) comes before the first change of the
-  /// connectivity, and is taken back if it does. Calls tell as Teller says. Returns how many
+  /// connectivity, and is taken back if it does. Calls tell as Reporter says. Returns how many
   /// vertices it had to duplicate.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {

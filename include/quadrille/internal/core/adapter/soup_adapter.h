@@ -75,7 +75,7 @@ public:
 
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
   /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
-  /// soup stays as it was. Calls tell as Teller says.
+  /// soup stays as it was. Calls tell as Reporter says.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     auto points = empty_like(points_);

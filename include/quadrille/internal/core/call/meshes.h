@@ -11,8 +11,8 @@
 #include <quadrille/internal/core/call/map_keys.h>
 #include <quadrille/internal/core/call/named_parameters.h>
 #include <quadrille/internal/core/call/piece_parameters.h>
+#include <quadrille/internal/core/call/reporter.h>
 #include <quadrille/internal/core/call/run.h>
-#include <quadrille/internal/core/call/teller.h>
 #include <quadrille/internal/core/cost/vertex_importance.h>
 #include <quadrille/parameters.h>
 #include <quadrille/report.h>

@@ -55,7 +55,7 @@ inline Report untouched(Report report) {
 }
 
 /// Data flows one way: adapter, working surface, loop, result, adapter. `read` gives the input of
-/// the adapter; it calls tell as Teller says.
+/// the adapter; it calls tell as Reporter says.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   StopWatch watch;

@@ -17,7 +17,7 @@
 
 namespace quadrille::internal {
 
-/// What a recorder is told of. It is compiled for the calls that have one only: see RecorderTeller.
+/// What a recorder is told of. It is compiled for the calls that have one only: see RecordWriter.
 template <class Policies>
 class Recording {
 public:

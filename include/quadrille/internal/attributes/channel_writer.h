@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_TELLER_H
-#define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_TELLER_H
+#ifndef QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_WRITER_H
+#define QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_WRITER_H
 
 #include <quadrille/internal/attributes/channel.h>
 #include <quadrille/internal/attributes/channels.h>
@@ -20,7 +20,7 @@
 namespace quadrille::internal {
 
 /// A channel of the engine as a recorder is told of it.
-struct ToldChannel {
+struct ReportedChannel {
   std::size_t number;   ///< of the channel of the call
   Index first_wedge;    ///< what is added to the numbers of its wedges
   bool is_of_backs;     ///< are its values those of backs?
@@ -30,10 +30,10 @@ struct ToldChannel {
 
 /// All channels of a surface. Where backs have values of their own these are further wedges of the
 /// channel. `back_channels`: see BackValues; empty if there are no backs.
-inline std::vector<ToldChannel> told_channels(std::span<const Channel> channels,
-                                              const std::vector<std::size_t>& back_channels,
-                                              std::size_t vertices) {
-  std::vector<ToldChannel> told(channels.size());
+inline std::vector<ReportedChannel> reported_channels(std::span<const Channel> channels,
+                                                      const std::vector<std::size_t>& back_channels,
+                                                      std::size_t vertices) {
+  std::vector<ReportedChannel> told(channels.size());
   for (std::size_t c = 0; c < told.size(); ++c)
     told[c] = {c, 0, false, channels[c].has_seams(), c};
   for (std::size_t c = 0; c < back_channels.size(); ++c)
@@ -48,32 +48,33 @@ inline std::vector<ToldChannel> told_channels(std::span<const Channel> channels,
 
 /// Tells a recorder what becomes of the channels of a surface.
 template <class Policies>
-class ChannelTeller {
+class ChannelWriter {
 public:
-  explicit ChannelTeller(const RecordingNeeds<Policies>& needs)
+  explicit ChannelWriter(const RecordingNeeds<Policies>& needs)
       : complex_(needs.state.complex), numbering_(needs.state.numbering),
         channels_(needs.state.appearance.channels()) {}
 
   /// Returns how many numbers of a vertex are values of channels.
   std::size_t begin() {
-    told_ = told_channels(channels_.all(), channels_.back_channels(), complex_.vertex_capacity());
+    reported_ =
+        reported_channels(channels_.all(), channels_.back_channels(), complex_.vertex_capacity());
     std::size_t width = 0;
-    for (std::size_t c = 0; c < told_.size(); ++c)
-      width += told_[c].has_wedges ? 0 : channels_.all()[c].components();
+    for (std::size_t c = 0; c < reported_.size(); ++c)
+      width += reported_[c].has_wedges ? 0 : channels_.all()[c].components();
     return width;
   }
   /// The channels as a recorder is told of them at the beginning.
   std::vector<RecordedChannel> recorded() {
     std::vector<RecordedChannel> recorded;
-    for (const ToldChannel& told : told_)
+    for (const ReportedChannel& told : reported_)
       if (!told.is_of_backs)
         recorded.push_back(read(told));
     return recorded;
   }
   /// The numbers of a vertex that are values of channels.
   void append_values_of(Index v, std::vector<double>& values) {
-    for (std::size_t c = 0; c < told_.size(); ++c)
-      if (!told_[c].has_wedges)
+    for (std::size_t c = 0; c < reported_.size(); ++c)
+      if (!reported_[c].has_wedges)
         channels_.all()[c].append_final_values(v, values);
   }
 
@@ -84,11 +85,11 @@ public:
     corners.clear();
     const auto channels = channels_.all();
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      if (!told_[c].has_wedges)
+      if (!reported_[c].has_wedges)
         continue;
       const auto note = [&](Index face, Index end) {
         Channel& channel = channels[c];
-        if (told_[c].is_of_backs && !complex_.backs().has(face))
+        if (reported_[c].is_of_backs && !complex_.backs().has(face))
           return;
         corners.push_back(
             {c, channel.records().identity(channel.wedge(complex_, face, end)), face});
@@ -118,7 +119,7 @@ public:
       for (std::size_t i = 0; i < renamed.size(); ++i) {
         const auto [wedge, identity] = renamed[i];
         if (i > 0 && renamed[i - 1].first == wedge) {
-          buffer.joined.push_back(told_[c].first_wedge + identity);
+          buffer.joined.push_back(reported_[c].first_wedge + identity);
           buffer.wedges.back().joined_end = buffer.joined.size();
           continue;
         }
@@ -126,7 +127,7 @@ public:
         const std::size_t values_begin = buffer.wedge_values.size();
         if (!channel.append_final_values(wedge, buffer.wedge_values))
           buffer.wedge_values.resize(values_begin);
-        buffer.wedges.push_back({told_[c].number, told_[c].first_wedge + identity,
+        buffer.wedges.push_back({reported_[c].number, reported_[c].first_wedge + identity,
                                  buffer.joined.size(), buffer.wedge_values.size()});
       }
     }
@@ -134,7 +135,7 @@ public:
   }
 
 private:
-  RecordedChannel read(const ToldChannel& told) {
+  RecordedChannel read(const ReportedChannel& told) {
     Channel& fronts = channels_.all()[told.number];
     RecordedChannel recorded{fronts.components(), {}, {}};
     if (!told.has_wedges)
@@ -142,7 +143,7 @@ private:
     recorded.corners = corners_by_input_face(
         complex_, numbering_.faces, [&](Index face, std::size_t i, bool is_back) {
           const std::size_t c = is_back ? told.of_backs : told.number;
-          return told_[c].first_wedge +
+          return reported_[c].first_wedge +
                  channels_.all()[c].wedge(complex_, face, complex_.vertices(face)[i]);
         });
     append_values(fronts, recorded.values);
@@ -159,9 +160,9 @@ private:
   const TriangleComplex& complex_;
   const Numbering& numbering_;
   ChannelsOf<Policies>& channels_;
-  std::vector<ToldChannel> told_; // of each channel
+  std::vector<ReportedChannel> reported_; // of each channel
 };
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_TELLER_H
+#endif // QUADRILLE_INTERNAL_ATTRIBUTES_CHANNEL_WRITER_H

@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_CALL_TELLER_H
-#define QUADRILLE_INTERNAL_CORE_CALL_TELLER_H
+#ifndef QUADRILLE_INTERNAL_CORE_CALL_REPORTER_H
+#define QUADRILLE_INTERNAL_CORE_CALL_REPORTER_H
 
 #include <quadrille/internal/core/base/compiler.h>
 #include <quadrille/internal/core/base/index.h>
@@ -17,12 +17,12 @@ namespace quadrille::internal {
 /// What a call tells of the result by named parameters, while an adapter writes it. What was not
 /// asked for is Param_not_found, and costs nothing.
 template <class QuadricMap, class ImageMap, class Duplicates>
-class Teller {
+class Reporter {
 public:
   static constexpr bool asks_for_states = is_given<QuadricMap>;
   static constexpr bool asks_for_images = is_given<ImageMap>;
 
-  Teller(QuadricMap quadrics, ImageMap images, Duplicates duplicates)
+  Reporter(QuadricMap quadrics, ImageMap images, Duplicates duplicates)
       : quadrics_(quadrics), images_(images), duplicates_(duplicates) {}
 
   /// For each vertex v that is left, with its key in the user's maps.
@@ -52,11 +52,11 @@ private:
 template <class NamedParameters>
 auto teller(const NamedParameters& named) {
   using CGAL::parameters::get_parameter;
-  return Teller(get_parameter(named, parameters::vertex_quadric),
-                get_parameter(named, parameters::vertex_to_vertex),
-                get_parameter(named, parameters::duplicate_output));
+  return Reporter(get_parameter(named, parameters::vertex_quadric),
+                  get_parameter(named, parameters::vertex_to_vertex),
+                  get_parameter(named, parameters::duplicate_output));
 }
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_CALL_TELLER_H
+#endif // QUADRILLE_INTERNAL_CORE_CALL_REPORTER_H

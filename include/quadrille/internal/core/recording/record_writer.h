@@ -1,5 +1,5 @@
-#ifndef QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
-#define QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
+#ifndef QUADRILLE_INTERNAL_CORE_RECORDING_RECORD_WRITER_H
+#define QUADRILLE_INTERNAL_CORE_RECORDING_RECORD_WRITER_H
 
 #include <quadrille/internal/core/base/digit_sort.h>
 #include <quadrille/internal/core/base/index.h>
@@ -120,13 +120,13 @@ places_in_order_of_cost(const std::vector<RecordScratch>& scratches) {
   return places;
 }
 
-/// Tells a recorder what becomes of channels: see channel_teller.h.
+/// Tells a recorder what becomes of channels: see channel_writer.h.
 template <class Policies>
-class ChannelTeller;
+class ChannelWriter;
 /// The same of a surface without channels.
-struct NoChannelTeller {
+struct NoChannelWriter {
   template <class Policies>
-  explicit NoChannelTeller(const RecordingNeeds<Policies>&) {}
+  explicit NoChannelWriter(const RecordingNeeds<Policies>&) {}
   std::size_t begin() { return 0; }
   std::vector<RecordedChannel> recorded() const { return {}; }
   void append_values_of(Index, std::vector<double>&) const {}
@@ -137,15 +137,15 @@ struct NoChannelTeller {
 
 /// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
 template <class Policies>
-class RecorderTeller : public Recording<Policies> {
+class RecordWriter : public Recording<Policies> {
 public:
   using Cost = typename Policies::Cost;
   static constexpr std::size_t dimension = Cost::dimension;
   using Contraction = internal::Contraction<Cost>;
   using Channels =
-      std::conditional_t<Policies::has_channels, ChannelTeller<Policies>, NoChannelTeller>;
+      std::conditional_t<Policies::has_channels, ChannelWriter<Policies>, NoChannelWriter>;
 
-  explicit RecorderTeller(const RecordingNeeds<Policies>& needs)
+  explicit RecordWriter(const RecordingNeeds<Policies>& needs)
       : state_(needs.state), channels_(needs), distances_(needs.distances),
         scratches_(needs.state.policies.threads) {}
 
@@ -291,9 +291,9 @@ private:
 /// For OptionalParts.
 template <class Policies>
 std::unique_ptr<Recording<Policies>> make_recording(const RecordingNeeds<Policies>& needs) {
-  return std::make_unique<RecorderTeller<Policies>>(needs);
+  return std::make_unique<RecordWriter<Policies>>(needs);
 }
 
 } // namespace quadrille::internal
 
-#endif // QUADRILLE_INTERNAL_CORE_RECORDING_RECORDER_TELLER_H
+#endif // QUADRILLE_INTERNAL_CORE_RECORDING_RECORD_WRITER_H
