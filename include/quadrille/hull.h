@@ -31,7 +31,7 @@ concept SeesQuadric = requires(const Pair& pair) {
   { pair.current.quadric } -> std::convertible_to<QuadricForm<3>>;
 };
 template <class Pair>
-concept RemembersQuadric = requires(const Pair& pair) {
+concept AccumulatesQuadric = requires(const Pair& pair) {
   { pair.state } -> std::convertible_to<QuadricForm<3>>;
 };
 
@@ -211,7 +211,7 @@ private:
     }
 
     static QuadricForm<3> quadric_of(const Pair& pair) {
-      static_assert(internal::SeesQuadric<Pair> || internal::RemembersQuadric<Pair>,
+      static_assert(internal::SeesQuadric<Pair> || internal::AccumulatesQuadric<Pair>,
                     "OuterHull and InnerHull need a cost with a quadric: use Quadric, "
                     "MemorylessQuadric or ThinFeatureQuadric.");
       if constexpr (internal::SeesQuadric<Pair>)

@@ -130,8 +130,8 @@ public:
   /// Maps of the attributes as they are now. What the faces of a wedge disagree about goes to its
   /// vertex: add(v, matrix). `labels`: of each face; or empty. An area counts weight(area).
   template <class Positions, class Weight, class Add>
-  void remember(const Positions& positions, const TriangleComplex& complex,
-                const Array<Index>& labels, Weight weight_of_area, Add add) {
+  void accumulate(const Positions& positions, const TriangleComplex& complex,
+                  const Array<Index>& labels, Weight weight_of_area, Add add) {
     records_.forget_faces();
     if (components() == 0)
       return;

@@ -142,7 +142,7 @@ private:
 
 /// Do the vertices remember what channels leave in what they remember anyway?
 template <class Cost>
-inline constexpr bool remembers_forms = std::same_as<typename Cost::State, QuadricForm<3>>;
+inline constexpr bool accumulates_forms = std::same_as<typename Cost::State, QuadricForm<3>>;
 
 /// Does a cost add what channels leave to what it sees now?
 template <class Cost>
@@ -194,16 +194,16 @@ public:
   }
 
   /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
-  void remember(const Array<Index>& labels) {
-    if constexpr (!remembers_forms<Cost>)
+  void accumulate(const Array<Index>& labels) {
+    if constexpr (!accumulates_forms<Cost>)
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
     traces_.assign(geometry_.positions().size(), 0);
     for (Channel& channel : channels_)
-      channel.remember(geometry_.positions(), complex_, labels, weight_of_area,
-                       [&](Index v, const SymmetricMatrix<3>& matrix) {
-                         form_at(v).matrix() += matrix;
-                         traces_[v] += matrix.trace();
-                       });
+      channel.accumulate(geometry_.positions(), complex_, labels, weight_of_area,
+                         [&](Index v, const SymmetricMatrix<3>& matrix) {
+                           form_at(v).matrix() += matrix;
+                           traces_[v] += matrix.trace();
+                         });
   }
 
   /// Holds charts where they end, of a surface that has seams of other kinds or not: a border of
@@ -235,7 +235,7 @@ public:
 
   /// What the attributes cost at a pair is seen by the cost of the pair.
   QUADRILLE_ALWAYS_INLINE void add_to(PairOf<Cost>& pair, Index a, Index b) const {
-    if constexpr (remembers_forms<Cost>)
+    if constexpr (accumulates_forms<Cost>)
       add_joins(pair.state, contracted(a, b));
     else if constexpr (sees_forms<Cost>)
       pair.current.quadric += form(contracted(a, b));
@@ -246,7 +246,7 @@ public:
   double error_factor(const PairOf<Cost>& pair, Index a, Index b) const {
     double weight = 0;
     QuadricForm<3> form;
-    if constexpr (remembers_forms<Cost>) {
+    if constexpr (accumulates_forms<Cost>) {
       weight = pair.state.trace();
     } else if constexpr (sees_forms<Cost>) {
       weight = pair.current.quadric.trace();
@@ -301,7 +301,7 @@ public:
     QuadricForm<3> joins;
     for (Channel& channel : channels_)
       if (channel.joins_two(pair)) {
-        if constexpr (!remembers_forms<Cost>)
+        if constexpr (!accumulates_forms<Cost>)
           channel.add_difference(pair.first, pair.second, pair.to_second, joins);
         channel.apply_join(complex_, contraction.star(), pair, event.kept, target);
       } else {
@@ -310,7 +310,7 @@ public:
       }
     traces_[event.kept] = traces_[pair.first] + traces_[pair.second] +
                           trace_of_joins(contraction.pair(), pair.first, pair.second, joins);
-    if constexpr (!remembers_forms<Cost>) {
+    if constexpr (!accumulates_forms<Cost>) {
       joins +=
           QuadricForm<3>::sum_about_first(forms_[pair.first], forms_[pair.second], pair.to_second);
       joins.move_origin(target);
@@ -330,7 +330,7 @@ public:
   QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const {
     for (const Channel& channel : channels_)
       channel.prefetch(v);
-    if constexpr (!remembers_forms<Cost>)
+    if constexpr (!accumulates_forms<Cost>)
       prefetch_value(forms_, v);
   }
 
@@ -371,7 +371,7 @@ private:
   }
 
   QuadricForm<3>& form_at(Index v) {
-    if constexpr (remembers_forms<Cost>)
+    if constexpr (accumulates_forms<Cost>)
       return states_[v];
     else
       return forms_[v];
@@ -380,7 +380,7 @@ private:
   // Of the joins of a pair, which are given where its state does not contain them.
   double trace_of_joins(const PairOf<Cost>& pair, Index a, Index b,
                         const QuadricForm<3>& joins) const {
-    if constexpr (remembers_forms<Cost>)
+    if constexpr (accumulates_forms<Cost>)
       return pair.state.trace() - states_[a].trace() - states_[b].trace();
     else
       return joins.trace();

@@ -68,7 +68,7 @@ LaneForm two_joins(const Channels& channels, const TwoPairs& two,
 template <class Cost>
 auto two_channel_forms(const Channels<Cost>& channels, const TwoPairs& two,
                        const std::array<Vector<3>, 2>& to_seconds) {
-  if constexpr (remembers_forms<Cost>) {
+  if constexpr (accumulates_forms<Cost>) {
     return two_joins(channels, two, to_seconds);
   } else if constexpr (sees_forms<Cost>) {
     const auto& [p, q] = two;

@@ -64,7 +64,7 @@ PieceResult<Cost> simplify_piece(Piece<Cost> piece, const Cost& cost, const Plac
   using State = typename Cost::State;
   static_assert(
       std::is_empty_v<State> || requires(State m) { m -= m; },
-      "quadrille: a cost that remembers anything needs a State with -= here");
+      "quadrille: a cost with state needs a State with -= here");
   PieceResult<Cost> result;
   const GivenStates<State> given{std::move(piece.states), std::move(piece.has_state)};
   auto policies = pick_policies<NotGiven, NotGiven>(cost, placement, arguments...);

@@ -51,8 +51,8 @@ struct PieceOfPart {
   static constexpr std::size_t state_size = has_state ? sizeof(State) : 0;
   static_assert(Cost::dimension == 3, "quadrille: a file is simplified with a cost in space");
   static_assert(std::is_trivially_copyable_v<State>,
-                "quadrille: what a vertex remembers is written to files, so it has to be bytes");
-  static_assert(!asks_for_indices<Cost> && !RemembersByIndex<Cost>,
+                "quadrille: the state of a vertex is written to files, so it must be bytes");
+  static_assert(!asks_for_indices<Cost> && !AccumulatesByIndex<Cost>,
                 "quadrille: each part of a file counts its vertices anew: a cost that asks for "
                 "indices in the input is for surfaces in memory");
 

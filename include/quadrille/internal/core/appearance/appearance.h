@@ -56,9 +56,9 @@ public:
   }
 
   /// Adds what it is now to what vertices remember.
-  void remember() {
+  void accumulate() {
     if constexpr (has_channels)
-      channels_.remember(seams_.labels());
+      channels_.accumulate(seams_.labels());
     std::vector<std::array<Index, 2>> edges; // of two faces
     seams_.for_each_seam([&](Index v, Index w, const auto& sides) {
       if (sides.size() == 2)
@@ -66,8 +66,8 @@ public:
     });
     if constexpr (has_channels)
       channels_.hold_borders(seams_.labels(), !seams_.is_empty());
-    states_.remember_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
-                             complex_, edges);
+    states_.accumulate_creases(policies_.cost, policies_.label_border_weight, geometry_.positions(),
+                               complex_, edges);
   }
 
   auto take_channels() { return channels_.take(); }

@@ -89,7 +89,7 @@ public:
   /// As vertex_quadric_map tells it.
   auto mean_quadric(Index v) const {
     static_assert(std::same_as<typename Cost::State, QuadricForm<Cost::dimension>>,
-                  "vertex_quadric_map needs a cost that remembers a QuadricForm: use Quadric or an "
+                  "vertex_quadric_map needs a cost whose State is a QuadricForm: use Quadric or an "
                   "AttributeQuadric.");
     return surface_.scale.mean_of_mesh(surface_.states[vertices_[v]]);
   }

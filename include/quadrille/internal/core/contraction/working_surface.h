@@ -52,7 +52,7 @@ public:
       classify(box, input.tolerances);
     if (!progress().proceed())
       return;
-    remember();
+    accumulate();
     if (policies.optional.states)
       state_.states.take_given(*policies.optional.states, state_.numbering.vertices);
     QUADRILLE_ASSERT(have_rows(followers(*this), complex().vertex_capacity()));
@@ -147,7 +147,7 @@ public:
       complex().build_lists(policies().threads);
     if (refresh) {
       state_.creases.follow(state_.numbering);
-      remember();
+      accumulate();
     } else {
       evaluator_.sum_up(scratch().labels);
     }
@@ -188,8 +188,8 @@ private:
       progress().announce_tolerance(0);
   }
 
-  void remember() {
-    state_.remember();
+  void accumulate() {
+    state_.accumulate();
     evaluator_.sum_up(scratch().labels);
   }
 

@@ -202,18 +202,18 @@ public:
   /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
   /// boundary edge for certain.
   template <class IsInterior>
-  void remember(const Cost& cost, const Positions& positions, TriangleComplex& complex,
-                VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
-                const SharedVertices& shared, IsInterior is_interior, Threads threads) {
+  void accumulate(const Cost& cost, const Positions& positions, TriangleComplex& complex,
+                  VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
+                  const SharedVertices& shared, IsInterior is_interior, Threads threads) {
     InitialStates<Cost>::compute(states_, cost, positions, complex, labels, creases, shared,
                                  is_interior, threads);
   }
 
   /// Adds what vertices of the input leave that the cost knows by their indices, for a cost that
   /// does: of all that a vertex stands for.
-  void remember_input([[maybe_unused]] const Cost& cost,
-                      [[maybe_unused]] const Numbering& numbering) {
-    if constexpr (RemembersByIndex<Cost>) {
+  void accumulate_input([[maybe_unused]] const Cost& cost,
+                        [[maybe_unused]] const Numbering& numbering) {
+    if constexpr (AccumulatesByIndex<Cost>) {
       const InputIndices numbers = numbering.vertices.inverse();
       for (Index input = 0; input < numbering.vertices.input_count(); ++input)
         if (const Index v = numbers[numbering.image(input)]; v != none)
@@ -222,9 +222,9 @@ public:
   }
 
   /// Adds what further creases leave, with a weight of their own.
-  void remember_creases(Cost cost, double weight, const Positions& positions,
-                        TriangleComplex& complex,
-                        const std::vector<std::array<Index, 2>>& creases) {
+  void accumulate_creases(Cost cost, double weight, const Positions& positions,
+                          TriangleComplex& complex,
+                          const std::vector<std::array<Index, 2>>& creases) {
     if constexpr (requires { cost.crease_weight; })
       cost.crease_weight = weight;
     InitialStates<Cost>::add_creases(states_, cost, positions, complex, creases);

@@ -30,13 +30,12 @@ decltype(auto) with_engine_lengths(const Cost& cost,
 /// What the ends of a pair remember and see now, as the cost has made it. Of a scale-free cost that
 /// is in units which nobody knows, so it is not there.
 template <class Cost>
-struct RememberedInMeshUnits {
-  explicit RememberedInMeshUnits(const PairOf<Cost>&) {}
+struct StateInMeshUnits {
+  explicit StateInMeshUnits(const PairOf<Cost>&) {}
 };
 template <class Cost>
-requires(!is_scale_free<Cost>) struct RememberedInMeshUnits<Cost> {
-  explicit RememberedInMeshUnits(const PairOf<Cost>& pair)
-      : state(pair.state), current(pair.current) {}
+requires(!is_scale_free<Cost>) struct StateInMeshUnits<Cost> {
+  explicit StateInMeshUnits(const PairOf<Cost>& pair) : state(pair.state), current(pair.current) {}
 
   const typename Cost::State& state;
   const typename PairCurrentOf<Cost>::type& current;
@@ -44,7 +43,7 @@ requires(!is_scale_free<Cost>) struct RememberedInMeshUnits<Cost> {
 
 /// A pair as a placement sees it.
 template <class Cost>
-class PairInMeshUnits : public RememberedInMeshUnits<Cost> {
+class PairInMeshUnits : public StateInMeshUnits<Cost> {
 public:
   using Position = Vector<Cost::dimension>;
   using Scale = internal::Scale<Cost::dimension>;
@@ -53,7 +52,7 @@ public:
   double squared_reach;
 
   PairInMeshUnits(const PairOf<Cost>& pair, const Scale& scale)
-      : RememberedInMeshUnits<Cost>(pair), first(scale.position_of_mesh(pair.first)),
+      : StateInMeshUnits<Cost>(pair), first(scale.position_of_mesh(pair.first)),
         second(scale.position_of_mesh(pair.second)),
         squared_reach(scale.length_of_mesh(scale.length_of_mesh(pair.squared_reach))), pair_(pair) {
   }

@@ -22,7 +22,7 @@ inline constexpr bool asks_for_indices = requires {
 
 /// Does a cost let vertices remember something that it knows by their indices in the input?
 template <class Cost>
-concept RemembersByIndex = requires(const Cost& cost, typename Cost::State state) {
+concept AccumulatesByIndex = requires(const Cost& cost, typename Cost::State state) {
   state += cost.input_vertex(std::size_t{});
 };
 

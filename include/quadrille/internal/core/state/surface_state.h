@@ -194,13 +194,13 @@ struct SurfaceState {
       parts = Parts<dimension>(complex, geometry, scale, scale.diagonal());
   }
   /// Vertices remember the surface as it is now.
-  void remember() {
+  void accumulate() {
     const auto is_interior = [this](Index v) { return link_condition.is_interior(v); };
-    states.remember(with_engine_lengths(policies.cost, scale), geometry.positions(), complex,
-                    scratch().labels, creases.left(numbering), shared, is_interior,
-                    policies.threads);
-    states.remember_input(policies.cost, numbering);
-    appearance.remember();
+    states.accumulate(with_engine_lengths(policies.cost, scale), geometry.positions(), complex,
+                      scratch().labels, creases.left(numbering), shared, is_interior,
+                      policies.threads);
+    states.accumulate_input(policies.cost, numbering);
+    appearance.accumulate();
   }
 
   /// Does a contraction. Attributes meet while faces still have their old corners.
