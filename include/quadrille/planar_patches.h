@@ -146,7 +146,7 @@ PlanarReport remesh_with(Adapter& adapter, InputWithChannels input,
   report.patches = patches.all;
   report.patches_with_border = patches.with_border;
   report.patches_unchanged = patches.unchanged;
-  report.vertices_after += adapter.write(surface, teller(CGAL::parameters::default_values()));
+  report.vertices_after += adapter.write(surface, reporter(CGAL::parameters::default_values()));
   return report;
 }
 

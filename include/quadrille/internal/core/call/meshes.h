@@ -186,7 +186,7 @@ Report simplify_mesh_with_maps(Mesh& mesh, const Policies& policies, const Carri
     reader.release();
     return input;
   };
-  return run(adapter, policies, read, teller(named));
+  return run(adapter, policies, read, reporter(named));
 }
 
 template <class Mesh, class Policies, class Carried, class NamedParameters>
@@ -250,7 +250,7 @@ Report simplify_soup_with_maps(Points& points, Triangles& triangles, const Polic
     read_labels(carried, indices, input, workspace);
     return input;
   };
-  return run(adapter, policies, read, teller(named));
+  return run(adapter, policies, read, reporter(named));
 }
 
 template <class Points, class Triangles, class Policies, class Carried, class NamedParameters>

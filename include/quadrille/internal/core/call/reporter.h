@@ -50,7 +50,7 @@ private:
 };
 
 template <class NamedParameters>
-auto teller(const NamedParameters& named) {
+auto reporter(const NamedParameters& named) {
   using CGAL::parameters::get_parameter;
   return Reporter(get_parameter(named, parameters::vertex_quadric),
                   get_parameter(named, parameters::vertex_to_vertex),
