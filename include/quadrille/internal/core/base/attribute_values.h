@@ -41,7 +41,8 @@ decltype(auto) component(V& value, [[maybe_unused]] std::size_t i) {
 template <class V>
 using ComponentOf = std::remove_cvref_t<decltype(component(std::declval<V&>(), 0))>;
 
-/// How many components each value of a type has, as far as the type tells; else no limit.
+/// Returns how many components each value of a type has, as far as the type determines it; no limit
+/// otherwise.
 template <class V>
 constexpr std::size_t component_count() {
   if constexpr (is_number<V>)

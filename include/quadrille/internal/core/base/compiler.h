@@ -5,7 +5,7 @@
 /// What compilers have in common but spell differently: g++, clang and what descends from them, and
 /// Microsoft's. On any other compiler a macro stands for nothing, and the library works without.
 
-// Microsoft's compiler tells its standard in a macro of its own.
+// Microsoft's compiler reports its standard in a macro of its own.
 #ifdef _MSVC_LANG
 #define QUADRILLE_CXX_STANDARD _MSVC_LANG
 #else

@@ -11,7 +11,7 @@
 
 namespace quadrille::internal {
 
-/// Of three indices each.
+/// Its elements have three indices each.
 template <class T>
 concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& triangles) {
   triangles.push_back(triangles[0]);
@@ -19,12 +19,12 @@ concept TriangleContainer = std::ranges::random_access_range<T> && requires(T& t
   requires std::integral<std::ranges::range_value_t<std::ranges::range_value_t<T>>>;
 };
 
-/// What a container holds; it may be a view whose elements are made when they are asked for.
+/// The type of a container's elements; the container may be a view that makes them on demand.
 template <class Container>
 using ElementOf = std::remove_cvref_t<decltype(std::declval<const Container&>()[0])>;
 
-/// Where the elements that are to replace those of a container are gathered: a view tells its own.
-/// With the same allocator, else the two can't be swapped.
+/// An empty container for the elements that are to replace those of another: a view supplies its
+/// own. It has the same allocator, since the two could not be swapped otherwise.
 template <class Container>
 auto empty_like(const Container& container) {
   if constexpr (requires { container.empty_like(); })
@@ -35,8 +35,8 @@ auto empty_like(const Container& container) {
     return Container();
 }
 
-/// What swap_in() puts in the place of a container, made of its new elements: these themselves; a
-/// view makes its own. `origin(i)` is the element that i was.
+/// Returns the container that swap_in() puts in the place of another, made of its new elements: the
+/// elements themselves, or a new view of them. `origin(i)` is the former index of element i.
 template <class Container, class Elements, class Origin>
 decltype(auto) replacement(const Container& container, Elements& elements, Origin origin) {
   if constexpr (requires { container.replacement(elements, origin); })

@@ -27,7 +27,7 @@ public:
 
   /// A contraction of that key took so many faces. A key that is negative counts as 0.
   void add(float key, std::uint64_t faces) { counters_[counter_of(key)] += faces; }
-  /// The same, by several threads at a time.
+  /// Adds faces at a cost, by several threads at a time.
   void add_in_pass(float key, std::uint64_t faces) {
     std::uint64_t& counter = counters_[counter_of(key)];
 #ifdef __cpp_lib_atomic_ref
@@ -47,7 +47,7 @@ public:
   std::uint64_t total() const {
     return std::accumulate(counters_.begin(), counters_.end(), std::uint64_t{0});
   }
-  /// Those that were taken at no more than the greatest cost of the counter of this one.
+  /// Counts the faces that were removed at no more than the greatest cost of this cost's counter.
   std::uint64_t up_to(float key) const {
     const auto end = counters_.begin() + static_cast<std::ptrdiff_t>(counter_of(key)) + 1;
     return std::accumulate(counters_.begin(), end, std::uint64_t{0});

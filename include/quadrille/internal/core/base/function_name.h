@@ -19,7 +19,7 @@ template <class Error>
   throw Error("quadrille::" + function + ":" + std::string(text.substr(simplify.size())));
 }
 
-/// Runs what is part of `simplify` as well: what it refuses is told in the name of `function`.
+/// Runs code that `simplify` uses as well: its exceptions name `function` instead.
 template <class Run>
 auto in_name_of(const char* function, Run run) {
   try {

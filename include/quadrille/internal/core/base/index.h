@@ -5,7 +5,7 @@
 
 namespace quadrille::internal {
 
-/// Of a vertex or a face.
+/// The number of a vertex or a face.
 using Index = std::uint32_t;
 inline constexpr Index none = ~Index{0};
 

@@ -12,7 +12,7 @@ namespace quadrille::internal {
 /// Two doubles that are computed with at once, with what every 64-bit machine has for that.
 using Lanes = double __attribute__((vector_size(16)));
 
-/// What a comparison of Lanes gives.
+/// The result of a comparison of Lanes.
 using LaneMask = decltype(Lanes{} < Lanes{});
 
 /// In each lane `a` where the condition holds, else `b`.
@@ -22,7 +22,7 @@ inline Lanes select(LaneMask condition, Lanes a, Lanes b) {
 
 #else
 
-/// What a comparison of Lanes gives.
+/// The result of a comparison of Lanes.
 struct LaneMask {
   bool first, second;
 

@@ -14,7 +14,7 @@ struct HeldBy : std::type_identity<T> {};
 template <class T>
 struct HeldBy<std::optional<T>> : std::type_identity<T> {};
 
-/// What a std::optional holds, if it holds anything; of any other type, that type.
+/// The value type of a std::optional; any other type is left as it is.
 template <class T>
 using Held = typename HeldBy<std::remove_cvref_t<T>>::type;
 

@@ -40,7 +40,7 @@ inline void run_by_tbb(unsigned threads, TaskView task) {
 }
 inline constexpr Threads::Library tbb_library{&loop_by_tbb, &run_by_tbb};
 
-/// That many threads, of that library.
+/// Returns `count` threads of the library that this translation unit has.
 inline Threads threads_here(unsigned count) {
   return {count, &tbb_library};
 }

@@ -95,7 +95,8 @@ inline void require_numbers(const char* caller, std::size_t points, std::size_t 
                             " triangles do not fit into 32-bit indices");
 }
 
-/// Where a vertex is, the vertex-th one. Throws std::invalid_argument if that is not finite.
+/// Returns the position of the vertex with the index `vertex`. Throws std::invalid_argument if it
+/// is not finite.
 template <class Point>
 Vector<3> read_point(const char* caller, const Point& p, std::size_t vertex) {
   const Vector<3> position = position_of(p);

@@ -7,7 +7,7 @@
 
 namespace quadrille::internal {
 
-/// The shortest text that tells a number from all others.
+/// Returns the shortest text that distinguishes a number from all others.
 inline std::string text_of(double x) {
   std::array<char, 32> text;
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-/// Some translation units of a program may have oneTBB, and others not. What depends on that is in
-/// the inline namespace QUADRILLE_THREADING, so that no function has two definitions; all else is
-/// told at run time, by Threads.
+/// Some translation units of a program may have oneTBB, and others not. Code that depends on that
+/// is in the inline namespace QUADRILLE_THREADING, so that no function has two definitions; all
+/// other code learns it at run time, from Threads.
 
 #ifdef QUADRILLE_WITH_TBB
 #define QUADRILLE_THREADING with_tbb
@@ -36,7 +36,7 @@ private:
 /// How many threads a call may use, at least one, and how.
 class Threads {
 public:
-  /// What a library of threads does with more than one.
+  /// This is how a library of threads runs a loop on more than one of them.
   struct Library {
     void (*loop)(std::size_t n, TaskView task);   ///< see parallel_for()
     void (*run)(unsigned threads, TaskView task); ///< task(0, 0): see with_threads()

@@ -25,7 +25,7 @@ public:
   bool has(Index face) const { return !is_empty() && of_[face] != none; }
   /// The input index of the back that a face has.
   Index input_face(Index face) const { return of_[face] >> 2; }
-  /// Where a corner of the front is in its back, and the other way round.
+  /// Returns where a corner of the face is in its reverse, and the other way round.
   std::size_t opposite(Index face, std::size_t corner) const {
     return ((of_[face] & 3) + 3 - corner) % 3;
   }

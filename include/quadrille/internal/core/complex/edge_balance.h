@@ -11,10 +11,10 @@
 
 namespace quadrille::internal {
 
-/// Calls visit(v, w) for each edge that has not as many faces that run along it in one direction as
-/// in the other, and tells how many there are. If none has, the surface is closed and oriented, and
-/// every point beside it has a winding number. In linear time, but for the sorting of the edges at
-/// each vertex.
+/// Calls visit(v, w) for each edge that does not have as many faces in one direction as in the
+/// other, and returns how many such edges there are. If there are none, the surface is closed and
+/// oriented, and every point that is not on it has a winding number. The time is linear, except for
+/// the sorting of the edges at each vertex.
 template <class Visit>
 std::size_t for_each_unbalanced_edge(const TriangleComplex& complex, Visit visit) {
   std::size_t count = 0;
@@ -43,7 +43,7 @@ std::size_t for_each_unbalanced_edge(const TriangleComplex& complex, Visit visit
   return count;
 }
 
-/// The same without looking at them.
+/// Counts these edges without visiting them.
 inline std::size_t count_unbalanced_edges(const TriangleComplex& complex) {
   return for_each_unbalanced_edge(complex, [](Index, Index) {});
 }

@@ -30,7 +30,7 @@ public:
     complex.for_each_corner(v, [&](Index face, Index i) { add(star_face_at(complex, face, i)); });
   }
 
-  /// The same of the edges to higher vertices.
+  /// Gathers the edges to vertices with higher numbers only.
   void gather_above(const TriangleComplex& complex, Index v) {
     clear();
     complex.for_each_corner(v, [&](Index face, Index i) {

@@ -146,7 +146,7 @@ private:
   std::vector<LinkVertex> link_;
 };
 
-/// Tells whether a contraction keeps the topology of the surface.
+/// Decides whether a contraction keeps the topology of the surface.
 ///
 /// The contraction of an edge ab does, if Lk(a) ∩ Lk(b) = Lk(ab), where the links of boundary edges
 /// are joined to a point at infinity. A line along which three sheets or more meet, as the pages of
@@ -233,7 +233,8 @@ public:
 private:
   using Kind = VertexKind;
 
-  // Of an oriented vertex, all neighbours but those of its shared faces are second vertices.
+  // The second vertices of the faces at an oriented vertex are all its neighbours but those of its
+  // shared faces.
   template <class Visit>
   void for_each_neighbour(const AppendBuffer<StarFace>& faces, Index v, Visit visit) const {
     if (kind_[v] == Kind::interior) {
@@ -263,9 +264,9 @@ private:
     return has_vertex(star.first, opposite) || has_vertex(star.second, opposite);
   }
 
-  // One end lies on a spine, and the other on the same: so must the edge, and nothing may join them
-  // behind it. Of two ends on the spine it is enough to look from one: that of more faces, so that
-  // numbers do not matter, or either where both have as many.
+  // Both ends lie on one spine: then the edge must as well, and nothing may join the ends
+  // elsewhere. It is enough to look from one of two ends on the spine: from the end with more
+  // faces, so that numbers do not matter, or from either where both have as many.
   bool is_along_spine(const PairStar& star, Index a, Index b, VertexLabels& labels) const {
     if (star.shared.size() < 3 || (kind_[a] != Kind::spine && kind_[b] != Kind::spine))
       return false;

@@ -41,9 +41,9 @@ inline StarFace star_face_from(const TriangleComplex& complex, Index face, Index
 ///            r
 /// ```
 ///
-/// Where one end is a hub, to which the other comes, its faces do not change. Only those beside the
-/// other end are here: those that have a vertex in common with its link; of further hubs in the
-/// link, at least one each that is opposite to the pair.
+/// If one end is a hub, the other end moves to it and the faces of the hub do not change. The star
+/// then has only the faces next to the other end: those that share a vertex with its link; and at
+/// least one face opposite the pair for each further hub in the link.
 struct PairStar {
   AppendBuffer<StarFace> first, second; // the faces of one end only
   AppendBuffer<StarFace> shared;        // the faces of both, seen from the first end
@@ -56,7 +56,7 @@ struct PairStar {
     StarFace* const both = shared.extend(complex.degree_bound(a));
     StarFace* const theirs = second.extend(complex.degree_bound(b));
     std::size_t our_count = 0, both_count = 0, their_count = 0;
-    complex.prune_corners(a, [&](Index face, Index i) { // without a branch: it is hard to guess
+    complex.prune_corners(a, [&](Index face, Index i) { // without a branch, which would be hard to predict
       const StarFace f = star_face_at(complex, face, i);
       const bool is_shared = (f.second == b) | (f.third == b);
       ours[our_count].set(f);
@@ -74,8 +74,8 @@ struct PairStar {
     second.add(their_count);
   }
 
-  /// Of a pair of which one end is a hub, in about as many steps as the other end and its
-  /// neighbours have faces.
+  /// Gathers the star of a pair of which one end is a hub, in about as many steps as the other end
+  /// and its neighbours have faces.
   void gather_beside_hub(TriangleComplex& complex, Index a, Index b, Index its_hub);
 
   /// Calls visit(face) for each face that a contraction changes.
@@ -96,11 +96,11 @@ private:
   std::vector<Index> link_; // of the end that is no hub
 };
 
-/// The faces of a hub beside another vertex, found from the neighbours of that. Of further hubs
-/// among these only what has to be known is looked for.
+/// The faces of a hub next to another vertex, found from the neighbours of that vertex. Further
+/// hubs among these are searched only for the faces that are needed.
 class FacesBesideHub {
 public:
-  /// `link`: the neighbours of the vertex `other` but the hub, in order. What is found goes to
+  /// `link`: the neighbours of the vertex `other` except the hub, in order. The faces are added to
   /// `faces`.
   FacesBesideHub(TriangleComplex& complex, Index hub, Index other, const std::vector<Index>& link,
                  AppendBuffer<StarFace>& faces)
@@ -123,7 +123,7 @@ public:
   void add_one_at(Index v) {
     add_first(v, [&](const StarFace& f) { return f.has(v); });
   }
-  /// That of two further hubs.
+  /// Adds the face between two further hubs.
   void add_between(Index v, Index w) {
     add_first(fewer(v, w), [&](const StarFace& f) { return f.has(v) && f.has(w); });
   }

@@ -13,7 +13,7 @@ struct StarFace {
   StarFace(Index f, Index s, Index t) : face(f), second(s), third(t) {}
 
   bool has(Index v) const { return second == v || third == v; }
-  /// Of its other two vertices, the one that is not v.
+  /// Returns the one of the other two vertices that is not v.
   Index other_than(Index v) const { return second == v ? third : second; }
 
   // Part by part: see PairQueue::append.

@@ -16,8 +16,7 @@
 
 namespace quadrille::internal {
 
-/// Of each vertex, one that stands for the part of the surface in which it is: parts are what no
-/// vertex connects.
+/// Returns for each vertex the one that represents its connected component.
 inline Array<Index> component_roots(const TriangleComplex& complex) {
   Array<Index> parent(complex.vertex_capacity(), complex.workspace());
   std::iota(parent.begin(), parent.end(), 0);

@@ -19,9 +19,9 @@
 
 namespace quadrille::internal {
 
-/// The hubs of a surface: its vertices of very many faces. Where a hub is contracted with a vertex
-/// that is none, it stays in its place. Then its faces do not change, and only those beside the
-/// other vertex are looked at; else it would take d steps for each of the d pairs of a hub.
+/// The high-valence vertices of a surface, called hubs in this code. A hub that is contracted with
+/// an ordinary vertex stays in its place. Its faces then do not change, and only those next to the
+/// other vertex are visited; otherwise each of the d pairs of a hub would take d steps.
 ///
 /// Marks change where lists are built, merged or reviewed, by one thread; in a pass, others may
 /// ask.
@@ -57,9 +57,9 @@ public:
       add(v, faces, vertices);
   }
 
-  /// Has there been a contraction for every fourth of their faces since the last time? Then calls
-  /// count(v) for each, which tells how many faces it has, and after that visit(v), when it is
-  /// known whether it still is a hub.
+  /// Has there been a contraction for every fourth of their faces since the last review? Then this
+  /// calls count(v) for each, which returns how many faces it has, and after that visit(v), when it
+  /// is known whether it is still a hub.
   template <class Count, class Visit>
   void review(Count count, Visit visit) {
     if (!any() || 4 * ++contractions_ < faces_)
@@ -107,12 +107,12 @@ private:
 /// and nothing of positions or costs.
 ///
 /// A *corner* is a face at one of its vertices, written 4·face + 0, 1 or 2. The corners at a vertex
-/// lie side by side in no particular order, in one pool for all vertices, so a walk around a vertex
-/// does not wait for one face to learn of the next, and an edge of three faces is nothing special.
-/// Merging two vertices writes their corners to the end of the pool; when that is full, the lists
-/// are built anew. A face that has been removed stays in the lists of its corners until the next
-/// walk along them drops it. The list of a hub has places left behind it for the corners of those
-/// that are merged into it.
+/// lie next to each other in no particular order, in one pool for all vertices, so a walk around a
+/// vertex does not wait for one face to find the next, and an edge of three faces is nothing
+/// special. Merging two vertices writes their corners to the end of the pool; when that is full,
+/// the lists are rebuilt. A face that has been removed stays in the lists of its corners until the
+/// next walk along them drops it. The list of a hub has free places after it for the corners of
+/// vertices that are merged into it.
 class TriangleComplex {
 public:
   static constexpr std::size_t max_faces = std::size_t{1} << 30;
@@ -134,7 +134,7 @@ public:
       throw_too_large(vertices, faces, max_vertices - 1, max_faces - 1);
   }
 
-  /// Where its arrays are, and others may be.
+  /// Returns the arena of its arrays, which other arrays may use.
   Workspace* workspace() const { return faces_.get_allocator().workspace(); }
 
   std::size_t vertex_capacity() const { return lists_.size(); }
@@ -229,8 +229,8 @@ public:
 
   void remove_face(Index face) { faces_[face] = {none, none, none}; }
 
-  /// Makes room for merge(kept, gone): all lists may be built anew. To be called before faces
-  /// are removed whose vertices are asked about: in new lists these may have none.
+  /// Makes room for merge(kept, gone): all lists may be rebuilt. It must be called before faces are
+  /// removed whose vertices are queried: in new lists these may have no faces.
   void reserve_for_merge(Index kept, Index gone) {
     if (hubs_.has(kept))
       make_room_behind(kept, lists_[gone].size);
@@ -249,7 +249,7 @@ public:
     const std::size_t begin = pool_.size();
     pool_.resize(begin + most);
     Index* end = pool_.data() + begin;
-    const auto append = [&](Index vertex) { // without a branch: it is hard to guess
+    const auto append = [&](Index vertex) { // without a branch, which would be hard to predict
       for (Index i = 0; i < lists_[vertex].size; ++i) {
         const Index corner = *end = pool_[lists_[vertex].begin + i];
         const Index face = corner >> 2;
@@ -265,25 +265,25 @@ public:
     hubs_.note(kept, lists_[kept].size, lists_.size());
   }
 
-  /// The same, but the faces do not come into the list of `kept` before build_lists() is called.
-  /// Writes to nothing but these faces and the list of `gone`.
+  /// Relabels faces, which enter the list of `kept` only when build_lists() is called. Writes to
+  /// nothing but these faces and the list of `gone`.
   void relabel(Index kept, Index gone) {
     prune_corners(gone, [&](Index face, Index i) { faces_[face][i] = kept; });
     lists_[gone].size = 0;
   }
 
-  /// Builds all lists anew, in linear time, each in the order of its faces.
+  /// Rebuilds all lists, in linear time, each in the order of its faces.
   void build_lists(Threads threads = Threads());
 
-  /// The vertices that have faces, as has_faces() tells, in the order of their numbers: what pack()
-  /// is told.
+  /// Returns the vertices that have faces, according to has_faces(), in the order of their numbers:
+  /// the argument of pack().
   Array<Index> left_vertices() const { return indices_of(lists_, has_corners); }
   /// The faces that have not been removed.
   Array<Index> left_faces() const {
     return indices_of(faces_, [](const Triangle& face) { return face[0] != none; });
   }
-  /// Leaves out all others, and the faces that have been removed, and numbers what is left anew, 0,
-  /// 1, …. No walk is possible before fill_lists() is called.
+  /// Drops all other vertices and the faces that have been removed, and renumbers the rest as 0, 1,
+  /// …. No walk is possible before fill_lists() is called.
   void pack(const Array<Index>& vertices);
   /// Fills the lists, of which the sizes are known, each in the order of its faces.
   void fill_lists(Threads threads = Threads());

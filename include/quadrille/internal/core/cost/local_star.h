@@ -16,8 +16,8 @@
 
 namespace quadrille::internal {
 
-/// What both ends of a pair see, about the first: the faces of the edge, and the edge itself if it
-/// is on the boundary.
+/// The local terms that both ends of a pair share, about the first: the faces of the edge, and the
+/// edge itself if it is on the boundary.
 template <class Cost>
 class SharedTerms {
 public:
@@ -41,7 +41,8 @@ private:
   Index opposite_ = none;
 };
 
-/// What the faces of a vertex say, if they are few, and what it shares with each of its neighbours.
+/// The local terms of a vertex, if its faces are few, and the terms that it shares with each of its
+/// neighbours.
 template <class Cost>
 class LocalStar {
 public:
@@ -59,7 +60,7 @@ public:
         v, [&](Index face, Index i) { add(star_face_at(complex, face, i), cost, positions); });
   }
 
-  /// Of a vertex whose faces are about to be added, or of none.
+  /// Prepares for the faces of a vertex, or of none.
   void clear(Index v = none) {
     v_ = v;
     size_ = 0;
@@ -100,7 +101,7 @@ private:
   };
 };
 
-/// The same for any number of faces. It labels the neighbours.
+/// Computes these terms for any number of faces. It labels the neighbours.
 template <class Cost>
 class LocalHub {
 public:

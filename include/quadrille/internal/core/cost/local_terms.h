@@ -34,7 +34,7 @@ public:
 
   const Current& operator[](Index v) const { return terms_[v]; }
 
-  /// Of the faces around a vertex as they are now; 0 if the cost does not tell.
+  /// Returns how uneven the current faces around a vertex are; 0 if the cost does not measure it.
   double unevenness(Index v) const {
     if constexpr (tells_unevenness<Cost>)
       return cost_.unevenness(terms_[v]);
@@ -55,10 +55,10 @@ public:
     return shared.sum(a, b, cost_, geometry_.positions());
   }
 
-  /// Of the vertex that was contracted last, if its faces are few: as they are now.
+  /// Returns the current star of the vertex that was contracted last, if its faces are few.
   const LocalStar<Cost>& last_star() const { return last_star_; }
 
-  /// Looks at all faces anew.
+  /// Computes the terms of all vertices again.
   void sum_up(VertexLabels& labels) {
     last_star_.clear();
     terms_ = Array<Current>(terms_.get_allocator()); // gives memory back where vertices are gone
@@ -103,8 +103,8 @@ public:
         take_out_of_hub(contraction.star(), contraction.first());
   }
 
-  /// Puts in the faces that the contraction has left. In a pass the vertex that is left takes part
-  /// in nothing more until all is summed up anew.
+  /// Adds the faces that the contraction has left. In a pass the remaining vertex takes part in
+  /// nothing more until all terms are summed up again.
   template <class Event>
   void after(const Event& event) {
     if constexpr (Event::is_in_pass) {
@@ -118,8 +118,8 @@ public:
     }
   }
 
-  /// Looks at all faces of a vertex anew that is a hub or was one: what boundary edges add to it
-  /// has been as it was since the last time.
+  /// Visits all faces of a vertex again that is or was a hub: the terms of its boundary edges have
+  /// not changed since the last time.
   QUADRILLE_NOINLINE void sum_up(Index hub, VertexLabels& labels) {
     const bool is_on_boundary = may_be_on_boundary(hub);
     terms_[hub] = sum_of_faces(hub);
@@ -206,8 +206,8 @@ private:
     terms_[kept] = sum;
   }
 
-  // Inside the surface the faces of the star are exchanged one by one. What boundary edges add
-  // leans on faces, so vertices that may have any are summed up anew.
+  // Inside the surface the faces of the star are exchanged one by one. Boundary terms depend on
+  // faces, so vertices that may have any are summed up again.
   template <class Event>
   void renew_boundary(const Event& event) {
     if (link_condition_.is_closed())
@@ -224,8 +224,8 @@ private:
             renew(v, labels);
   }
 
-  // Where topology is free, an edge gets down to one face in two ways only: a duplicate face is
-  // gone, or its end was on a boundary before.
+  // With free topology, an edge drops to one face in two cases only: a duplicate face is gone, or
+  // its end was on a boundary before.
   void note_boundary(const PairStar& star, Index kept, Index gone) {
     on_boundary_[kept] |= on_boundary_[gone];
     star.for_each_changed([&](const StarFace& f) {
@@ -271,7 +271,7 @@ private:
   const LinkCondition& link_condition_;
   const SharedVertices& shared_;
   Array<Current> terms_;
-  Array<unsigned char> on_boundary_; // may a vertex be? Where the link condition does not tell
+  Array<unsigned char> on_boundary_; // may a vertex be on a boundary? for topologies in which the link condition does not show it
   LocalStar<Cost> last_star_;
   EdgeStar edges_;
 };

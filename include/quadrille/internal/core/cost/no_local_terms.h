@@ -23,8 +23,8 @@ struct NoLocalTerms {
   static auto vertex_columns(auto&) { return std::tuple<>(); }
 };
 
-/// What is kept of the surface as it is, for a cost: see local_terms.h, which the costs that look
-/// at it include.
+/// The local terms of a cost that has none: see local_terms.h, which costs with local terms
+/// include.
 template <class Cost>
 struct LocalTermsOf {
   static_assert(!has_local_terms<Cost>,

@@ -25,9 +25,9 @@ inline void require_importance(double importance, std::size_t vertex) {
                                 ", is negative or not finite");
 }
 
-/// Importances as parts of the greatest of them, which is 1: only their ratios matter, and no key
-/// overflows. What counts next to nothing keeps a little, so that among such pairs the cheapest
-/// still comes first. Of zeros only, nothing is left: they are all alike.
+/// Importances divided by the greatest of them, which becomes 1: only their ratios matter, and no
+/// key overflows. A negligible importance keeps a small value, so that the cheapest of such pairs
+/// still comes first. If all are zero, the result is empty: they are all alike.
 inline std::vector<float> relative_importances(std::span<const double> importances) {
   constexpr double least = 0x1p-60; // times a cost it is far above the smallest float
   double greatest = 0;
@@ -55,7 +55,8 @@ public:
       : of_(std::move(of)), is_any_given_(!of_.empty()) {}
 
   bool is_any_given() const { return is_any_given_; } // one look, for each contraction
-  /// Of a pair. Only if any is given, as the next.
+  /// Returns the importance of a pair. It may be called only if any is given, like the next
+  /// function.
   float of_pair(Index v, Index w) const { return (std::max)(of_[v], of_[w]); }
   /// The greatest of some vertices.
   float greatest_of(std::span<const Index> vertices) const {

@@ -24,7 +24,8 @@
 
 namespace quadrille::internal {
 
-/// What each vertex remembers at the beginning: its faces, itself, its boundary edges, its creases.
+/// Computes the initial state of each vertex, from its faces, itself, its boundary edges and its
+/// creases.
 template <class Cost>
 class InitialStates {
 public:
@@ -32,7 +33,7 @@ public:
   using Position = Vector<Cost::dimension>;
   using Edge = std::array<Index, 2>;
 
-  /// is_interior(v) tells of vertices that have no boundary edge for certain.
+  /// is_interior(v) is true only for vertices that certainly have no boundary edge.
   template <class IsInterior>
   static void compute(UninitializedArray<State>& result, const Cost& cost,
                       const Array<Position>& positions, TriangleComplex& complex,
@@ -102,7 +103,7 @@ private:
     }
   }
 
-  // What vertices of a range leave themselves.
+  // Adds the terms of the vertices of a range themselves.
   template <class R>
   void add_vertices([[maybe_unused]] const R& range) {
     if constexpr (may_have_vertex_terms) {
@@ -175,8 +176,8 @@ private:
   UninitializedArray<State>& states_;
 };
 
-/// What vertices remember at the beginning, by input indices, instead of what their faces leave: in
-/// the engine's units, about the vertex.
+/// Initial states by input indices, used instead of those that faces would give: in the engine's
+/// units, about the vertex.
 template <class State>
 struct GivenStates {
   std::vector<State> states;
@@ -187,7 +188,7 @@ struct GivenStates {
   }
 };
 
-/// What each vertex remembers of the surface: for a quadric, the sum over its planes.
+/// The state of each vertex: for a quadric, the sum over its planes.
 template <class Cost>
 class VertexStates {
 public:
@@ -199,8 +200,8 @@ public:
   const State& operator[](Index v) const { return states_[v]; }
   State& operator[](Index v) { return states_[v]; }
 
-  /// Vertices remember the surface as it is now. is_interior(v) tells of vertices that have no
-  /// boundary edge for certain.
+  /// Accumulates the current surface. is_interior(v) is true only for vertices that certainly have
+  /// no boundary edge.
   template <class IsInterior>
   void accumulate(const Cost& cost, const Positions& positions, TriangleComplex& complex,
                   VertexLabels& labels, const std::vector<std::array<Index, 2>>& creases,
@@ -230,7 +231,7 @@ public:
     InitialStates<Cost>::add_creases(states_, cost, positions, complex, creases);
   }
 
-  /// Those vertices to which states are given remember these and nothing else.
+  /// Replaces the states of those vertices to which states are given.
   void take_given(const GivenStates<State>& given, const InputIndices& input_vertices) {
     for (Index v = 0; v < states_.size(); ++v)
       if (const Index input = input_vertices[v]; given.has(input))
@@ -239,7 +240,7 @@ public:
 
   static auto vertex_columns(auto& self) { return std::tie(self.states_); }
 
-  /// The vertex that a contraction has left remembers what both of its ends did.
+  /// Gives the vertex that a contraction has left the sum of both states.
   template <class Event>
   void contract(const Event& event) {
     const auto& pair = event.contraction.pair();

@@ -33,8 +33,8 @@ struct GuardedPair {
   const Vector<N>&first_place, &second_place, &target;
 };
 
-/// What keeps something true of a surface, from before the first contraction to the last: one is
-/// made for each guard of a call, and compiled for calls with that guard only.
+/// Keeps an invariant of a surface, from before the first contraction to the last: one is made for
+/// each guard of a call, and compiled for calls with that guard only.
 ///
 /// In passes any number of threads ask at once, and follow contractions of stars that have no face
 /// in common: see works_in_passes in <quadrille/guard.h>.
@@ -47,7 +47,8 @@ public:
   virtual void begin(Report& report) = 0;
   /// Must the ends of this pair not come together at its target?
   virtual bool rejects(const GuardedPair<N>& pair) = 0;
-  /// That has been done: the vertex that is kept has its place. The star is as it was before.
+  /// A contraction has been done: the vertex that is kept has its place. The star is as it was
+  /// before.
   virtual void follow(const GuardedPair<N>& pair, Index kept) = 0;
   /// These faces are about to go, with the whole part that they belong to.
   virtual void forget(std::span<const Index> /*faces*/) {}

@@ -26,7 +26,7 @@ public:
       grow((std::max)(values_.size() + values_.size() / 4, size_ + count));
     return values_.data() + size_;
   }
-  /// That many of them have been written.
+  /// Reports that `count` more elements have been written.
   void add(std::size_t count) { size_ += count; }
   /// Writes a value, and lets it stay or not: without a branch.
   void add_if(bool stays, const T& value) {

@@ -194,7 +194,7 @@ struct UninitializedAllocator : ArrayAllocator<T> {
   }
 };
 
-/// What each vertex, face or pair of a surface has.
+/// An array with an element for each vertex, face or pair of a surface.
 template <class T>
 using Array = std::vector<T, ArrayAllocator<T>>;
 

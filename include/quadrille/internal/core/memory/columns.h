@@ -58,8 +58,8 @@ void pack_columns(const std::tuple<Part&...>& parts, const Array<Index>& left) {
   std::apply([&](auto&... part) { (pack_part(part), ...); }, parts);
 }
 
-/// The same of what parts hold beside columns: of each face for which is_left(face) does not hold,
-/// by pack_if(is_left), or of what belongs to both, by pack(left, is_left).
+/// Packs data of components that are no columns: data of each face for which is_left(face) is
+/// false, by pack_if(is_left), or data of vertices and faces, by pack(left, is_left).
 template <class... Part, class IsLeft>
 void pack_others(const std::tuple<Part&...>& parts, const Array<Index>& left, IsLeft is_left) {
   const auto pack_part = [&](auto& part) {
@@ -138,7 +138,7 @@ template <class Part>
 inline constexpr std::size_t bytes_a_vertex =
     RowOf<decltype(columns_of(std::declval<Part&>()))>::bytes;
 
-/// The same of a list of parts, but for those that are seldom there.
+/// Prefetches rows of a list of components, except for those that are rarely present.
 template <class Parts>
 struct RowsOf;
 template <class... Part>

@@ -9,14 +9,14 @@
 
 namespace quadrille::internal {
 
-/// Where values are of which condition(value) holds.
+/// Returns the indices of the values that satisfy condition(value).
 template <class Values, class Condition>
 Array<Index> indices_of(const Values& values, Condition condition) {
   const auto count =
       static_cast<std::size_t>(std::count_if(values.begin(), values.end(), condition));
   Array<Index> indices(count + 1, values.get_allocator());
   std::size_t found = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch: it is hard to guess
+  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch, which would be hard to predict
     indices[found] = static_cast<Index>(i);
     found += condition(values[i]);
   }
@@ -29,7 +29,7 @@ Array<Index> indices_of(const Values& values, Condition condition) {
 template <class Values, class IsLeft>
 void pack_if(Values& values, IsLeft is_left) {
   std::size_t left = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch: it is hard to guess
+  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch, which would be hard to predict
     values[left] = values[i];
     left += is_left(static_cast<Index>(i));
   }
@@ -46,7 +46,7 @@ void pack(Values& values, const Array<Index>& left) {
   values.resize(left.size());
 }
 
-/// Where in a list each number below `count` is; `none` for those that are not there.
+/// Returns the place in a list of each number below `count`; `none` for numbers that are not in it.
 inline Array<Index> places(const Array<Index>& numbers, std::size_t count) {
   Array<Index> places(count, none, numbers.get_allocator());
   for (Index i = 0; i < numbers.size(); ++i)

@@ -8,7 +8,7 @@
 
 namespace quadrille::internal {
 
-/// OptimalPlacement, EndpointPlacement or MidpointPlacement, told at run time: one engine is
+/// OptimalPlacement, EndpointPlacement or MidpointPlacement, chosen at run time: one engine is
 /// compiled for all three. OptimalPlacement needs a cost with a minimizer.
 class BuiltInPlacement {
 public:

@@ -43,8 +43,8 @@ private:
   const View& view_;
 };
 
-/// What a filter sees of a contraction that is about to be done, in the engine's units; one of the
-/// user's, an IndexedContraction.
+/// The view that a filter has of a contraction that is about to be done, in the engine's units; a
+/// user's filter sees an IndexedContraction.
 template <std::size_t N, class Complex = TriangleComplex>
 class ContractionView {
 public:
@@ -56,7 +56,8 @@ public:
         hub_(star.hub), complex_(complex), positions_(positions), first_(first), second_(second),
         target_(target) {}
 
-  /// The faces that stay. At a hub, which stays in its place, those beside the other end only.
+  /// Returns the faces that stay. At a hub, which stays in its place, these are the faces next to
+  /// the other end only.
   ChangedFaces<ContractionView> faces() const { return ChangedFaces(*this); }
   std::size_t face_count() const { return first_faces_.size() + second_faces_.size(); }
   ChangedFace face(std::size_t i) const {
@@ -203,8 +204,8 @@ private:
   const InputIndices& indices_;
 };
 
-/// A contraction as filters beside NormalFlip see it: they may ask which vertices and faces of the
-/// input it is about.
+/// The view that filters other than NormalFlip have of a contraction: they may ask which vertices
+/// and faces of the input it involves.
 template <std::size_t N>
 class IndexedContraction : public ContractionView<N> {
 public:
@@ -222,9 +223,9 @@ public:
   IndexedFace face(std::size_t i) const {
     return {ContractionView<N>::face(i), numbering_.faces[this->star_face(i).face]};
   }
-  /// Those of both ends.
+  /// Returns the faces of both ends.
   RemovedFaces removed_faces() const { return {shared_, numbering_.faces}; }
-  /// The same with their corners: calls visit(GoneFace) for each.
+  /// Calls visit(GoneFace) for each of these faces, with its corners.
   template <class Visit>
   void for_each_gone(Visit visit) const {
     for (const StarFace& f : shared_)

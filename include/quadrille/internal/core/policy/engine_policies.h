@@ -28,8 +28,8 @@
 
 namespace quadrille::internal {
 
-/// The filters of a call, told at run time: a NormalFlip, which is there always and compiled into
-/// the engine, and others of any type, in the order of the call.
+/// The type-erased filters of a call: a NormalFlip, which is always present and compiled into the
+/// engine, and others, in the order of the call.
 template <std::size_t N>
 class FilterList {
 public:
@@ -42,7 +42,8 @@ public:
     return list;
   }
 
-  /// What the first that does not allow the contraction, of which this is a view, refuses it as.
+  /// Returns the cause with which the first filter rejects the contraction, of which this is a
+  /// view.
   template <class Contraction>
   std::optional<Rejection> refusal(const ContractionView<N>& view, const Contraction& contraction,
                                    const Numbering& numbering, const Scale<N>& scale) const {
@@ -98,7 +99,7 @@ private:
   std::vector<Other> others_;
 };
 
-/// A recorder of any type that the user keeps, told at run time.
+/// A type-erased recorder, which the user keeps.
 class RecorderHandle {
 public:
   template <class R>
@@ -158,17 +159,17 @@ class CostHistogram;
 template <class Policies>
 bool run_passes(WorkingSurface<Policies>& surface, const PassSettings& settings);
 
-/// What only some calls need, as functions: a call that cannot need it does not compile it.
+/// The functions that only some calls need: a call that cannot need one does not compile it.
 template <class Policies>
 struct OptionalParts {
   /// Contracts pairs in passes; false if the visitor cancels.
   bool (*run_passes)(WorkingSurface<Policies>&, const PassSettings&) = nullptr;
-  /// What tells the recorder.
+  /// Makes the object that writes to the recorder.
   std::unique_ptr<Recording<Policies>> (*make_recording)(const RecordingNeeds<Policies>&) = nullptr;
-  /// What measures distances for a stop policy that asks for them.
+  /// Makes the object that measures distances for a stop policy that asks for them.
   std::unique_ptr<MeasuredDistances<Policies>> (*make_distances)(const DistanceNeeds<Policies>&) =
       nullptr;
-  /// What vertices remember at the beginning instead of what their faces leave, if that is given.
+  /// The initial states of vertices, used instead of those that their faces would give, if present.
   const GivenStates<typename Policies::Cost::State>* states = nullptr;
   /// How far each input face is from the input of all pieces, at the beginning and then at the end;
   /// where a stop policy asks for distances.
@@ -180,14 +181,13 @@ struct OptionalParts {
   CostHistogram* costs = nullptr;
 };
 
-/// Everything that `simplify` was asked for, each with its default where it was not named. The
-/// engine is compiled for a cost and a placement, with channels or without; all else is told at run
-/// time.
+/// All arguments of `simplify`, each with its default if it was omitted. The engine is compiled for
+/// a cost and a placement, with channels or without; all else is chosen at run time.
 template <class Cost_, class Placement_, bool has_channels_>
 struct Policies {
   using Cost = Cost_;
   using Placement = Placement_;
-  static constexpr bool has_channels = has_channels_; ///< of attributes beside the shape
+  static constexpr bool has_channels = has_channels_; ///< of attributes in addition to the shape
 
   Cost cost;
   Placement placement;
@@ -197,7 +197,7 @@ struct Policies {
   CallOrder order;
   std::function<bool(const Status&)> visitor; // of no target where there is none
   Threads threads;                            // as many as the order asks for
-  std::optional<RecorderHandle> recorder;     // who is told of contractions
+  std::optional<RecorderHandle> recorder;     // receives contractions
   std::optional<Topology> topology;           // nothing: as the mesh and the pairs suggest
   FilterList<Cost::dimension> filters;
   GuardSet<Cost::dimension> guards;

@@ -44,13 +44,13 @@ concept IsGuard = IsOwnGuard<T> || requires(const T guard, const GuardedSurface&
 template <class T>
 inline constexpr bool is_guard = IsGuard<Held<T>>;
 
-/// May several threads ask it, and tell it of contractions? Else it needs GreedyOrder.
+/// May several threads query it and report contractions to it? If not, it needs GreedyOrder.
 template <class Guard>
 inline constexpr bool works_in_passes = requires {
   requires Held<Guard>::works_in_passes;
 };
 
-/// Does it keep over a whole file what it keeps in each of its parts, in phases that begin anew?
+/// Does a guard that holds in each chunk of a file, in each phase, hold for the whole file?
 template <class Guard>
 inline constexpr bool works_in_parts = requires {
   requires Held<Guard>::works_in_parts;
@@ -80,7 +80,7 @@ private:
   Guard guard_;
 };
 
-/// The guards of a call, told at run time. A call without one compiles none, and has none to ask.
+/// The type-erased guards of a call. A call without guards compiles none, and has none to ask.
 template <std::size_t N>
 class GuardSet {
 public:
@@ -105,7 +105,7 @@ public:
   bool empty() const { return entries_.empty(); }
   /// In the order of the call.
   const std::vector<Entry>& entries() const { return entries_; }
-  /// Does one of them know that the surface encloses a volume, which the report is to tell?
+  /// Does one of them know that the surface encloses a volume, which must be reported?
   bool asks_for_volume() const { return asks_for_volume_; }
 
   /// Throws if one of them needs GreedyOrder, where the order of a call has passes.
@@ -115,7 +115,8 @@ public:
                                   std::string(" needs GreedyOrder, since the blocks of a pass do "
                                               "not see each other"));
   }
-  /// The topology of a call beside them. Throws if it asks for another than they keep.
+  /// Returns the topology of a call with these guards. Throws if the call asks for another than
+  /// they keep.
   std::optional<Topology> topology_beside(std::optional<Topology> topology) const {
     if (!topology_)
       return topology;

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <optional>
 
-/// What the policies that are not scale-free see, in the units of the mesh and its attributes.
+/// Policies that are not scale-free see values in the units of the mesh and its attributes.
 
 namespace quadrille::internal {
 
@@ -27,8 +27,8 @@ decltype(auto) with_engine_lengths(const Cost& cost,
   }
 }
 
-/// What the ends of a pair remember and see now, as the cost has made it. Of a scale-free cost that
-/// is in units which nobody knows, so it is not there.
+/// The states and local terms of a pair, as the cost has made them. Those of a scale-free cost are
+/// in unknown units, so they are absent.
 template <class Cost>
 struct StateInMeshUnits {
   explicit StateInMeshUnits(const PairOf<Cost>&) {}
@@ -139,7 +139,7 @@ private:
   const Scale<N>& scale_;
 };
 
-/// What a policy of the user's is handed: a pair and its cost, or a contraction.
+/// The argument of a user's policy: a pair and its cost, or a contraction.
 template <class Placement, class Cost>
 struct SeenByPlacement {
   using Pair = PairFor<Placement, PairInMeshUnits<Cost>>;

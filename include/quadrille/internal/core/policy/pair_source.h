@@ -10,7 +10,7 @@
 
 namespace quadrille::internal {
 
-/// A pair policy of any type, told at run time.
+/// A type-erased pair policy.
 class PairSource {
 public:
   template <class Pairs>

@@ -20,7 +20,7 @@ inline constexpr bool asks_for_indices = requires {
   requires Policy::asks_for_indices;
 };
 
-/// Does a cost let vertices remember something that it knows by their indices in the input?
+/// Does a cost accumulate values that it knows by the indices of input vertices?
 template <class Cost>
 concept AccumulatesByIndex = requires(const Cost& cost, typename Cost::State state) {
   state += cost.input_vertex(std::size_t{});
@@ -36,7 +36,7 @@ struct PairIndices {
 template <class Policy>
 using IndicesFor = std::conditional_t<asks_for_indices<Policy>, PairIndices, NoIndices>;
 
-/// What a placement is handed that asks for indices: a pair that has none by itself, with them.
+/// The argument of a placement that asks for indices: a pair without indices, with them added.
 template <class Pair>
 struct IndexedPair : Pair, PairIndices {
   IndexedPair(const Pair& pair, const PairIndices& indices) : Pair(pair), PairIndices(indices) {}
@@ -46,7 +46,7 @@ using PairFor =
     std::conditional_t<asks_for_indices<Placement> && !std::derived_from<Pair, PairIndices>,
                        IndexedPair<Pair>, Pair>;
 
-/// Does a cost look at the surface as it is now, beside what vertices remember?
+/// Does a cost look at the current surface, in addition to the states of vertices?
 template <class Cost>
 concept has_local_terms = requires {
   typename Cost::Current;
@@ -62,13 +62,13 @@ requires requires {
 }
 inline constexpr float tolerated_rise<Cost> = static_cast<float>(Cost::tolerated_rise);
 
-/// Does a cost tell how uneven the faces around a vertex are?
+/// Does a cost measure how uneven the faces around a vertex are?
 template <class Cost>
 concept tells_unevenness = requires(const Cost& cost, const typename Cost::Current& current) {
   { cost.unevenness(current) } -> std::convertible_to<double>;
 };
 
-/// By which factor that may fall before the pairs of the vertex are costed anew.
+/// Returns the factor by which that may fall before the pairs of the vertex are costed again.
 template <class Cost>
 inline constexpr float tolerated_fall = 0;
 template <class Cost>
@@ -88,7 +88,8 @@ inline constexpr bool needs_closed_surface = requires {
   requires Placement::needs_closed_surface;
 };
 
-/// Does it promise something of the volume that the surface encloses? Then the report tells that.
+/// Does it promise anything about the volume that the surface encloses? Then the report includes
+/// it.
 template <class Placement>
 inline constexpr bool asks_for_volume = requires {
   requires Placement::asks_for_volume;
@@ -146,11 +147,11 @@ struct PairOf : IndicesFor<Cost> {
   typename PairCurrentOf<Cost>::type current{}; ///< if the cost asks for it
 };
 
-/// Where faces have no labels that are to be kept.
+/// Stands for labels if faces have none that are to be kept.
 struct NoLabels {};
 
-/// What a call carries beside the shape, as the user has it: labels of faces, an optional of such,
-/// or NoLabels; a tuple of Texture, Normals, …; is there a SplitVertices?
+/// The types of the attributes that a call carries in addition to the shape: labels of faces, an
+/// optional of such, or NoLabels; a tuple of Texture, Normals, …; is there a SplitVertices?
 template <class Labels_, class Channels_, bool splits>
 struct Carried {
   using Labels = Labels_;
@@ -163,15 +164,14 @@ struct Carried {
   Channels channels;
 };
 
-/// Expresses what is remembered about the point d, where the cost keeps its state about its
-/// vertex.
+/// Expresses a state about the point d, if the cost keeps its state about its vertex.
 template <class State, std::size_t N>
 void move_origin(State& state, const Vector<N>& d) {
   if constexpr (requires { state.move_origin(d); })
     state.move_origin(d);
 }
 
-/// What two vertices remember, about the first: the second is at d from it.
+/// Returns the sum of the states of two vertices, about the first: the second is at d from it.
 template <class State, std::size_t N>
 State sum_about_first(const State& first, const State& second, const Vector<N>& d) {
   if constexpr (requires { State::sum_about_first(first, second, d); }) {
@@ -184,7 +184,7 @@ State sum_about_first(const State& first, const State& second, const Vector<N>& 
   }
 }
 
-/// What tells pairs of equal costs apart, for costs that do.
+/// The tie break of pairs of equal costs, for costs that have one.
 template <class Cost>
 double tie_break(const Cost& cost, const PairOf<Cost>& pair, const Vector<Cost::dimension>& x) {
   if constexpr (BreaksTies<Cost, PairOf<Cost>, Vector<Cost::dimension>>)
@@ -219,7 +219,7 @@ constexpr Needs with_implied(Needs needs) {
   return needs;
 }
 
-/// What stop policies of a type may need.
+/// The data that stop policies of a type may need.
 template <class Stop>
 constexpr Needs needs_of() {
   if constexpr (IsOptional<Stop>)
@@ -252,7 +252,7 @@ concept TellsDegree = requires(const Cost& cost) {
   { cost.degree() } -> std::convertible_to<double>;
 };
 
-/// Can the values of a cost be told in the mesh's units?
+/// Can the values of a cost be reported in the mesh's units?
 template <class Cost>
 inline constexpr bool has_cost_in_mesh_units = !is_scale_free<Cost> || TellsDegree<Cost>;
 

@@ -39,7 +39,7 @@ public:
            all(star_.shared, first_, holds);
   }
 
-  /// Where a position lies once it has been written to the user's mesh.
+  /// Returns a position as it will be once it has been written to the user's mesh.
   Vector<N> as_written(const Vector<N>& x) const { return scale_.as_written(x); }
   /// By how much writing moves a coordinate of that size at most.
   double rounding(double coordinate) const { return scale_.rounding(coordinate); }

@@ -9,7 +9,7 @@
 
 namespace quadrille::internal {
 
-/// A stop policy of any type, told at run time: one engine is compiled for all of them.
+/// A type-erased stop policy: one engine is compiled for all of them.
 class StopRule {
 public:
   /// Keeps the policy; copies of the rule share it.

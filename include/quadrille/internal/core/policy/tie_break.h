@@ -27,8 +27,8 @@ concept InheritsTieBreak = requires {
 };
 
 /// May a cost's tie break be added to its values? It is on their scale in the class that says
-/// `using TieBreak = ThisClass;`. Of a class that is derived from that one, and has values of its
-/// own but no tie break of its own, nobody knows.
+/// `using TieBreak = ThisClass;`. It is unknown for a class that is derived from that one and has
+/// values of its own but no tie break of its own.
 template <class Cost, class Pair, class Position>
 concept BreaksTies = HasTieBreak<Cost, Pair, Position> &&
     (!requires { typename Cost::TieBreak; } || InheritsCall<Cost, typename Cost::TieBreak, Pair> ||

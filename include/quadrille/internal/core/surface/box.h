@@ -21,7 +21,7 @@ struct Box {
   template <class Positions>
   explicit Box(const Positions& positions) : Box(positions, [](std::size_t) { return true; }) {}
 
-  /// Of the positions v for which counts(v).
+  /// Returns the box of the positions v for which counts(v) is true.
   template <class Positions, class Counts>
   Box(const Positions& positions, Counts counts) {
     Vector<N> least, greatest; // no members, which would be written each time

@@ -19,7 +19,7 @@ namespace quadrille::internal {
 struct FloatBox {
   std::array<float, 3> low, high;
 
-  /// Of no point.
+  /// Returns a box that contains no point.
   static FloatBox empty() {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
@@ -96,7 +96,7 @@ class BoxTree {
 public:
   static constexpr std::size_t width = EightBoxes::width;
 
-  /// Of that many boxes, which are empty until they are put().
+  /// Makes a tree of `size` boxes, which are empty until they are put().
   explicit BoxTree(std::size_t size = 0) {
     while (size > 0) {
       const std::size_t blocks = (size + width - 1) / width;
@@ -144,7 +144,7 @@ public:
     });
   }
 
-  /// The same until a call says true; did one?
+  /// Visits boxes until a call returns true; did one?
   template <class Visit>
   bool any_meeting(const FloatBox& box, Visit visit) const {
     return !levels_.empty() && descend(levels_.size() - 1, 0, box, visit);

@@ -46,7 +46,7 @@ inline Vector<3> between(const Vector<3>& p, const Vector<3>& q, double t) {
   return p + t * (q - p);
 }
 
-/// Where on pq the point is that is nearest to y: 0 at p, 1 at q.
+/// Returns the parameter of the point of pq that is nearest to y: 0 at p, 1 at q.
 inline double nearest_on_segment(const Vector<3>& y, const Vector<3>& p, const Vector<3>& q) {
   const Vector<3> d = q - p;
   const double squared = squared_length(d);
@@ -82,8 +82,9 @@ inline double squared_distance_to_triangle(const Vector<3>& y, const Vector<3>& 
                      squared_distance_to_segment(y, r, p)});
 }
 
-/// From y to the point of a triangle that is under it in the plane; if y is beside the triangle, to
-/// a point of its rim. As good as the line above: the point is one of the triangle.
+/// Returns the squared distance from y to the point of a triangle below it in the plane; if y is
+/// outside the triangle, to a point of its boundary. This is as accurate as the line above: the
+/// point belongs to the triangle.
 inline double squared_height(const FlatPoint& y, const FlatTriangle& t) {
   std::array<double, 3> w{flat_area(t[1], t[2], y), flat_area(t[2], t[0], y),
                           flat_area(t[0], t[1], y)};

@@ -18,7 +18,7 @@
 
 namespace quadrille::internal {
 
-/// Where the vertices of a surface lie, how far their neighbours are, and which of them are fixed.
+/// The positions of the vertices of a surface, their one-ring radii, and which of them are fixed.
 template <std::size_t N>
 class Geometry {
 public:
@@ -39,7 +39,7 @@ public:
   /// place. It stays as it is while neighbours move: the cost of a pair depends on nothing that can
   /// change while the pair waits in the queue.
   float squared_reach(Index v) const { return squared_reach_[v]; }
-  /// Was an edge next to nothing beside another, as in thin parts, when the vertex took its place?
+  /// Was an edge very close to another, as in thin features, when the vertex took its place?
   bool is_thin(Index v) const { return ways_[v] != not_thin; }
   /// How far places in thin parts that have been contracted to the vertex are from the faces around
   /// it, at most: see feature_loss_of.

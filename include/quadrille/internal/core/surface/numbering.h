@@ -13,8 +13,8 @@
 
 namespace quadrille::internal {
 
-/// What a number has become part of in the end, where `merged_into` tells for each number another
-/// one that it has become part of, or none. Shortens the way that it goes, so that many questions
+/// Returns the number into which a number has been merged in the end, where `merged_into` gives for
+/// each number the next one, or none. It shortens the path that it follows, so that many queries
 /// take little more than linear time.
 template <class Numbers>
 Index follow_merges(Numbers& merged_into, Index number) {
@@ -35,7 +35,7 @@ public:
 
   std::size_t input_count() const { return input_count_; }
   Index operator[](Index number) const { return is_identity() ? number : of_[number]; }
-  /// Those of a list of numbers.
+  /// Returns the new numbers of a list of numbers.
   Array<Index> of(const Array<Index>& numbers) const {
     Array<Index> inputs(numbers);
     if (!is_identity())
@@ -73,7 +73,8 @@ private:
   std::size_t input_count_;
 };
 
-/// What vertices have become part of, and where vertices and faces come from.
+/// Records into which vertices other vertices were merged, and the input indices of vertices and
+/// faces.
 class Numbering {
 public:
   /// Without `by_input`, a merge has not to look up any, but no vertex may be left out before
@@ -92,7 +93,7 @@ public:
     internal::prefetch(&merged_into_[is_by_input_ ? vertices[v] : v]);
   }
 
-  /// All merges are told by input indices from here on, those before as well.
+  /// All merges are reported by input indices from here on, earlier ones as well.
   void use_input_indices() {
     if (std::exchange(is_by_input_, true) || vertices.is_identity())
       return;

@@ -36,8 +36,9 @@ public:
     weights_.coordinates.fill(1);
   }
 
-  /// Of the attributes in a box. Throws std::invalid_argument if, times their weights, they are no
-  /// lengths that can be told beside those of the surface.
+  /// Sets the weights of the attributes in a box. Throws std::invalid_argument if the attributes,
+  /// times their weights, are too large or too small to be compared with the lengths of the
+  /// surface.
   void set_attribute_weights(const Vector<N - 3>& weights, const Box<N>& box) {
     weights_ = weights;
     const std::array ends{position_from_mesh(box.low), position_from_mesh(box.high)};
@@ -66,11 +67,11 @@ public:
     return p;
   }
 
-  /// What is written is rounded to floats from now on, as far as as_written() tells.
+  /// From now on, written values are rounded to floats, as far as as_written() shows.
   void write_floats() { writes_floats_ = true; }
   bool writes_floats() const { return writes_floats_; }
 
-  /// Where a position lies once it has been written to the user's mesh.
+  /// Returns a position as it will be once it has been written to the user's mesh.
   Vector<N> as_written(Vector<N> p) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = to_mesh_(p[i]);

@@ -14,11 +14,12 @@
 
 namespace quadrille::internal {
 
-/// Which vertices of a piece of a surface other pieces have as well, so that they are fixed here:
-/// what else holds of them so that pieces fit after each has been simplified by itself.
+/// The vertices of a chunk of a surface that other chunks have as well. They are fixed here, and
+/// these rules ensure that chunks fit after each has been simplified by itself.
 ///
-/// An edge of one face between two shared vertices is a *seam*, as a rule, and no border: the face
-/// on its other side is in another piece. Those that are borders of the whole surface are named.
+/// An edge of one face between two shared vertices is a *seam*, as a rule, and no boundary: the
+/// face on its other side is in another chunk. Such edges that are boundaries of the whole surface
+/// are listed.
 class SharedVertices {
 public:
   using Edge = std::array<Index, 2>;

@@ -13,13 +13,13 @@
 
 namespace quadrille::internal {
 
-/// Which places of a line of points stay when it is thinned out: the ends, and so many that each of
-/// the others is within a tolerance of the segment between the two beside it that stay. Of a loop,
-/// which begins and ends at the same point, three at least stay if it has as many. Time O(n²) in
-/// the worst case and O(n log n) as a rule.
+/// Selects the points of a polyline that stay when it is simplified: the ends, and so many that
+/// each of the others is within a tolerance of the segment between its two remaining neighbours. A
+/// loop, which begins and ends at the same point, keeps at least three points if it has as many.
+/// Time O(n²) in the worst case and O(n log n) as a rule.
 ///
-/// Source: Douglas and Peucker 1973; where a segment is too far from some point, the farthest one
-/// splits it.
+/// Source: Douglas and Peucker 1973; a segment that is too far from some point is split at the
+/// farthest one.
 class ThinnedLine {
 public:
   /// `line`: indices of points, two at least.
@@ -50,7 +50,7 @@ private:
     return std::move(stays_);
   }
 
-  // Of a loop of which only its ends and one point stay.
+  // Keeps a third point of a loop that would be left with its ends and one point.
   void keep_third() {
     if (std::count(stays_.begin(), stays_.end(), true) != 3)
       return;
@@ -61,8 +61,8 @@ private:
     stays_[other.second > one.second || one.first == 0 ? other.first : one.first] = true;
   }
 
-  // Where the line is farthest from the segment between two of its places, and how far, squared;
-  // the first place if there is none in between.
+  // Returns the place where the line is farthest from the segment between two of its places, and
+  // the squared distance; the first place if there is none in between.
   std::pair<std::size_t, double> farthest_between(std::size_t begin, std::size_t end) const {
     const Vector<3> p = points_[line_[begin]], d = points_[line_[end]] - p;
     const double length = squared_length(d);
