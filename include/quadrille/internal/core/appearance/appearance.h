@@ -19,8 +19,8 @@
 
 namespace quadrille::internal {
 
-/// What a surface carries beside its shape: the labels of faces, the channels of attributes, and
-/// the graph of their seams.
+/// The data that a surface carries in addition to its shape: the labels of faces, the channels of
+/// attributes, and the graph of their seams.
 template <class Policies>
 class Appearance {
 public:
@@ -55,7 +55,7 @@ public:
       complex_.forget_hubs(); // whose corners would all have to be looked at
   }
 
-  /// Adds what it is now to what vertices remember.
+  /// Accumulates its current values in the states of vertices.
   void accumulate() {
     if constexpr (has_channels)
       channels_.accumulate(seams_.labels());

@@ -20,7 +20,7 @@ namespace quadrille::internal {
 /// A channel as an adapter reads it: values, and which of them each corner of a face has.
 struct ChannelInput {
   explicit ChannelInput(Workspace* workspace = nullptr) : values(workspace), corners(workspace) {}
-  /// What options say of a channel of that many components; values and corners are still to come.
+  /// Takes the options of a channel of `size` components; its values and corners are still missing.
   ChannelInput(const ChannelOptions& options, std::size_t size, Attribute held,
                Workspace& workspace)
       : ChannelInput(&workspace) {
@@ -37,7 +37,7 @@ struct ChannelInput {
 
   std::size_t components = 0;
   Array<double> values; ///< the components of each value, one value after the other
-  /// Of each input face, its values in the order of its corners; empty: a value has the index of
+  /// The values of each input face, in the order of its corners; empty: a value has the index of
   /// its vertex.
   Array<std::array<Index, 3>> corners;
   std::vector<double> weights; ///< of the components, in the mesh's unit; empty: by default
@@ -53,7 +53,7 @@ struct ChannelInput {
   bool is_texture() const { return attribute == Attribute::texture; }
   std::size_t size() const { return components == 0 ? 0 : values.size() / components; }
   double value(Index i, std::size_t component) const { return values[i * components + component]; }
-  /// Of a corner of an input face, which is at an input vertex.
+  /// Returns the value of a corner of an input face, which is at an input vertex.
   Index value_at(Index face, std::size_t corner, Index vertex) const {
     return corners.empty() ? vertex : corners[face][corner];
   }

@@ -16,10 +16,10 @@ namespace quadrille::internal {
 /// The channels of a surface: see channels.h.
 template <class Cost>
 class Channels;
-/// What they have become: see channels.h.
+/// The final values of channels: see channels.h.
 struct ChannelsLeft;
 
-/// The same of a surface that has none.
+/// Stands for them if a surface has no channels.
 struct NoChannelsLeft {};
 
 /// The seams of channels, of a surface that has none: see ChannelSeams.

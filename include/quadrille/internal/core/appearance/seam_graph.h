@@ -20,20 +20,21 @@
 
 namespace quadrille::internal {
 
-/// Where a vertex is on the seams of a surface: on none, on a line, or where other than two of
-/// their edges meet.
+/// The position of a vertex in the seam graph: on no seam, on a line, or at a point where other
+/// than two seam edges meet.
 enum class SeamKind : std::uint8_t { free, line, corner };
 
 /// The graph of seams in a surface: edges between two labels, edges at which a channel is
 /// discontinuous whose seams are kept, edges at which a texture is mirrored, and edges of other
 /// than two faces.
 ///
-/// A contraction keeps the graph, beside the topology of the surface, if an edge between two of its
-/// vertices is one of its own, no two corners become one, and no third vertex is joined to both
-/// ends by seams. Source: Vivodtzev, Bonneau and Le Texier, Topology preserving simplification of
-/// 2D non-manifold meshes with embedded structures, 2005.
+/// A contraction keeps the graph, in addition to the topology of the surface, if an edge between
+/// two of its vertices is one of its own, no two corners become one, and no third vertex is joined
+/// to both ends by seams. Source: Vivodtzev, Bonneau and Le Texier, Topology preserving
+/// simplification of 2D non-manifold meshes with embedded structures, 2005.
 ///
-/// What it asks of channels, `ChannelSeams` tells, or `NoChannelSeams` of a surface without.
+/// `ChannelSeams` answers its questions about channels, or `NoChannelSeams` for a surface without
+/// channels.
 template <class OfChannels>
 class SeamGraph {
 public:
@@ -65,7 +66,7 @@ public:
   bool is_empty() const { return kind_.empty(); }
   /// Are the seams of any channel kept?
   bool keeps_channels() const { return of_channels_.are_any_kept(); }
-  /// Of each face; or empty.
+  /// The label of each face; may be empty.
   const Array<Index>& labels() const { return label_; }
   bool is_corner(Index v) const { return kind_[v] == SeamKind::corner; }
 
@@ -122,7 +123,7 @@ private:
            of_channels_.are_at(face, other, v, w);
   }
 
-  // Of the edge ab that has these faces; a pair without a face is no edge.
+  // Is the edge ab, with these faces, a seam? A pair without a face is no edge.
   bool is_seam_edge(const AppendBuffer<StarFace>& faces, Index a, Index b) const {
     return faces.size() == 1 || faces.size() > 2 ||
            (faces.size() == 2 && is_seam(faces[0].face, faces[1].face, a, b));

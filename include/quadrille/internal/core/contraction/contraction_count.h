@@ -42,7 +42,8 @@ public:
     return allowed;
   }
 
-  /// What counts for the faces, vertices and edges that a contraction has taken.
+  /// Returns how much of the target the removed faces, vertices and edges of a contraction count
+  /// for.
   std::size_t used(std::size_t faces, std::size_t vertices, std::size_t edges) const {
     return (std::max)({vertices, (faces + faces_each() - 1) / faces_each(),
                        (edges + edges_each - 1) / edges_each});

@@ -46,8 +46,8 @@ public:
   using Surface = WorkingSurface<Policies>;
   using Box = internal::Box<Policies::Cost::dimension>;
 
-  /// Of a surface before the first contraction. Throws std::invalid_argument if the placement needs
-  /// one that is closed and oriented outwards, and it is not.
+  /// Measures the volume of a surface before the first contraction. Throws std::invalid_argument if
+  /// the placement needs a closed surface that is oriented outwards, and it is not.
   EnclosedVolume(Surface& surface, const Box& box)
       : scale_(surface.state().scale),
         middle_(space(scale_.position_from_mesh(0.5 * box.low + 0.5 * box.high))) {

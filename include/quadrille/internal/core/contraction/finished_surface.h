@@ -10,7 +10,7 @@
 
 namespace quadrille::internal {
 
-/// What has become of a surface, in the engine's numbers and units.
+/// The final surface, in the engine's numbers and units.
 template <class Cost, class ChannelsLeft>
 struct FinishedSurface {
   Scale<Cost::dimension> scale;

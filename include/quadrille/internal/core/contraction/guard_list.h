@@ -15,8 +15,8 @@
 
 namespace quadrille::internal {
 
-/// What guards a surface, in the order of the call. Where nothing does, that is all that is looked
-/// at.
+/// The guards of a surface, in the order of the call. If there are none, the only cost is the check
+/// for that.
 template <std::size_t N>
 class GuardList {
 public:

@@ -32,7 +32,7 @@ public:
   virtual ~MeasuredDistances() = default;
 
   /// Would a contraction take the surface so far from the input that the stop policy stops? If not,
-  /// the status tells how far. It may get another place.
+  /// the status receives the distance. The contraction may get another position.
   virtual bool is_too_far(Contraction& contraction, Status& status) = 0;
   /// Is it certain, by a look at one of very many faces? Then the star need not be gathered.
   virtual bool is_beyond_hub(const Candidate& candidate, const Scratch& scratch,
@@ -40,17 +40,19 @@ public:
   /// How far the contraction that was measured last, with this scratch, takes its faces and the
   /// input points in them, in the mesh's unit.
   virtual double bound_of(const Contraction& contraction) const = 0;
-  /// That one has been done.
+  /// A contraction has been done.
   virtual void follow(const Contraction& contraction) = 0;
   /// Faces that are removed are about to lose their numbers, in a pass.
   virtual void pack() = 0;
-  /// What is known of the surface as it is. Does each point of the input have a place on it?
+  /// Reports the known distances of the current surface. Does each point of the input have a place
+  /// on it?
   virtual void tell(Report& report, bool has_all_points) const = 0;
-  /// The same of each face, by its number in the input.
+  /// Reports the known distance of each face, by its number in the input.
   virtual void tell_bounds(std::vector<FaceBound>& bounds) const = 0;
 };
 
-/// What they are made of. A box in the mesh's unit, and tolerances of vertices if there are any.
+/// The input of such measurements: a box in the mesh's unit, and tolerances of vertices if there
+/// are any.
 template <class Policies>
 struct DistanceNeeds {
   const SurfaceState<Policies>& state;

@@ -11,13 +11,13 @@
 
 namespace quadrille::internal {
 
-/// How far a simplification has come: what stop policies, the visitor and the report are told.
+/// The progress of a simplification, for stop policies, the visitor and the report.
 template <class Policies>
 class Progress {
 public:
   explicit Progress(const Policies& policies) : policies_(policies) {}
 
-  /// Of a surface of which the second part may not be changed, and does not count for the target.
+  /// Starts with a surface whose second part may not be changed and does not count for the target.
   /// `edges`: without these, see CountedEdges.
   void start(const Loss& all, const Loss& unselected, std::size_t edges, double diagonal) {
     unselected_ = unselected;
@@ -63,16 +63,16 @@ public:
     counters = {};
   }
 
-  /// Tells the error of the contraction that comes next, the distance to which it would lead, and
-  /// its cost.
+  /// Announces the error of the next contraction, the distance to which it would lead, and its
+  /// cost.
   void announce(double error) { status_.next_error = error; }
   void announce_distance(double distance) { status_.next_distance = distance; }
   void announce_cost(double cost) { status_.next_cost = cost; }
-  /// The same of the distance from the input to the surface.
+  /// Announces the distance from the input to the surface.
   void announce_distance_back(double distance) { status_.next_distance_back = distance; }
   /// And of the part of its tolerance that a point will have used.
   void announce_tolerance(double part) { status_.next_tolerance = part; }
-  /// What contractions have moved until now: see Displacement.
+  /// Returns the total displacement of contractions up to now: see Displacement.
   std::uint64_t moved() const { return total_.moved; }
   /// How many were refused for one cause.
   std::size_t rejected(Rejection cause) const {
@@ -87,7 +87,7 @@ public:
   bool proceed() {
     return is_cancelled_ ? false : !(is_cancelled_ = !ask_visitor(part_done(), stage_));
   }
-  /// Tells it that nothing more is to come.
+  /// Reports to the visitor that nothing more will follow.
   void tell_end() const { ask_visitor(1, Stage::write); }
   bool is_cancelled() const { return is_cancelled_; }
 

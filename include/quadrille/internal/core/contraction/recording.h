@@ -17,7 +17,8 @@
 
 namespace quadrille::internal {
 
-/// What a recorder is told of. It is compiled for the calls that have one only: see RecordWriter.
+/// Reports contractions to a recorder. It is compiled only for calls that have one: see
+/// RecordWriter.
 template <class Policies>
 class Recording {
 public:
@@ -28,8 +29,8 @@ public:
   /// The surface as it is before the first contraction.
   virtual void begin() = 0;
   virtual void before(const Contraction& contraction) = 0;
-  /// A contraction, with the error that Report::error counts; one in a pass is told at the end of
-  /// its stage.
+  /// Reports a contraction, with the error that Report::error counts; contractions of a pass are
+  /// reported at the end of its stage.
   virtual void after(const Contraction& contraction, Index kept, Index gone, double error,
                      bool is_in_pass) = 0;
   virtual void vanished(const PartEvent& event) = 0;
@@ -37,22 +38,22 @@ public:
   virtual void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
   virtual void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                               Scratch& scratch) = 0;
-  /// What a thread does and refuses belongs to a block of a pass from here on.
+  /// From here on, contractions and rejections of a thread belong to a block of a pass.
   virtual void begin_block(std::size_t number, Scratch& scratch) = 0;
-  /// Tells of the contractions that blocks have done, in the order of their costs, as far as the
-  /// order within each block allows it: ties by block.
+  /// Reports the contractions of blocks in the order of their costs, as far as the order within
+  /// each block allows it: ties by block.
   virtual void end_stage() = 0;
   virtual void end(StopReason reason) = 0;
 };
 
-/// What a recording reads.
+/// The data that a recording reads.
 template <class Policies>
 struct RecordingNeeds {
   SurfaceState<Policies>& state;
   const OptionalDistances<Policies>& distances;
 };
 
-/// The recording of a surface as an observer of its contractions, if there is anybody to be told.
+/// The recording of a surface as an observer of its contractions, if there is a recorder.
 template <class Policies>
 class OptionalRecording {
 public:

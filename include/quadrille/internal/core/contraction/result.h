@@ -60,7 +60,8 @@ public:
     return surface_.scale.position_of_mesh(surface_.positions[vertices_[v]]);
   }
 
-  /// Of a corner of a face, in a channel. Those of backs come after all others.
+  /// Returns the wedge of a corner of a face, in a channel. Those of reverse faces come after all
+  /// others.
   Index wedge(std::size_t c, Index face, std::size_t corner) const {
     const Index f = faces_[face], v = complex().vertices(f)[corner_of_front(face, corner)];
     return surface_.channels.wedge(complex(), c, f, v, is_back(face));
@@ -83,10 +84,10 @@ public:
     return surface_.channels.origin(complex(), c, wedge);
   }
 
-  /// What a vertex remembers, in the engine's units, about the vertex; if states are kept.
+  /// Returns the state of a vertex, in the engine's units, about the vertex; if states are kept.
   const typename Cost::State& state(Index v) const { return surface_.states[vertices_[v]]; }
 
-  /// As vertex_quadric_map tells it.
+  /// Returns the quadric that vertex_quadric_map reports.
   auto mean_quadric(Index v) const {
     static_assert(std::same_as<typename Cost::State, QuadricForm<Cost::dimension>>,
                   "vertex_quadric_map needs a cost whose State is a QuadricForm: use Quadric or an "
@@ -107,7 +108,7 @@ private:
   const TriangleComplex& complex() const { return surface_.complex; }
 
   bool is_back(Index face) const { return face >= front_count_; }
-  // Where a corner of a face is in the face of the engine.
+  // Returns the place of a corner of a face in the face of the engine.
   std::size_t corner_of_front(Index face, std::size_t corner) const {
     return is_back(face) ? complex().backs().opposite(faces_[face], corner) : corner;
   }
@@ -118,7 +119,7 @@ private:
   Array<Index> numbers_;          // of each vertex of the engine, as it is counted off here
 };
 
-/// What is left of a surface once a call has had its way.
+/// The surface that is left at the end of a call.
 template <class Policies>
 using ResultOf = Result<typename Policies::Cost, ChannelsLeftOf<Policies>>;
 

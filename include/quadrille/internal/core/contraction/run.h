@@ -177,8 +177,8 @@ private:
   Scratch& scratch_; // of the thread that removes parts
 };
 
-/// A run over a surface: how far it has come, when it stops, and who is told of what it does and of
-/// what it refuses. It observes contractions.
+/// A run over a surface: its progress, its stop policy, and the recorder of its contractions and
+/// rejections. It observes contractions.
 template <class Policies>
 class Run {
 public:
@@ -203,28 +203,28 @@ public:
   Progress<Policies>& progress() { return progress_; }
   const Progress<Policies>& progress() const { return progress_; }
   TargetRules<Policies>& target_rules() { return target_rules_; }
-  Recording<Policies>* recording() { return recording_.get(); } ///< nullptr if nobody is told
+  Recording<Policies>* recording() { return recording_.get(); } ///< nullptr if there is no recorder
 
-  /// Counts a pair that is refused, or a part, which has no ends, and tells a recorder that wants
-  /// to know.
+  /// Counts a rejected pair, or a component, which has no ends, and reports it to a recorder that
+  /// asks for rejections.
   void refuse(const std::array<Index, 2>& ends, Rejection cause) {
     scratch_.counters.reject(cause);
     if (recording()) [[unlikely]]
       recording()->refuse(ends, cause, progress_.status().next_error);
   }
-  /// Refuses a pair in a pass, by any thread; recorders are told when the stage has ended.
+  /// Rejects a pair in a pass, by any thread; recorders receive it when the stage has ended.
   void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) {
     scratch.counters.reject(cause);
     if (recording()) [[unlikely]]
       recording()->refuse_in_pass(ends, cause, error, scratch);
   }
-  /// What a thread does and refuses belongs to a block of a pass from here on.
+  /// From here on, contractions and rejections of a thread belong to a block of a pass.
   void begin_block(std::size_t number, Scratch& scratch) {
     if (recording())
       recording()->begin_block(number, scratch);
   }
-  /// Tells the recorder of what the blocks have done.
+  /// Reports the work of the blocks to the recorder.
   void end_stage() {
     if (recording())
       recording()->end_stage();
@@ -241,7 +241,7 @@ public:
     costs_.before(event);
     edges_.before(event);
   }
-  /// What has changed is tallied, to be counted by Progress.
+  /// Counts the changes; Progress adds them up.
   template <class Event>
   QUADRILLE_ALWAYS_INLINE void after(const Event& event) {
     recording_.after(event);

@@ -24,14 +24,14 @@
 
 namespace quadrille::internal {
 
-/// Does a cost tell its error as a distance to the surface? Only such a one can say what spoils a
-/// shape.
+/// Does a cost report its error as a distance to the surface? Only the error of such a cost shows
+/// whether a shape is spoiled.
 template <class Cost>
 concept knows_errors = requires(const Cost& cost, const PairOf<Cost>& pair) {
   cost.squared_error(pair, 0.0);
 };
 
-/// Of each face, one that stands for the region in which it is: faces of one label that vertices
+/// Returns for each face the one that represents its region: faces of one label that vertices
 /// connect.
 inline std::vector<Index> regions_of(const TriangleComplex& complex, const Array<Index>& labels) {
   std::vector<Index> parent(complex.face_capacity());
@@ -69,8 +69,9 @@ public:
 
   explicit ShapeCheck(const SurfaceState<Policies>& state) : state_(state) {}
 
-  /// From which error on it pays to look. Of parts below a fifth of the diagonal some contractions
-  /// of lesser errors would be found to spoil, if they were measured.
+  /// Returns the error from which on the check is worthwhile. In components smaller than a fifth of
+  /// the diagonal some contractions of smaller errors would be found to spoil the shape if they
+  /// were measured.
   double least_error() const {
     return spoiling_part * Parts<dimension>::least_large * state_.scale.diagonal();
   }
@@ -84,7 +85,8 @@ public:
   double strain(const Contraction& contraction) {
     return (std::max)(strain_of_part(contraction), strain_of_region(contraction));
   }
-  /// The same of a part that vanishes, beside the whole surface. It spoils that if it lies apart.
+  /// Returns the strain of a component that vanishes, compared with the whole surface. It spoils
+  /// the surface if it lies apart.
   double strain(const Part<dimension>& part) const {
     return knows_errors<Cost> && part.isolation > apart
                ? part.isolation * part.radius / (spoiling_part * state_.scale.diagonal())
@@ -93,17 +95,17 @@ public:
   /// The key of what spoils a shape: behind all that spoils nothing, of which keys are at most
   /// about 2^80 (see Scale), and in the order of cost and fourth power of the strain.
   static float dearer(double cost, double strain) { return behind(0x1p85, cost, strain); }
-  /// The same of a contraction: what melts a large part comes behind all parts that may vanish,
-  /// too.
+  /// Returns the cost of a contraction with its strain: shrinking a large component comes after all
+  /// components that may vanish, too.
   static float dearer(const Contraction& contraction, double strain) {
     return behind(strain > melting ? 0x1p100 : 0x1p85, contraction.key(), strain);
   }
   bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
-  /// The same of parts alone, which several threads may ask for.
+  /// Checks components alone; several threads may ask.
   bool spoils_part(const Contraction& contraction) const { return strain_of_part(contraction) > 1; }
 
-  /// How many times further than its error says a contraction moves the surface, as measured where
-  /// the error is great beside the whole; else 1.
+  /// Returns the ratio of the measured displacement of the surface to the error of a contraction,
+  /// measured if the error is great compared with the whole surface; otherwise 1.
   double excess(const Contraction& contraction) const {
     if constexpr (knows_errors<Cost>)
       if (is_measured(contraction, state_.scale)) [[unlikely]]
@@ -112,7 +114,7 @@ public:
   }
 
 private:
-  // An eighth root keeps the order, and floats hold all that there is beside the factor.
+  // An eighth root keeps the order, and floats can represent the result in addition to the factor.
   static float behind(double factor, double cost, double strain) {
     const double root = std::sqrt(std::sqrt(std::sqrt(cost))) * std::sqrt(strain);
     return static_cast<float>((std::min)(factor * root, 1e37));

@@ -47,9 +47,10 @@ public:
     return is_passed ? StopReason::target_passed : StopReason::target_met;
   }
 
-  /// Is the error of the contraction more than that part of the distance to the farthest neighbour?
-  /// An edge of a cube of twelve faces is more than a tenth, a corner of a sheet of two. Only a
-  /// cost that tells its error as a distance to the surface can say so.
+  /// Is the error of the contraction more than that fraction of the distance to the farthest
+  /// neighbour? An edge of a cube of twelve faces is more than a tenth, a corner of a square of two
+  /// faces as well. Only a cost that reports its error as a distance to the surface can answer
+  /// this.
   bool is_coarse(const Contraction& contraction, double part = 0.1) const {
     if constexpr (knows_errors<Cost>)
       return contraction.error() >

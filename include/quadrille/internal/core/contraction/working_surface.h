@@ -65,9 +65,9 @@ public:
   WorkingSurface(const WorkingSurface&) = delete; // its members refer to each other
   WorkingSurface& operator=(const WorkingSurface&) = delete;
 
-  /// Who is told of contractions, before and after, and of parts that vanish: see ContractionEvent
-  /// and PartEvent. Their order has no meaning: before, they read the surface as it was, after, as
-  /// it is, and each of them writes to itself only.
+  /// Returns the observers of contractions, before and after, and of components that vanish: see
+  /// ContractionEvent and PartEvent. Their order has no meaning: before a contraction they read the
+  /// old surface, after it the new one, and each of them writes to itself only.
   static auto observers(auto& self) {
     return std::tie(self.evaluator_, self.distances_, self.guards_, self.run_);
   }
@@ -128,17 +128,18 @@ public:
                                 feature_loss_of(contraction, state_.geometry, state_.scale).error);
   }
 
-  /// Of a vertex that is a hub or was one: see LocalTerms::sum_up().
+  /// Sums up the terms of a vertex that is or was a hub: see LocalTerms::sum_up().
   void sum_up_terms(Index v) { evaluator_.sum_up(v, scratch().labels); }
 
-  /// Removes a part whole, of which these vertices are left. Observers are told before.
+  /// Removes a whole component, of which these vertices are left. Observers are notified before.
   void remove_part(Index part, std::span<const Index> vertices) {
     internal::remove_part(complex(), vertices, state_.parts[part], observers(*this),
                           scratch().counters);
   }
 
-  /// Vertices remember the surface as it is now instead of as it was, if `refresh` is true. If
-  /// enough of them are gone, those that are left get new numbers, in the same order.
+  /// Accumulates the current surface in the states of vertices instead of the earlier one, if
+  /// `refresh` is true. If enough vertices are gone, the remaining ones get new numbers, in the
+  /// same order.
   void end_pass(bool refresh) {
     if (status().faces > 0 && pairs_.are_edges() &&
         4 * progress().vertices() < 3 * complex().vertex_capacity())
@@ -153,8 +154,8 @@ public:
     }
   }
 
-  /// What has become of the surface, which is gone then; with states, if that is asked for. Tells
-  /// the report the rest, and the visitor that this is the end.
+  /// Returns the final surface and gives up its data; with states, if requested. Completes the
+  /// report, and notifies the visitor of the end.
   FinishedSurface<Cost, ChannelsLeftOf<Policies>> finish(bool keeps_states, Report& report) && {
     progress().tell(report);
     if (policies().stop.needs().distance)
@@ -193,8 +194,8 @@ private:
     evaluator_.sum_up(scratch().labels);
   }
 
-  // What is gone takes no more time or room in a cache. Local terms are summed up anew after it,
-  // and the numbering takes the list of vertices.
+  // Removed vertices and faces take no more time or room in a cache. Local terms are summed up
+  // again after it, and the numbering takes the list of vertices.
   void pack() {
     Array<Index> vertices = complex().left_vertices();
     const auto is_left = [this](Index face) { return !complex().is_removed(face); };

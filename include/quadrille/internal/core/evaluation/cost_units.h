@@ -13,7 +13,7 @@
 namespace quadrille::internal {
 
 /// The exponent of 2 that turns keys into costs in the mesh's units: see
-/// PairEvaluator::key_of_cost. Of a scale-free cost that does not tell its degree, 0.
+/// PairEvaluator::key_of_cost. It is 0 for a scale-free cost that does not state its degree.
 template <class Cost, std::size_t N>
 double key_exponent([[maybe_unused]] const Cost& cost, const Scale<N>& scale) {
   if constexpr (!is_scale_free<Cost>)

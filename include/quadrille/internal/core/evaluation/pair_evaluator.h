@@ -28,7 +28,7 @@
 
 namespace quadrille::internal {
 
-/// What contracting a pair of vertices costs, and where the vertex goes.
+/// Evaluates the cost of contracting a pair of vertices, and the position of the new vertex.
 template <class Policies>
 class PairEvaluator {
 public:
@@ -52,7 +52,7 @@ public:
   const Terms& terms() const { return terms_; }
   const PairNames<Policies>& names() const { return names_; }
 
-  /// Local terms are summed up anew; of one vertex only, that is a hub or was one.
+  /// Sums up local terms again; the second function does so for one vertex that is or was a hub.
   void sum_up(VertexLabels& labels) { terms_.sum_up(labels); }
   void sum_up(Index hub, VertexLabels& labels) { terms_.sum_up(hub, labels); }
   template <class Event>
@@ -77,7 +77,7 @@ public:
       state_.channels().prefetch(v);
   }
 
-  /// Where the pair goes and what that costs, but for settle(); `first` is below `second`.
+  /// Returns the position of the pair and its cost, except for settle(); `first` is below `second`.
   Candidate evaluate(Index first, Index second) const {
     Candidate candidate{first, second, view(first, second)};
     if constexpr (!looks_at_star<Placement>) {
@@ -87,7 +87,7 @@ public:
     return candidate;
   }
 
-  /// Where a placement that looks at the star of the pair puts it. False if nowhere.
+  /// Applies a placement that looks at the star of the pair. Returns false if it has no position.
   bool settle(Candidate& candidate, const PairStar& star) const {
     if constexpr (looks_at_star<Placement>) {
       static_assert(is_scale_free<Placement>,
@@ -108,13 +108,13 @@ public:
     return true;
   }
 
-  /// What such a placement sees of it.
+  /// Returns the view that such a placement has of the star.
   auto star_view(Index first, Index second, const PairStar& star) const {
     return StarView<Cost::dimension>(star, first, second, geometry().positions().data(),
                                      state_.scale);
   }
 
-  /// Of the candidate's target, which may be another one than before.
+  /// Sets the cost of the candidate's target, which may have changed.
   QUADRILLE_ALWAYS_INLINE void set_cost(Candidate& candidate) const {
     candidate.cost = policies().cost(candidate.pair, candidate.target);
     candidate.key = key(candidate.pair, candidate.target, candidate.cost);
@@ -156,7 +156,7 @@ public:
     return state_.importance.is_any_given() ? key * state_.importance.of_pair(p.first, p.second)
                                             : key;
   }
-  /// The same where all vertices are of the same importance.
+  /// Returns the key of a pair if all vertices are of the same importance.
   float key_alike(const VertexPair& p) const {
     const auto [a, b] = std::minmax(p.first, p.second);
     const Pair pair = view(a, b);
@@ -169,9 +169,9 @@ public:
     return (std::max)(0.0f, static_cast<float>(cost));
   }
 
-  /// What a cost is compared by. One in the mesh's units, of which nobody knows whether it is a
-  /// length, its square or its fourth power, is taken to where floats hold it in each of these
-  /// cases.
+  /// Returns the key by which a cost is compared. A cost in the mesh's units may be a length, its
+  /// square or its fourth power, so it is scaled to a range that floats can represent in each of
+  /// these cases.
   double key_of_cost(double cost) const {
     if constexpr (is_scale_free<Cost>)
       return cost;
@@ -195,7 +195,7 @@ private:
       keys[i] *= state_.importance.of_pair(pairs[i].first, pairs[i].second);
   }
 
-  // Of which importance they are does not count yet.
+  // Evaluates pairs without regard to their importance.
   QUADRILLE_ALWAYS_INLINE void evaluate_alike(const AppendBuffer<VertexPair>& pairs, float* values,
                                               VertexLabels& labels) const {
     if constexpr (has_two_lanes<Cost, typename GuessOf<Placement>::type>)

@@ -101,7 +101,7 @@ private:
       });
   }
 
-  // The same of vertices side by side: what surrounds them has mostly been read before them.
+  // Prefetches consecutive vertices: their neighbourhoods have mostly been read before.
   QUADRILLE_ALWAYS_INLINE void prefetch_next(Index v, Index end) const {
     if (96 >= end - v)
       return;
@@ -126,7 +126,8 @@ private:
       visit(tools.pairs[i].first, tools.pairs[i].second, tools.keys[i]);
   }
 
-  // No branch: whether a vertex has been met before, or what its number is, is hard to guess.
+  // There is no branch: whether a vertex has been met before, or which number it has, is hard to
+  // predict.
   void find_edges(PairTools& tools, Index v, Index least) {
     VertexPair* const pairs = tools.pairs.extend(2 * complex_.degree_bound(v) + 1);
     std::size_t count = 0;

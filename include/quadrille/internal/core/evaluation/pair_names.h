@@ -9,8 +9,8 @@
 
 namespace quadrille::internal {
 
-/// Tells cost and placement which vertices of the input a pair is about. Where neither asks for it,
-/// it is empty, and does nothing.
+/// Gives cost and placement the input vertices of a pair. If neither asks for them, it is empty and
+/// does nothing.
 template <class Policies>
 class PairNames {
 public:
@@ -36,7 +36,7 @@ public:
     else
       return {};
   }
-  /// That pair, as the placement sees it.
+  /// Returns that pair in the form that the placement sees.
   template <class Pair>
   PairFor<typename Policies::Placement, Pair> for_placement(const Pair& pair, Index a,
                                                             Index b) const {

@@ -15,14 +15,15 @@
 
 namespace quadrille::internal {
 
-/// What it costs that a part of the surface vanishes, as a key of the queue.
+/// The cost at which a component of the surface vanishes, as a key of the queue.
 ///
-/// It is what contracting the part to its centre would cost if each plane that its vertices
-/// remember were as far from there as the radius of the part. That is no less than what the
-/// contractions to that place cost, so as a rule a part shrinks as far as it can before it
-/// vanishes; and it is no less for a thin or flat part, whose planes all pass through the centre.
-/// Of a cost that looks at the surface as it is, what it sees counts in this way, and what vertices
-/// remember is added as it costs it at the centre. The part counts as its most important vertex.
+/// It is the cost of contracting the component to its centre if each plane in the states of its
+/// vertices were as far from there as the radius of the component. That is no less than the cost of
+/// the contractions to that place, so as a rule a component shrinks as far as it can before it
+/// vanishes; and it is no less for a thin or flat component, whose planes all pass through the
+/// centre. For a cost that looks at the current surface, local terms count in this way, and the
+/// states of vertices are added with their cost at the centre. The component has the importance of
+/// its most important vertex.
 template <class Policies>
 class PartPrice {
 public:
@@ -31,8 +32,8 @@ public:
 
   explicit PartPrice(const PairEvaluator<Policies>& evaluator) : evaluator_(evaluator) {}
 
-  /// Of a part with these vertices, of which there is at least one; infinity if it is no number. In
-  /// linear time.
+  /// Returns the cost of a component with these vertices, of which there is at least one; infinity
+  /// if it is not a number. In linear time.
   float operator()(std::span<const Index> vertices, const Position& centre,
                    double squared_radius) const {
     PairOf<Cost> part = as_pair(vertices, centre);
@@ -66,7 +67,8 @@ private:
     return squared > 0 ? 1 / squared / (has_local_terms<Cost> ? 3 : 1) : 0;
   }
 
-  // The whole part as if it were a pair: its ends are vertices far apart, and it remembers all.
+  // Represents the whole component as a pair: its ends are vertices far apart, and its state is the
+  // sum of all.
   PairOf<Cost> as_pair(std::span<const Index> vertices, const Position& centre) const {
     const Index a = farthest(vertices, centre), b = farthest(vertices, position(a));
     const Position first = position(a), second = position(b);

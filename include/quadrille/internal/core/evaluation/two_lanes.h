@@ -34,7 +34,7 @@ inline constexpr bool
     has_two_lanes = (std::same_as<Placement, OptimalPlacement> ||
                      std::same_as<Placement, BuiltInPlacement>)&&says_two_lanes<Cost>;
 
-/// Does a cost of that kind count losses of remembered planes, as ThinFeatureQuadric does?
+/// Does a cost of that kind count losses of accumulated planes, as ThinFeatureQuadric does?
 template <class Cost>
 concept CountsLosses = requires(const Cost& cost, const typename Cost::State& state,
                                 const Lanes& lanes) {
@@ -42,7 +42,8 @@ concept CountsLosses = requires(const Cost& cost, const typename Cost::State& st
   { cost.loss(lanes, lanes) } -> std::convertible_to<Lanes>;
 };
 
-/// Does a placement of those, or one whose guess is of those, take the position of least cost?
+/// Does one of those placements, or one whose first candidate comes from those, take the position
+/// of least cost?
 template <class Placement>
 bool is_optimal(const Placement& placement) {
   if constexpr (requires { placement.is_optimal(); })
@@ -51,13 +52,14 @@ bool is_optimal(const Placement& placement) {
     return true;
 }
 
-/// What channels add to two pairs: see two_channel_forms.h, which calls include that have some.
+/// The terms that channels add to two pairs: see two_channel_forms.h, which calls with channels
+/// include.
 template <class Cost>
 auto two_channel_forms(const Channels<Cost>& channels, const TwoPairs& two,
                        const std::array<Vector<3>, 2>& to_seconds);
 
-/// Costs pairs two at a time. What the kernel cannot solve is left to the
-/// evaluator, which gives the same to the rounding of a float.
+/// Costs pairs two at a time. Pairs that the kernel cannot solve are left to the evaluator, which
+/// gives the same keys up to the rounding of a float.
 template <class Evaluator>
 class TwoLanes {
 public:
@@ -107,7 +109,7 @@ public:
 private:
   const auto& positions() const { return evaluator_.state().geometry.positions(); }
 
-  // What channels add to what each pair remembers, or to what it sees.
+  // Returns the terms that channels add to the state of each pair, or to its local terms.
   auto channel_forms(const TwoPairs& two, const std::array<Vector<3>, 2>& ways) const {
     if constexpr (Evaluator::counts_channels)
       return two_channel_forms(evaluator_.state().channels(), two, ways);
@@ -152,8 +154,8 @@ private:
       keys[k] = std::isnan(values[k]) ? evaluator_.key_alike(two[k]) : Evaluator::as_key(values[k]);
   }
 
-  // Where seams are kept, the corners of their graph are fixed: few pairs, which the kernel has
-  // costed as if they were free.
+  // If seams are kept, the corners of their graph are fixed: such pairs are few, and the kernel has
+  // costed them as if they were free.
   void rewrite_fixed(const AppendBuffer<VertexPair>& pairs, float* keys) const {
     const auto& geometry = evaluator_.state().geometry;
     if (!geometry.is_any_fixed())

@@ -54,10 +54,10 @@ inline Lanes value_if_found(Lanes value, const Factorization<3, Lanes>& factoriz
 
 struct NothingAdded {};
 
-/// The least values of two quadrics in space, each the sum of one of `firsts` and of one about the
-/// point `displacement` from it, with what tells those of equal cost apart (see TieBreak). A value
-/// that can't be had so, because the matrix is singular or the position lies further than √reach
-/// from both points, is NaN.
+/// Returns the least values of two quadrics in space, each the sum of one of `firsts` and of one
+/// about the point `displacement` from it, with the tie breaks of equal costs (see TieBreak). A
+/// value that cannot be computed in this way, because the matrix is singular or the position lies
+/// further than √reach from both points, is NaN.
 ///
 /// `added` are further quadrics about the first points, a LaneForm, or NothingAdded.
 template <class Added>
@@ -97,7 +97,8 @@ struct LaneMinima {
   LaneVector positions;
 };
 
-/// The same for memoryless costs: see MemorylessQuadric::join and minimizer, of which `Current` is.
+/// Returns these values for memoryless costs: see MemorylessQuadric::join and minimizer, to which
+/// `Current` belongs.
 template <class Current, class Added>
 LaneMinima minima(const Current& first, const std::array<const Current*, 2>& others,
                   const std::array<Current, 2>& shared,

@@ -9,7 +9,7 @@
 
 namespace quadrille::internal {
 
-/// What an adapter reads of a surface that has channels.
+/// The data that an adapter reads from a surface with channels.
 struct InputWithChannels : SurfaceInput<3> {
   using SurfaceInput<3>::SurfaceInput;
   explicit InputWithChannels(SurfaceInput<3> surface) : SurfaceInput<3>(std::move(surface)) {}

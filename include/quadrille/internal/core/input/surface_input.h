@@ -21,7 +21,7 @@
 
 namespace quadrille::internal {
 
-/// What an adapter reads.
+/// The data that an adapter reads.
 template <std::size_t N>
 struct SurfaceInput {
   explicit SurfaceInput(Workspace* workspace = nullptr)
@@ -37,28 +37,29 @@ struct SurfaceInput {
   std::vector<bool>
       is_shared; ///< see SharedVertices; empty if none is; such vertices are fixed, too
   std::vector<std::array<Index, 2>> borders; ///< see SharedVertices
-  /// What takes the place of the surface's own box where that decides about units. Empty: nothing.
+  /// Replaces the surface's own box where it decides about units. Empty: nothing replaces it.
   std::optional<Box<N>> given_box;
   /// Are the coordinates of the result floats once they are written?
   bool writes_floats = false;
   Array<Index> labels; ///< of each face, small numbers; empty if there are none
-  /// Of each input face: may it be changed? The corners of others are fixed. Empty if all may.
+  /// May each input face be changed? The corners of others are fixed. Empty if all may.
   std::vector<bool> is_selected;
-  /// Of each vertex, in the mesh's units; empty if there are none. See ToleranceLimit.
+  /// The tolerance of each vertex, in the mesh's units; empty if there are none. See
+  /// ToleranceLimit.
   std::vector<double> tolerances;
   /// May it have faces on the same three vertices? Of those one is left, or with may_have_backs one
   /// of each way round.
   bool has_duplicate_faces = false;
   bool may_have_backs = false;
 
-  /// Makes room. Of positions it is a little more than is asked for, so that arrays of a number a
-  /// vertex fit into what these leave in a workspace, side by side.
+  /// Reserves room. For positions it is a little more than requested, so that arrays of one number
+  /// per vertex fit into the space that positions leave in the arena.
   void reserve(std::size_t vertices, std::size_t faces) {
     positions.reserve(vertices + 16);
     triangles.reserve(faces);
   }
 
-  /// Of the vertices that faces use: others may lie anywhere.
+  /// Returns the box of the vertices that faces use: others may lie anywhere.
   Box<N> box() const {
     Array<unsigned char> is_used(positions.size(), 0,
                                  positions.get_allocator()); // no bits: these take longer to set
@@ -91,7 +92,7 @@ struct SurfaceInput {
   }
 };
 
-/// The same with channels: see input_with_channels.h, which calls include that have some.
+/// Input with channels: see input_with_channels.h, which calls with channels include.
 struct InputWithChannels;
 template <std::size_t N, bool has_channels>
 using InputOf = std::conditional_t<has_channels, InputWithChannels, SurfaceInput<N>>;

@@ -45,7 +45,7 @@ public:
   double length_of_mesh(double length) const { return std::ldexp(length, -exponent_); }
   double length_from_mesh(double length) const { return std::ldexp(length, exponent_); }
 
-  /// Of the bounding box.
+  /// Returns the diagonal of the bounding box.
   double diagonal() const { return Box<3>(positions_).diagonal(); }
 
 private:

@@ -9,7 +9,7 @@
 
 namespace quadrille::internal {
 
-/// What a search for pairs needs beside the surface, and writes its findings to.
+/// The tools of a search for pairs, in addition to the surface, and its results.
 struct PairTools {
   explicit PairTools(std::size_t vertices, Workspace* workspace = nullptr)
       : labels(vertices, workspace) {}

@@ -55,8 +55,8 @@ inline Loss most_loss(const PairStar& star, const Backs& backs) {
           star.shared.size() + 2};
 }
 
-/// What contractions leave behind where topology is free, taken away and tallied: duplicate faces,
-/// and vertices without a face.
+/// Removes and counts what contractions leave with free topology: duplicate faces, and vertices
+/// without a face.
 class Cleanup {
 public:
   /// `labels`: of each face; or empty.
@@ -72,8 +72,8 @@ public:
     scratch_.counters.non_edge_contractions += scratch_.star.shared.empty();
   }
 
-  /// Of the faces that the contraction of the star has changed, those of the same three vertices go
-  /// but one.
+  /// Removes all but one of the faces with the same three vertices that the contraction of the star
+  /// has changed.
   void remove_duplicate_faces() {
     gather_changed();
     remove_duplicates();
@@ -114,8 +114,8 @@ private:
     });
   }
 
-  // Of the gathered faces, at one vertex, that have the same two others, all but the first, which
-  // is left: visit(face, left).
+  // Visits the gathered faces, at one vertex, that have the same other two vertices, all but the
+  // first, which is left: visit(face, left).
   template <class Visit>
   void for_each_duplicate(Visit visit) {
     std::vector<StarFace>& faces = scratch_.faces;

@@ -73,8 +73,9 @@ struct AtOnce {
   static constexpr bool may_write_to(Index) { return true; }
 };
 
-/// How a contraction is applied: among others that have no end in common with it, before lists are
-/// built anew. may_write_to(v) tells which vertices around it no other thread looks at.
+/// The mode in which a contraction is applied: among others that have no end in common with it,
+/// before lists are rebuilt. may_write_to(v) is true for vertices around it that no other thread
+/// reads.
 template <class MayWriteTo>
 struct InPass {
   static constexpr bool is_in_pass = true;
@@ -98,19 +99,19 @@ std::pair<Index, Index> kept_and_gone(const Contraction<Cost>& contraction,
   return b_stays ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// What a contraction loses: see feature_loss_of.
+/// The feature loss of a contraction: see feature_loss_of.
 struct FeatureLoss {
   double way;   ///< in the engine's unit; 0 where the surface is not thin
   double error; ///< of the contraction, with that, in the mesh's unit: see Report::error
 };
 
-/// What observers of the surface are told before a contraction, and after it: which vertex is kept
-/// and which is gone.
+/// The event that observers of the surface receive before a contraction and after it: it names the
+/// vertex that is kept and the one that is gone.
 ///
-/// An observer is a part of the surface that has something to keep up to date. It has a function
-/// before(event), or after(event), or both; what it has not costs nothing. In a pass several
-/// threads tell an observer at a time, each of another contraction: it may write to nothing but
-/// what belongs to the two ends, to the faces of the star, and to vertices that the mode allows.
+/// An observer is a component of the surface that must be kept up to date. It has a function
+/// before(event), or after(event), or both; an absent function costs nothing. In a pass several
+/// threads notify an observer at a time, each of another contraction: it may write only to the data
+/// of the two ends, of the faces of the star, and of vertices that the mode allows.
 template <class Cost, class Mode>
 struct ContractionEvent {
   static constexpr bool is_in_pass = Mode::is_in_pass;
@@ -130,8 +131,8 @@ concept HearsAfter = requires(Observer& observer, const Event& event) {
   observer.after(event);
 };
 
-/// Those of a list of parts that are told of an event, as a tuple of references. A part that has
-/// columns only is not told.
+/// Returns the components that receive an event, as a tuple of references. A component that has
+/// columns only receives none.
 template <class Event, class... Part>
 auto observers_of(const std::tuple<Part&...>& parts) {
   const auto tie_if_told = []<class P>([[maybe_unused]] P& part) {

@@ -11,7 +11,7 @@
 
 namespace quadrille::internal {
 
-/// What contractions have done since they were last counted.
+/// Counters of what contractions have done since the counters were last added up.
 struct Counters {
   std::size_t faces = 0, vertices = 0; // that are gone
   std::size_t edges = 0;               // the same, where they are counted: see CountedEdges

@@ -47,7 +47,8 @@ public:
     tree_.fit();
   }
 
-  /// Of a place, where `guess` is about how far it may be: larger than 0, in the engine's unit.
+  /// Returns the distance of a place, where `guess` is an estimate of it: larger than 0, in the
+  /// engine's unit.
   double operator()(const Vector<3>& place, double guess) const {
     if (faces_.empty())
       return 0;
@@ -76,8 +77,8 @@ private:
     return box == cube_around(place, radius);
   }
 
-  // Of those whose boxes meet a cube around the place: no more than that of any face nearer than
-  // the radius. Infinite if there are none.
+  // Returns the distance to the faces whose boxes meet a cube around the place: at most that of any
+  // face nearer than the radius. It is infinite if there are none.
   double nearest_within(const Vector<3>& place, double radius) const {
     double squared = std::numeric_limits<double>::infinity();
     tree_.for_each_meeting(cube_around(place, radius), [&](std::size_t slot, const FloatBox&) {
@@ -94,7 +95,7 @@ private:
   FloatBox whole_ = FloatBox::empty();
 };
 
-/// Where a part lay that is gone whole, in the engine's unit.
+/// The place of a component that has vanished, in the engine's unit.
 struct Trace {
   Vector<3> centre;
   double radius;

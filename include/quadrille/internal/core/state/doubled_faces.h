@@ -23,8 +23,8 @@
 
 namespace quadrille::internal {
 
-/// The labels of faces of which some have a back, told as labels of the fronts: one for both sides.
-/// Where it changes, or where backs begin, there is a border. `labels`: of each input face; or
+/// Joins the labels of faces and of their reverses into labels of both sides. There is a label
+/// boundary where they change, or where double-sided faces begin. `labels`: of each input face; or
 /// empty.
 inline void join_labels_of_backs(const TriangleComplex& complex, const InputIndices& faces,
                                  Array<Index>& labels) {
@@ -45,9 +45,9 @@ inline void join_labels_of_backs(const TriangleComplex& complex, const InputIndi
   labels = std::move(joined);
 }
 
-/// Faces on the same three vertices, before the first contraction. Of those that run the same way
-/// round one is left, the first. Two that run against each other are the sides of a sheet: both
-/// are kept as one face with a back.
+/// Faces on the same three vertices, before the first contraction. One of those with the same
+/// orientation is left, the first. Two of opposite orientation are the sides of a double-sided
+/// face: both are kept as one face with a reverse.
 class DoubledFaces {
 public:
   /// `labels`: of each face; or empty.
@@ -56,7 +56,7 @@ public:
       : complex_(complex), labels_(labels), counters_(counters), threads_(threads),
         partner_(complex.workspace()) {}
 
-  /// Removes all but one, whichever way round. What goes is tallied.
+  /// Removes all but one, whatever their orientation, and counts those that are removed.
   void remove() {
     for_each_group([this](const auto& group) { remove_but_first(group); });
   }
@@ -162,8 +162,8 @@ private:
     partner_[other] = face;
   }
 
-  // Fronts run the same way round as the faces beside them, as far as they can: first as those
-  // without a back, which have no choice, then as the first of a sheet.
+  // Fronts are oriented like their neighbours, as far as possible: first like those without a
+  // reverse, which have no choice, then like the first double-sided face.
   void choose_fronts(const InputIndices& inputs) {
     Array<Index> back(complex_.face_capacity(), none, complex_.workspace());
     is_chosen_.assign(complex_.face_capacity(), false);
@@ -223,7 +223,7 @@ private:
     return halves == 4 ? beyond : none;
   }
 
-  // Of the corners of a front, the one at the first vertex of its back.
+  // Returns the corner of a front that is at the first vertex of its reverse.
   Index place_of_first(Index front, Index back) const {
     const auto& corners = complex_.vertices(front);
     return static_cast<Index>(
@@ -238,8 +238,8 @@ private:
   std::vector<bool> is_chosen_;
 };
 
-/// Before the first contraction: of faces on the same vertices one is left, or one with a back
-/// where the input may have them, of which labels tell both sides then.
+/// Joins faces on the same vertices before the first contraction: one is left, or one with a
+/// reverse if the input may have them; labels then describe both sides.
 template <std::size_t N>
 void settle_doubled_faces(TriangleComplex& complex, const InputIndices& faces,
                           SurfaceInput<N>& input, Counters& counters, Threads threads) {

@@ -72,9 +72,9 @@ QUADRILLE_NOINLINE double way_where_thin(const Contraction<Cost>& contraction,
                     of_end(contraction.second(), contraction.pair().second));
 }
 
-/// How far the faces that a contraction leaves lie from those that it changes: measured in the
-/// middles of the faces and of their edges. The planes that a vertex remembers say nothing of faces
-/// that come to span a hole.
+/// Returns how far the faces that a contraction leaves lie from those that it changes: measured in
+/// the middles of the faces and of their edges. The planes in the state of a vertex do not cover
+/// faces that come to span a hole.
 template <class Cost>
 QUADRILLE_NOINLINE double deviation_of(const Contraction<Cost>& contraction,
                                        const Geometry<Cost::dimension>& geometry) {
@@ -103,19 +103,20 @@ QUADRILLE_NOINLINE double deviation_of(const Contraction<Cost>& contraction,
   return std::sqrt(greatest);
 }
 
-/// Is the error of a contraction so great, beside the whole surface, that it is measured what it
-/// does? A mean over planes is no measure of such coarse faces.
+/// Is the error of a contraction so great, compared with the whole surface, that its effect is
+/// measured? A mean over planes is no measure of such coarse faces.
 template <class Cost>
 bool is_measured(const Contraction<Cost>& contraction, const Scale<Cost::dimension>& scale) {
   return contraction.error() > coarse_error * scale.diagonal();
 }
 
-/// How far places that have been contracted to the ends of a contraction will be from the faces
-/// around it, at most: the sum of the ways that these have receded. Measured where the surface is
-/// or was thin, else 0.
+/// An upper limit of the distance from places that have been contracted to the ends of a
+/// contraction to the faces around it: the sum of the displacements of these places. It is measured
+/// where the surface is or was thin, and 0 elsewhere.
 ///
-/// The planes of a thin wall weigh as little as its area is. The mean distance of a vertex to the
-/// planes that it remembers therefore hides it if a corner leaves such a wall far behind.
+/// The planes of a thin wall have little weight, as its area is small. The mean distance of a
+/// vertex to the planes in its state therefore hides it if a corner moves far away from such a
+/// wall.
 template <class Cost>
 QUADRILLE_ALWAYS_INLINE inline FeatureLoss
 feature_loss_of(const Contraction<Cost>& contraction, const Geometry<Cost::dimension>& geometry,

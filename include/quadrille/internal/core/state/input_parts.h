@@ -41,8 +41,8 @@ public:
 
   std::size_t size() const { return sizes_.size(); }
 
-  /// Tells those of which no vertex is left, nor has become part of one that is. Merges are told by
-  /// input indices from then on.
+  /// Reports the components of which no vertex is left or was merged into one that is. Merges are
+  /// reported by input indices from then on.
   template <std::size_t N>
   void tell(const TriangleComplex& complex, const Geometry<N>& geometry, const Scale<N>& scale,
             Numbering& numbering, Report& report) const {

@@ -10,8 +10,8 @@
 
 namespace quadrille::internal {
 
-/// What observers that have a function vanished(event) are told before a part of the surface goes
-/// whole: all vertices that are left of it, and all their faces.
+/// The event that observers with a function vanished(event) receive before a component of the
+/// surface is removed: all vertices that are left of it, and all their faces.
 struct PartEvent {
   std::span<const Index> vertices, faces;
   double radius, size; // of the part as it was in the input, in the mesh's unit: see Part
@@ -35,7 +35,8 @@ inline std::vector<Index> faces_of(const TriangleComplex& complex,
   return faces;
 }
 
-/// Removes a part whole, of which these vertices are left, tells observers before, and counts it.
+/// Removes a whole component, of which these vertices are left, notifies observers before, and
+/// counts it.
 template <class Part, class... Observer, class Counters>
 void remove_part(TriangleComplex& complex, std::span<const Index> vertices, const Part& part,
                  const std::tuple<Observer&...>& observers, Counters& counters) {

@@ -65,7 +65,7 @@ public:
     });
   }
 
-  /// Of each part, once all faces have been seen.
+  /// Returns the value of each component, once all faces have been seen.
   std::vector<double> of_parts() const {
     std::vector<double> result(parts_.size(), 1);
     for (std::size_t slot = 0; slot < order_.size(); ++slot)
@@ -97,7 +97,7 @@ struct Part {
   double radius = 0;         ///< in space, in the mesh's unit
   double isolation = 1;      ///< see Parts::measure_isolation()
   double size = 0;           ///< the diagonal of its box in space, in the mesh's unit
-  bool is_large = false;     ///< beside the whole surface: it does not vanish
+  bool is_large = false;     ///< compared with the whole surface: it does not vanish
   bool is_fixed = false;     ///< is any of its vertices?
 };
 
@@ -137,7 +137,8 @@ public:
     });
   }
 
-  /// Where parts may vanish: how far each of them lies from all that is no smaller. See Isolation.
+  /// Measures how far each component lies from all that is no smaller, if components may vanish.
+  /// See Isolation.
   void measure_isolation(const TriangleComplex& complex, const Geometry<N>& geometry,
                          const Scale<N>& scale) {
     if (parts_.size() < 2)
@@ -158,7 +159,7 @@ public:
       parts_[part].isolation = isolations[part];
   }
 
-  /// Of the input; none where parts may not vanish.
+  /// Returns the number of components of the input; 0 if components may not vanish.
   std::size_t size() const { return parts_.size(); }
   const Part<N>& operator[](Index part) const { return parts_[part]; }
   /// The part of a vertex; `none` where it had no faces.
@@ -170,7 +171,7 @@ public:
   /// From which part of the diagonal of the whole surface a part is large.
   static constexpr double least_large = 1. / 20;
 
-  /// Those of which no vertex has faces.
+  /// Returns the components in which no vertex has faces.
   std::vector<Trace> gone(const TriangleComplex& complex, const Scale<N>& scale) const {
     std::vector<bool> is_left(parts_.size());
     for (Index v = 0; v < part_.size(); ++v)

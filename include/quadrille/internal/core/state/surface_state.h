@@ -173,13 +173,14 @@ struct SurfaceState {
   SurfaceState(const SurfaceState&) = delete; // its members refer to each other
   SurfaceState& operator=(const SurfaceState&) = delete;
 
-  /// Of the thread that does what is not done in parallel.
+  /// Returns the scratch space of the thread that does all sequential work.
   Scratch& scratch() { return scratches.front(); }
-  /// Of each face; or empty.
+  /// The label of each face; may be empty.
   const Array<Index>& labels() const { return appearance.seams().labels(); }
   const ChannelsOf<Policies>& channels() const { return appearance.channels(); }
 
-  /// Once: what links tell of vertices, or, where topology is free, which parts the input has.
+  /// Classifies vertices by their links or, with free topology, finds the components of the input.
+  /// It is called once.
   void classify() {
     if (is_topology_kept)
       link_condition = LinkCondition(
@@ -193,7 +194,7 @@ struct SurfaceState {
     if (parts.size() == 0)
       parts = Parts<dimension>(complex, geometry, scale, scale.diagonal());
   }
-  /// Vertices remember the surface as it is now.
+  /// Accumulates the current surface in the states of vertices.
   void accumulate() {
     const auto is_interior = [this](Index v) { return link_condition.is_interior(v); };
     states.accumulate(with_engine_lengths(policies.cost, scale), geometry.positions(), complex,
@@ -218,7 +219,7 @@ struct SurfaceState {
     importance.merge(event.kept, event.gone);
   }
 
-  /// What is left of its topology, and which parts have vanished.
+  /// Reports the remaining topology and the components that have vanished.
   void tell(Report& report) {
     count_topology(complex, scratch().labels).tell(report);
     report.components_before =
