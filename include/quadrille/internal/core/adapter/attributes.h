@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  // Of a value whose type does not tell how many it has.
+  // Checks the components of a value whose type does not determine their number.
   static void require_components([[maybe_unused]] const Value& value) {
     if constexpr (component_count<Value>() == (std::numeric_limits<std::size_t>::max)() &&
                   requires { static_cast<std::size_t>(value.size()); })

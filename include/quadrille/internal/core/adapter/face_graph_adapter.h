@@ -52,7 +52,7 @@ public:
     for (std::size_t i = 0; i < vertices_.size(); ++i)
       places_[get(indices_, vertices_[i])] = static_cast<Index>(i);
   }
-  /// Gives memory back that read() can fill anew.
+  /// Releases memory that read() can fill again.
   void release() {
     vertices_ = Array<Vertex>(vertices_.get_allocator());
     places_ = Array<Index>(places_.get_allocator());
@@ -112,7 +112,7 @@ public:
       channels_.read(mesh_, vertices_, *workspace_, surface);
     return surface;
   }
-  /// Gives memory back that write() can fill anew.
+  /// Releases memory that write() can fill again.
   void release() { vertices_.release(); }
 
   /// Calls visit(v, value, i) for the value that a map has of the i-th vertex of the user's, which
@@ -141,12 +141,12 @@ public:
     for_each_edge_in(map, [&](Edge, Index v, Index w) { surface.creases.push_back({v, w}); });
   }
 
-  /// Rewrites the mesh. `result` tells which faces are left, of which vertices, and where they
-  /// lie.
+  /// Rewrites the mesh. `result` gives the remaining faces, their vertices, and the positions of
+  /// these.
   ///
   /// Everything that can throw (memory, the user's maps) comes before the first change of the
-  /// connectivity, and is taken back if it does. Calls tell as Reporter says. Returns how many
-  /// vertices it had to duplicate.
+  /// connectivity, and is undone if it does. It calls `tell` as described for Reporter. Returns how
+  /// many vertices it had to duplicate.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     vertices_.read(mesh_);

@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // What write_points has overwritten.
+  // The data that write_points has overwritten.
   struct Undo {
     explicit Undo(Workspace* workspace) : points(workspace) {}
 
@@ -74,7 +74,7 @@ private:
     }
   };
 
-  // From here on, edges are told by the numbers of the result.
+  // From here on, edges are given by the numbers of the result.
   template <class Result>
   void number_vertices(const Result& result) {
     left_ = result.input_vertices();
@@ -82,7 +82,7 @@ private:
     named_edges_.renumber([&](Index v) { return number_of(v, result); });
   }
 
-  // Of what a vertex has become part of.
+  // Returns the number of the vertex into which v was merged.
   template <class Result>
   Index number_of(Index v, const Result& result) const {
     return number_[result.image(v)];
@@ -97,7 +97,7 @@ private:
     faces_.resize(left + 1);
     doomed_faces_.resize(places.size() - left + 1);
     std::size_t face = 0, found = 0;
-    for (Face f : faces(mesh_)) { // without a branch: it is hard to guess
+    for (Face f : faces(mesh_)) { // without a branch, which would be hard to predict
       const Index place = places[face];
       faces_[(std::min<std::size_t>)(place, left)] = f;
       doomed_faces_[face++ - found] = f;
@@ -117,7 +117,7 @@ private:
     }
   }
 
-  // Of each face that is left its own.
+  // Collects the sides of each remaining face.
   void collect_sides_of_faces(std::size_t left) {
     halfedges_.resize(3 * left); // step by step, so that no face waits for what another one reads
     for (std::size_t i = 0; i < left; ++i)
@@ -126,7 +126,7 @@ private:
       for (std::size_t i = 0; i < left; ++i)
         halfedges_[3 * i + k] = next(halfedges_[3 * i + k - 1], mesh_);
   }
-  // Of a result whose faces have sides of any faces.
+  // Collects the sides of a result whose faces may have sides of any faces.
   template <class Result>
   void collect_given_sides(const Result& result, std::size_t left) {
     Array<Halfedge> inputs(workspace_);

@@ -40,7 +40,7 @@ public:
     for (const auto& [in, out] : umbrellas_.border_links())
       set_next(opposite(halfedges_[in], mesh_), opposite(halfedges_[out], mesh_), mesh_);
     std::size_t found = 0;
-    for (Edge e : edges(mesh_)) { // without a branch: it is hard to guess
+    for (Edge e : edges(mesh_)) { // without a branch, which would be hard to predict
       const Halfedge h = halfedge(e, mesh_);
       const bool has_left = face(h, mesh_) != no_face;
       const bool has_right = face(opposite(h, mesh_), mesh_) != no_face;

@@ -14,8 +14,8 @@
 
 namespace quadrille::internal {
 
-/// A matrix of Eigen, a view of one, or what looks like that. It is told by its names first: to
-/// call with two numbers what may be anybody's policy could be an error.
+/// Is it a matrix of Eigen, a view of one, or similar? Its names are checked first: calling an
+/// arbitrary user's policy with two numbers could be an error.
 template <class M>
 concept MatrixLike = requires(M& matrix) {
   typename M::Scalar;
@@ -42,7 +42,8 @@ concept Matrix = WritableMatrix<M> && requires(M& matrix) {
 template <class M>
 concept MatrixView = MatrixLike<M> && !Matrix<std::remove_const_t<M>>;
 
-/// What the type of a matrix tells of its size: three, a number that is not three, or nothing.
+/// The size of a matrix, as far as its type determines it: three, a number that is not three, or
+/// unknown.
 enum class Extent { three, other, any };
 template <int size>
 inline constexpr Extent extent = size < 0    ? Extent::any
@@ -64,7 +65,8 @@ requires requires {
 inline constexpr Extent column_extent<M> = extent<int{M::ColsAtCompileTime}>;
 
 /// Has a matrix a column for each point or triangle, and not a row? One of three rows and three
-/// columns whose type does not tell has rows, unless what it goes with has columns.
+/// columns whose type does not determine this has rows, unless the matrix that belongs to it has
+/// columns.
 template <class M>
 bool lies_in_columns(const M& matrix, bool does_other = false) {
   if constexpr (!MatrixLike<M>)

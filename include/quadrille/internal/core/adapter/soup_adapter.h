@@ -74,8 +74,8 @@ public:
   Index vertex_of(std::size_t point) const { return static_cast<Index>(point); }
 
   /// Rewrites points, triangles and attributes. The new points and triangles are built apart;
-  /// attributes, and points that the map keeps elsewhere, are put back if anything throws, so the
-  /// soup stays as it was. Calls tell as Reporter says.
+  /// attributes, and points that the map stores elsewhere, are restored if anything throws, so the
+  /// soup stays as it was. It calls `tell` as described for Reporter.
   template <class Result, class Tell>
   std::size_t write(const Result& result, Tell tell) {
     auto points = empty_like(points_);
@@ -119,7 +119,7 @@ public:
   }
 
 private:
-  // What has been overwritten, of each new point.
+  // The overwritten data of each new point.
   struct Undo {
     std::vector<std::pair<std::size_t, Point>> points; // of those that have moved
     std::vector<AttributeValue<Attributes>> attributes;

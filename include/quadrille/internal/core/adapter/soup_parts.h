@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-/// What the adapters of soups have in common.
+/// The base of the adapters of soups.
 
 namespace quadrille::internal {
 

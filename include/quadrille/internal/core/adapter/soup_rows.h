@@ -30,7 +30,7 @@ inline constexpr bool is_span<std::span<T, N>> = true;
 /// A span, or a view of a matrix.
 template <class T>
 inline constexpr bool is_view = is_span<T> || MatrixView<T>;
-/// Of constant numbers.
+/// This overload is for constant numbers.
 template <class T>
 inline constexpr bool is_constant_view = MatrixView<T> && !WritableMatrix<T>;
 template <class T, std::size_t N>

@@ -18,7 +18,7 @@ namespace quadrille::internal {
 class SplitPoints {
 public:
   /// `faces` are numbers of the result in the order in which they are written, and `inputs` the
-  /// triangles that they were. Of each channel in `channels` values are told apart.
+  /// triangles from which they come. Values of each channel in `channels` are distinguished.
   template <class Result, class Triangles>
   SplitPoints(const Result& result, const Array<Index>& faces, const Array<Index>& inputs,
               const Triangles& triangles, [[maybe_unused]] const std::vector<std::size_t>& channels)

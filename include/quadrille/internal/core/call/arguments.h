@@ -31,8 +31,8 @@
 #include <type_traits>
 #include <utility>
 
-/// What an argument of `simplify` is, by the concept that it models; of a std::optional, what it
-/// holds.
+/// The kind of an argument of `simplify`, by the concept that it models; of a std::optional, by its
+/// value type.
 
 namespace quadrille::internal {
 
@@ -76,8 +76,8 @@ concept LooksLikePlacement = requires(const T placement,
   requires !std::is_void_v<decltype(placement(cost, pair))>;
 };
 
-/// The kind of a std::optional of an argument of that kind. What a call is compiled for is told by
-/// types, and so it is there or not.
+/// The kind of a std::optional of an argument of that kind. Arguments on whose types compilation
+/// depends cannot be optional.
 constexpr Kind kind_if_optional(Kind kind) {
   switch (kind) {
   case Kind::cost:
@@ -91,9 +91,10 @@ constexpr Kind kind_if_optional(Kind kind) {
   }
 }
 
-/// The kind of an argument beside such a cost. Each concept is asked only if the argument is of no
-/// kind before it: to ask what a call results in instantiates the body of a user's function. An
-/// OptimalPlacement is one beside every cost, so that pick_policies can say what to do.
+/// The kind of an argument in a call with such a cost. Each concept is tested only if the argument
+/// is of no kind before it: to test the result of a call instantiates the body of a user's
+/// function. An OptimalPlacement is one with every cost, so that pick_policies can report what to
+/// do.
 template <class T, class Cost>
 constexpr Kind kind_of() {
   if constexpr (IsOptional<T>)
@@ -138,7 +139,7 @@ concept HasDistanceHeader = requires {
   sizeof(std::conditional_t<std::is_void_v<Policies>, Policies, DistanceHeader>);
 };
 
-/// The functions of the parts that a call may need, for what its types tell.
+/// The optional functions that a call may need, according to its types.
 template <class Policies, class Stop, class Order, bool is_recorded>
 OptionalParts<Policies> optional_parts() {
   OptionalParts<Policies> parts;
@@ -219,7 +220,8 @@ auto pick_guards(const Arguments&... arguments) {
   return guards;
 }
 
-/// Can a guard be asked in an order of this type? Where either is told at run time, that is too.
+/// Can a guard be used with an order of this type? If either is chosen at run time, that is checked
+/// at run time too.
 template <class Guard, class Order>
 inline constexpr bool suits_order =
     !std::same_as<Order, RelaxedOrder> || !IsGuard<Guard> || works_in_passes<Guard>;
@@ -241,8 +243,8 @@ struct FirstUnknown<position, Cost, First, Rest...>
 template <std::size_t position, class Cost, class... Arguments>
 using Unknown = typename FirstUnknown<position, CostOf<Cost, Arguments...>, Arguments...>::type;
 
-/// The placement that a call uses; for OptimalPlacement, of which pick_policies tells more, one
-/// that fits every cost.
+/// The placement that a call uses; for OptimalPlacement, which pick_policies explains, one that
+/// fits every cost.
 template <class Cost, class Placement, class... Arguments>
 struct PlacementFor {
   using Picked = decltype(pick<Kind::placement, Cost, Given<Placement, OptimalPlacement>>(
@@ -257,8 +259,8 @@ using PlacementOf =
 template <class UnknownArgument>
 concept AllAreKnown = std::is_same_v<UnknownArgument, NoArgument>;
 
-/// What `simplify` asks of its arguments: there is none that it does not know, and the placement
-/// fits the cost.
+/// The requirements of `simplify` on its arguments: each of them is known, and the placement fits
+/// the cost.
 template <class Cost, class Placement, class... Arguments>
 concept Fitting =
     CostPolicy<CostOf<Cost, Arguments...>> && AllAreKnown<Unknown<0, Cost, Arguments...>> &&

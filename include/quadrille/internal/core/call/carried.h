@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-/// What a call carries beside the shape: labels and channels.
+/// The attributes that a call carries in addition to the shape: labels and channels.
 
 namespace quadrille {
 struct SplitVertices;
@@ -78,8 +78,8 @@ constexpr bool names_any(Tags... tags) {
           ...);
 }
 
-/// Attributes that are named parameters are channels with defaults beside a cost in space; other
-/// costs read them themselves.
+/// Attributes that are named parameters are channels with defaults for a cost in space; other costs
+/// read them themselves.
 template <class Cost, class Named>
 auto named_channels([[maybe_unused]] const Named& named) {
   namespace np = CGAL::internal_np;

@@ -12,9 +12,9 @@
 #include <ranges>
 #include <type_traits>
 
-/// What a compiler says of a call of `simplify` that is wrong. `simplify` takes arguments of any
-/// type, so that it is told here, in a sentence and before all else, what is wrong with them; and
-/// it is there, but does not compile, for surfaces that cannot be changed and for what is none.
+/// Compiler messages for wrong calls of `simplify`. `simplify` takes arguments of any type, so that
+/// a sentence here, before any other message, reports what is wrong with them; and it exists, but
+/// does not compile, for surfaces that cannot be changed and for objects that are no surfaces.
 
 namespace quadrille {
 class Levels;
@@ -89,8 +89,8 @@ void refuse_argument() {
   }
 }
 
-/// Does not compile, for a surface that cannot be changed; each Call is refused anew. Where a
-/// function is deleted instead, a compiler lists all others of its name.
+/// Does not compile, for a surface that cannot be changed; each Call is rejected again. If a
+/// function were deleted instead, a compiler would list all others of its name.
 template <class... Call>
 Report refuse_constant() {
   static_assert(sizeof...(Call) == 0,
@@ -112,7 +112,7 @@ template <class First, class... Others>
 inline constexpr bool has_no_range_first<First, Others...> = !std::ranges::range<First>;
 
 /// Does not compile, for arguments that are not Fitting. `position` is that of the first policy
-/// among all arguments, counted from 1; each Call is refused anew.
+/// among all arguments, counted from 1; each Call is rejected again.
 template <std::size_t position, class Call, class Cost, class Placement, class... Arguments>
 Report refuse() {
   using UsedCost = CostOf<Cost, Arguments...>;
@@ -178,7 +178,7 @@ requires internal::MatrixLike<Points> && internal::MatrixLike<Triangles> &&
   return {};
 }
 
-/// Does not compile, for points beside a container of something else than triangles.
+/// Does not compile, for points with a container of something else than triangles.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::PointContainer<Points> && internal::NoTriangles<Triangles, Points>
@@ -189,7 +189,7 @@ requires internal::PointContainer<Points> && internal::NoTriangles<Triangles, Po
   return {};
 }
 
-/// The same as for a mesh with arguments, lest it be taken by CGAL::simplify(x).
+/// Does not compile, for a mesh with arguments, so that CGAL::simplify(x) is not chosen for it.
 template <class Mesh>
 requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&) {
   return internal::refuse_constant<Mesh>();
@@ -203,7 +203,7 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
   return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
 }
 
-/// The same for buffers.
+/// Does not compile, for buffers.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Points,
           class Triangles, class... Arguments>
 requires internal::ConstantBuffers<Points, Triangles>

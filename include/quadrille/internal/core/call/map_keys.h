@@ -37,8 +37,8 @@ constexpr bool take_key(Names<Tags...>) {
           ...);
 }
 
-/// Refuses to compile a call with a property map over something else than what it is read for, and
-/// tells whether that is so, so that nobody asks the map.
+/// Rejects a call at compile time if a property map has other keys than those it is read with.
+/// Returns whether the map fits, so that it is not read otherwise.
 template <class Vertex, class Face, class Cost, class Carried, class NamedParameters>
 constexpr bool check_keys() {
   namespace np = CGAL::internal_np;
@@ -69,8 +69,8 @@ constexpr bool check_keys() {
   return vertices_fit && faces_fit && labels_fit;
 }
 
-/// Is a channel over such keys? `takes` is asked with an object of their type; a list of channels
-/// that are told at run time has none.
+/// Does a channel have such keys? `takes` is called with an object of their type; a list of
+/// channels that is known only at run time has none.
 template <class Channel>
 constexpr bool has_keys([[maybe_unused]] auto takes) {
   if constexpr (requires { typename Channel::Source; })

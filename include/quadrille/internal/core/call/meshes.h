@@ -79,7 +79,7 @@ void fix_vertices(Reader& reader, Input& input, const NamedParameters& named) {
   });
 }
 
-/// Tells how far vertices may move, if it is said. Of those at one place the least counts.
+/// Reads how far vertices may move, if it is given. The least value of those at one place counts.
 template <class Reader, class Input, class NamedParameters>
 void limit_vertices(Reader& reader, Input& input, const NamedParameters& named) {
   with_map<parameters::vertex_tolerance_t>(named, [&](const auto& map) {
@@ -89,7 +89,8 @@ void limit_vertices(Reader& reader, Input& input, const NamedParameters& named) 
   });
 }
 
-/// Reads how important vertices are, if that is told. Of those at one place the greatest counts.
+/// Reads the importances of vertices, if they are given. The greatest value of those at one place
+/// counts.
 template <class Reader, class Input, class NamedParameters>
 void weigh_vertices(Reader& reader, Input& input, const NamedParameters& named) {
   with_map<parameters::vertex_importance_t>(named, [&](const auto& map) {
@@ -144,7 +145,7 @@ constexpr bool rounds_to_floats() {
   return false;
 }
 
-/// Tells whether coordinates are written as floats: those of points are, or somebody says so.
+/// Are coordinates written as floats? They are if those of points are, or if a parameter says so.
 template <class Map, class Surface, class Input, class NamedParameters>
 void tell_floats(Input& input, const NamedParameters& named) {
   using Point = typename boost::property_traits<Map>::value_type;

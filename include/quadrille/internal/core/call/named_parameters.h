@@ -162,7 +162,7 @@ constexpr void check_named(Names<Read...>) {
             parameters::vertex_tolerance_t, decltype(attribute_name<Cost>()), Read...>;
   using Attributes = Names<np::vertex_color_map_t, np::vertex_texture_map_t,
                            np::vertex_normal_map_t, parameters::vertex_attribute_t>;
-  // What a cost in space does not read is a channel.
+  // Attributes that a cost in space does not read are channels.
   constexpr auto attributes = std::conditional_t<Cost::dimension == 3, Names<>, Attributes>();
   constexpr typename OthersThan<
       NamedParameters,

@@ -43,8 +43,8 @@ void name_borders(Reader& reader, Input& input, const NamedParameters& named) {
   });
 }
 
-/// The same of a soup of that many points. Throws std::invalid_argument for an edge of a point that
-/// is not there.
+/// Reads the edges of a soup of that many points. Throws std::invalid_argument for an edge of a
+/// point that does not exist.
 template <class Reader, class Input, class NamedParameters>
 void list_borders(const Reader& reader, std::size_t points, Input& input,
                   const NamedParameters& named) {
@@ -63,7 +63,7 @@ void list_borders(const Reader& reader, std::size_t points, Input& input,
   }
 }
 
-/// Of a box in space, with the attributes of the surface itself.
+/// Reads a box in space, to which the attributes of the surface are added.
 template <class Input>
 void give_box(const CGAL::Bbox_3& box, Input& input) {
   input.given_box = input.box();

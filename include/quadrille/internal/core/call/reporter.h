@@ -14,8 +14,8 @@
 
 namespace quadrille::internal {
 
-/// What a call tells of the result by named parameters, while an adapter writes it. What was not
-/// asked for is Param_not_found, and costs nothing.
+/// Reports the result through named parameters, while an adapter writes it. A report that was not
+/// requested is Param_not_found, and costs nothing.
 template <class QuadricMap, class ImageMap, class Duplicates>
 class Reporter {
 public:

@@ -13,7 +13,8 @@
 
 namespace quadrille::internal {
 
-/// Of a surface of that many vertices and faces, most of which will go.
+/// Returns the memory needs of a surface of that many vertices and faces, most of which will be
+/// removed.
 template <class Policies>
 MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t vertices,
                          std::size_t faces) {
@@ -23,8 +24,8 @@ MemoryNeeds memory_needs(const Policies& policies, bool has_labels, std::size_t 
   const std::size_t columns =
       RowsOf<Followers>::bytes +
       (has_labels ? bytes_a_vertex<typename Appearance<Policies>::Seams> : 0);
-  // Beside these: its list of corners, its label, what it has become part of; with a queue, since
-  // when its pairs hold, and those that were refused.
+  // In addition to these: its list of corners, its label, the vertex it was merged into; with a
+  // queue, the version of its pairs, and its rejected pairs.
   const std::size_t a_vertex = columns + (has_queue ? 6 : 4) * sizeof(Index);
   // Its corners, and room for another one or its input index; its label, as read and in order.
   const std::size_t a_face =
@@ -46,7 +47,7 @@ bool proceeds_at_beginning(const Policies& policies, const Report& report) {
   return !policies.visitor || policies.visitor(status);
 }
 
-/// Of a surface that is left as it was, since the visitor has cancelled.
+/// Returns the report for a surface that is unchanged because the visitor has cancelled.
 inline Report untouched(Report report) {
   report.counted_faces = report.faces_after = report.faces_before;
   report.vertices_after = report.vertices_before;
@@ -54,8 +55,8 @@ inline Report untouched(Report report) {
   return report;
 }
 
-/// Data flows one way: adapter, working surface, loop, result, adapter. `read` gives the input of
-/// the adapter; it calls tell as Reporter says.
+/// Data flows one way: adapter, working surface, loop, result, adapter. `read` returns the input of
+/// the adapter; it calls `tell` as described for Reporter.
 template <class Adapter, class Policies, class Read, class Tell>
 Report run_here(Adapter& adapter, const Policies& policies, Read read, Tell tell) {
   StopWatch watch;

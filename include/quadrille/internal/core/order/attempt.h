@@ -14,7 +14,7 @@
 
 namespace quadrille::internal {
 
-/// What has become of a pair that was to be contracted.
+/// The result of an attempt to contract a pair.
 enum class Outcome {
   contracted,
   put_back, ///< it waits for its turn, with the cost that it has now
@@ -23,7 +23,7 @@ enum class Outcome {
   stopped   ///< the stop policy stops here
 };
 
-/// An outcome, with what there is to tell about it.
+/// An outcome, with its data.
 struct Attempt {
   Outcome outcome = Outcome::contracted;
   Rejection cause = {}; ///< where it was rejected
@@ -36,7 +36,7 @@ struct Attempt {
   static Attempt stopped(double key) { return {Outcome::stopped, {}, key}; }
 };
 
-/// What an order of contractions says of an attempt, step by step; each order says its own of some.
+/// Decides each step of an attempt; each order of contractions overrides some of the decisions.
 template <class Policies>
 class Judge {
 public:
@@ -55,11 +55,12 @@ public:
   std::optional<Rejection> rejection(Contraction& contraction) {
     return surface_.checks().rejection(contraction);
   }
-  /// What becomes of one that was rejected: nothing if it got another place, where it may be done.
+  /// Returns the outcome of a rejected contraction: empty if it got another position, where it may
+  /// be done.
   std::optional<Attempt> elsewhere(Contraction&, Rejection cause) {
     return Attempt::rejected(cause);
   }
-  /// Shall it be done, as it may?
+  /// Should an allowed contraction be done?
   Attempt verdict(Contraction&) { return {}; }
 
 protected:
@@ -86,7 +87,7 @@ QUADRILLE_ALWAYS_INLINE inline Attempt attempt(WorkingSurface<Policies>& surface
   Contraction<Cost> contraction(candidate, GatheredStar(surface.complex(), first, second, scratch));
   if (judge.is_too_large(contraction.star()))
     return Attempt::put_back(static_cast<float>(candidate.key));
-  if constexpr (looks_at_star<Placement>) { // which settles the target
+  if constexpr (looks_at_star<Placement>) { // which determines the target
     if (!surface.evaluator().settle(candidate, contraction.star()))
       return {Outcome::rejected, Placement::cause, 0, candidate.error};
     if (const auto key = judge.dearer(candidate))

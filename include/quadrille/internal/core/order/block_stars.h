@@ -12,9 +12,10 @@
 
 namespace quadrille::internal {
 
-/// Which stars lie inside of a block, and which vertices a pass has contracted. Vertices are in one
-/// block whose numbers have all but their last bits in common; eight blocks at a time are joined to
-/// one. What lies inside of a block stays there while others are contracted that do.
+/// Decides which stars are inside a block, and which vertices a pass has contracted. Vertices whose
+/// numbers have all but their last bits in common are in one block; eight blocks at a time are
+/// joined into one. A star inside a block stays there while others are contracted that are inside
+/// of it.
 class BlockStars {
 public:
   static constexpr std::size_t joined_blocks = 8;

@@ -60,8 +60,8 @@ private:
   float fall_;
 };
 
-/// Which pairs are costed anew because a contraction beside them has changed what they cost, for a
-/// cost that looks at the surface as it is: those of flattened vertices.
+/// Selects the pairs that are costed again because a contraction next to them has changed their
+/// costs, for a cost that looks at the current surface: the pairs of flattened vertices.
 template <class Policies>
 class CostRefresh {
 public:
@@ -118,7 +118,7 @@ private:
   WorkingSurface<Policies>& surface_;
   PairVersions& versions_;
   FlattenedVertices flattened_;
-  std::vector<Index> ring_; // vertices whose pairs are costed anew
+  std::vector<Index> ring_; // vertices whose pairs are costed again
 };
 
 } // namespace quadrille::internal

@@ -12,7 +12,7 @@
 
 namespace quadrille::internal {
 
-/// What a stop policy that asks for costs is told; nothing where none does.
+/// Reports costs to a stop policy that asks for them; does nothing for any other.
 template <class Policies>
 class CostStop {
 public:
@@ -23,7 +23,7 @@ public:
 
   bool is_asking() const { return is_asking_; }
 
-  /// Tells the key of what comes next.
+  /// Announces the key of the next contraction.
   void announce(double key) {
     if (is_asking_) [[unlikely]]
       surface_.progress().announce_cost(surface_.evaluator().cost_of_mesh(key));

@@ -11,8 +11,8 @@
 
 namespace quadrille::internal {
 
-/// Does the stop policy stop at a distance, and at nothing else? Never, where it does not ask for
-/// distances. What it was asked about is announced as what comes next.
+/// Does the stop policy stop at a distance, and at nothing else? Always false if it does not ask
+/// for distances. The distance that it was asked about is announced as the next one.
 template <class Policies>
 class DistanceStop {
 public:
@@ -34,7 +34,7 @@ public:
     surface_.progress().announce(contraction.error());
     return result;
   }
-  /// The same, if it is seen at a glance, of a candidate whose place is settled.
+  /// Answers this, if it can be seen quickly, for a candidate whose position has been determined.
   bool is_beyond_hub(const Candidate<Cost>& candidate) {
     if constexpr (!looks_at_star<typename Policies::Placement>)
       return is_asking_ && !is_enough_without() &&
@@ -42,7 +42,8 @@ public:
     else
       return false;
   }
-  /// Of a part that would vanish: a distance in the mesh's unit. No point of it has a place then.
+  /// Answers this for a component that would vanish: a distance in the mesh's unit. No point of it
+  /// has a place then.
   bool is_too_far(double distance) {
     if (!is_asking_ || is_enough_without())
       return false;

@@ -48,8 +48,8 @@ public:
   /// See stops_at_a_count().
   bool has_count() const { return has_count_; }
 
-  /// Do so many pairs wait that are held that the end may be near, and does each vertex stand for
-  /// many? The mean over all planes that these remember hides where some of them lie.
+  /// Are so many constrained pairs waiting that the end may be near, and does each vertex represent
+  /// many? The mean over all planes in their states hides the positions of some of them.
   bool is_near(std::size_t waiting) const {
     const Status& status = surface_.status();
     return waiting > 0 && many * status.faces < status.initial_faces && hold_.is_awake(waiting);
@@ -75,8 +75,8 @@ private:
            hold_.is_of_most();
   }
 
-  // Charts that are kept hold each on its own, and so do regions of labels: what is left of one
-  // counts beside its neighbours.
+  // Each chart that is kept is constrained on its own, and so is each region of labels: its
+  // remainder counts in addition to its neighbours.
   bool is_coarse(const Contraction& contraction) const {
     const TargetRules<Policies>& rules = surface_.run().target_rules();
     return has_kept_seams() ? rules.is_coarse(contraction)
@@ -88,7 +88,7 @@ private:
            surface_.progress().rejected(Rejection::seam) > 0;
   }
 
-  // What had been moved when so many faces were left.
+  // The total displacement at a number of remaining faces.
   struct Note {
     std::size_t faces;
     double moved;
@@ -103,7 +103,7 @@ private:
       notes_.push_back({faces, moved()});
   }
 
-  // What had been moved when a tenth more of the faces was there.
+  // Returns the total displacement when there were a tenth more faces.
   double moved_before() {
     const std::size_t faces = surface_.status().faces;
     while (oldest_ + 1 < notes_.size() && 10 * notes_[oldest_ + 1].faces >= 11 * faces)

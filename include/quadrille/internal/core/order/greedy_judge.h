@@ -48,11 +48,11 @@ QUADRILLE_NOINLINE bool moves_to_end(const Evaluator& evaluator, Contraction& co
   return false;
 }
 
-/// What greedy order says of an attempt.
+/// Decides attempts in the greedy order.
 ///
-/// A cost that looks at the surface as it is now can make a pair more costly while it waits, and so
-/// can a hub; such a pair goes back, and so does one that would spoil the shape of what is left.
-/// One that would go beyond the target is deferred.
+/// A cost that looks at the current surface can make a pair more costly while it waits, and so can
+/// a hub; such a pair goes back, and so does one that would spoil the shape of the rest. One that
+/// would go beyond the target is deferred.
 template <class Policies>
 class GreedyJudge : public Judge<Policies> {
 public:
@@ -145,8 +145,9 @@ private:
                                   [this](Contraction& c) { return rejection(c); });
   }
 
-  // What the first end costs that it might go to, if that is more than others do. Whether faces are
-  // in the way there is looked at when its turn comes: most pairs are outdated before that.
+  // Returns the cost of the first end that the pair might move to, if that is more than others
+  // cost. Whether faces obstruct it there is checked when its turn comes: most pairs are outdated
+  // before that.
   std::optional<float> cost_at_end(const Contraction& contraction, Rejection cause) {
     const auto& evaluator = this->surface().evaluator();
     if (looks_at_star<Placement> || !is_for_obstacle(cause) || supply_.is_last_resort() ||

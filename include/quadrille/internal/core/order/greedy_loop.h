@@ -106,8 +106,8 @@ private:
     supply_.waiting().add(pair, Hold<Policies>::is_by(cause), guard ? guard->obstacle() : none);
   }
 
-  // Where a pair costs more than the stop policy allows: has it become more costly while it was in
-  // the queue? Or are there rejected pairs that may have another turn once no pair is left?
+  // The pair costs more than the stop policy allows: has it become more costly while it was in the
+  // queue? Or are there rejected pairs that may have another turn once no pair is left?
   bool others_may_cost_less(const QueuedPair& pair, float key) {
     if (supply_.is_last_resort() || !judge_.cost_stop().is_stop_by_cost())
       return false;

@@ -31,14 +31,14 @@ struct QueuedPair {
 /// A priority queue of pairs that are rarely popped and mostly outdated: least cost first, ties by
 /// the indices of the pair.
 ///
-/// Pairs lie in *buckets* by the top 13 bits of their cost (for floats of at least 0, the order of
+/// Pairs are in *buckets* by the top 13 bits of their cost (for floats of at least 0, the order of
 /// the bits is the order of the values), each an append-only list of blocks. Only when a bucket
 /// becomes the lowest is it opened: its outdated pairs, nine of ten, are dropped unsorted, and the
-/// rest is sorted. A pair that comes in at or below the open bucket goes to a small heap beside it.
-/// The order is exact.
+/// rest is sorted. A pair that is added at or below the open bucket goes to a small additional
+/// heap. The order is exact.
 ///
 /// All memory is reserved when the queue is built: pairs that are up to date never outnumber those
-/// that it began with, and when half as many outdated ones lie beside them, these are dropped.
+/// that it began with, and when half as many outdated ones have been added, these are dropped.
 class PairQueue {
 public:
   /// Makes room for `expected` pairs that are up to date at one time.
@@ -101,8 +101,8 @@ private:
     Block() {} // a new block is not written to before it is used
   };
 
-  // The first block of a bucket is the one that is being filled. How far is told here, so that an
-  // append touches one place in the block.
+  // The first block of a bucket is the one that is being filled. Its size is stored here, so that
+  // an append touches one place in the block.
   struct Bucket {
     std::uint32_t first = end_of_list;
     std::uint32_t size = Block::capacity; // of the first block: as good as full where there is none

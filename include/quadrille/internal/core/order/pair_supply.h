@@ -127,7 +127,7 @@ private:
     return true;
   }
 
-  // Are there large parts or regions beside others, which nothing may spoil?
+  // Are there large components or regions in addition to others, which nothing may spoil?
   bool guards_shapes() {
     if (!stops_at_a_count(surface_) || !surface_.state().is_topology_kept)
       return false;

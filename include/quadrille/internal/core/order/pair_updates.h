@@ -19,12 +19,12 @@
 
 namespace quadrille::internal {
 
-/// What a contraction changes about pairs, in the queue and among those that wait.
+/// Updates the pairs, in the queue and among those that wait, after a contraction.
 ///
-/// It outdates the pairs of its two ends: their costs are computed anew, and what the queue knew
-/// before is dropped when its turn comes. Pairs beside it may have become cheaper (CostRefresh) or
-/// be refused no more (WaitingPairs). Of a hub to which a vertex has come only the pairs beside
-/// that vertex are looked at.
+/// It outdates the pairs of the two ends: their costs are computed again, and old entries of the
+/// queue are dropped when their turn comes. Pairs next to it may have become cheaper (CostRefresh)
+/// or may no longer be rejected (WaitingPairs). At a hub to which a vertex has moved, only the
+/// pairs next to that vertex are visited.
 template <class Policies>
 class PairUpdates {
 public:
@@ -106,7 +106,8 @@ private:
     refresh_.run(push_pair());
   }
 
-  // A vertex that is no hub any more may move. What boundary edges add to the others is known anew.
+  // A vertex that is no longer a hub may move. The boundary terms of the others have been computed
+  // again.
   QUADRILLE_NOINLINE void review_hubs() {
     surface_.complex().review_hubs([this](Index v) {
       surface_.sum_up_terms(v);
@@ -153,7 +154,8 @@ private:
     refresh_.run(push_pair());
   }
 
-  // Of a vertex of many faces. Its other pairs wait as if they were refused.
+  // Pushes the cheapest pair of a vertex with many faces. Its other pairs wait as if they had been
+  // rejected.
   void push_cheapest(Index v) {
     const bool are_edges = surface_.pairs().are_edges();
     new_pairs_.clear();

@@ -26,9 +26,9 @@
 
 namespace quadrille::internal {
 
-/// What a pass over the blocks of a surface is to do: it contracts pairs that cost no more than a
-/// limit, and in each block no more of them than its quota. It is made from a sample of what the
-/// pairs of each block cost.
+/// The plan of a pass over the blocks of a surface: it contracts pairs that cost no more than a
+/// limit, and in each block no more of them than its quota. It is made from a sample of the costs
+/// of each block's pairs.
 struct PassPlan {
   static constexpr std::size_t sample_step = 32; // one vertex in that many is in the sample
 
@@ -81,7 +81,8 @@ private:
   }
 };
 
-/// Does the stop policy stop at a contraction in a pass, while others may be done beside it?
+/// Does the stop policy stop at a contraction in a pass, while other contractions may still be
+/// done?
 template <class Policies>
 bool is_stop_in_pass(const WorkingSurface<Policies>& surface,
                      typename WorkingSurface<Policies>::Contraction& contraction) {
@@ -153,7 +154,7 @@ private:
   static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
   static constexpr std::size_t no_quota = ~std::size_t{0}; // of contractions
 
-  // What a block needs is loaded once: it is contracted right after its costs are known.
+  // The data of a block is loaded once: it is contracted right after its costs are known.
   std::size_t pass(std::size_t quota) {
     divide();
     const PassPlan plan = PassPlan::make(samples(), settings_.share, quota, cost_stop_.limit());
@@ -185,7 +186,7 @@ private:
     return left;
   }
 
-  // Those that cost less than the pairs of the pass.
+  // Lets components vanish that cost less than the pairs of the pass.
   void let_parts_vanish(double limit) {
     if (limit == std::numeric_limits<double>::infinity())
       return; // the pairs that cost most are for the greedy order
@@ -219,7 +220,7 @@ private:
     stars_.measure(surface_.complex(), std::countr_zero(size), threads());
   }
 
-  // What some of the pairs of each block cost.
+  // Returns the costs of some of the pairs of each block.
   std::vector<std::vector<float>> samples() {
     std::vector<std::vector<float>> samples(blocks_.size());
     parallel_for(threads(), blocks_.size(), [&](std::size_t block, std::size_t worker) {
@@ -270,7 +271,7 @@ private:
     return true;
   }
 
-  // What crosses the bounds of blocks lies inside of larger ones, for the most part.
+  // Pairs that cross the bounds of blocks are inside larger blocks, for the most part.
   void join_blocks() {
     std::vector<Block> joined;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -310,7 +311,7 @@ private:
            (!surface_.state().is_topology_kept && !surface_.complex().has_faces(v));
   }
 
-  // What passes say of an attempt: what the greedy order has to look at is left to it.
+  // Decides attempts in passes: pairs that the greedy order must look at are left to it.
   class PassJudge : public Judge<Policies> {
   public:
     using typename Judge<Policies>::Contraction;

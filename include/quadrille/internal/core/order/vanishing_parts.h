@@ -49,7 +49,8 @@ public:
 
   /// How many have not vanished.
   std::size_t left() const { return left_; }
-  /// What is left of the vertices of a part. Later calls for the same part make it shorter.
+  /// Returns the remaining vertices of a component. Later calls for the same component make the
+  /// list shorter.
   std::span<const Index> vertices(const TriangleComplex& complex, Index part) {
     const auto first = vertices_.begin() + begin_[part];
     const auto last =
@@ -65,12 +66,12 @@ private:
   std::size_t left_ = 0;            // parts
 };
 
-/// The parts of a surface that may vanish whole, the cheapest first: see
-/// Topology::parts_may_vanish. Nothing where they may not.
+/// The components of a surface that may vanish, the cheapest first: see Topology::parts_may_vanish.
+/// It is empty if they may not.
 ///
-/// A part remembers as much after its contractions as before, so what it costs stays the same; but
-/// for costs that look at the surface as it is, by which it becomes more costly while its faces
-/// become larger. Such a part goes back.
+/// The state of a component is the same after its contractions as before, so its cost stays the
+/// same, except with costs that look at the current surface, by which it becomes more costly while
+/// its faces become larger. Such a component goes back.
 template <class Policies>
 class VanishingParts {
 public:

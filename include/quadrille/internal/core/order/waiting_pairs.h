@@ -16,9 +16,9 @@
 
 namespace quadrille::internal {
 
-/// Pairs that were refused, each listed at both of its ends until the neighbourhood of one changes;
-/// and at the face that was in its way, if one was, until that changes. Those that came first leave
-/// first.
+/// Rejected pairs, each listed at both of its ends until the neighbourhood of one changes; and at
+/// the face that obstructed it, if any, until that changes. They leave in the order in which they
+/// came.
 class RefusedPairs {
 public:
   explicit RefusedPairs(std::size_t vertices, Workspace* workspace = nullptr)
@@ -49,7 +49,7 @@ public:
 
   /// Have any been refused for a face that was in their way?
   bool has_behind() const { return !last_behind_.empty(); }
-  /// The same for those.
+  /// Visits those pairs.
   template <class Visit>
   void release_behind(Index face, Visit visit) {
     if (face < last_behind_.size())
@@ -152,12 +152,12 @@ private:
   std::size_t size_ = 0, held_ = 0;
 };
 
-/// Refused pairs, until something changes beside them, or what was in their way does.
+/// Rejected pairs wait here until a change next to them, or of the face that obstructed them.
 ///
-/// Looking at a pair takes time in proportion to the faces at its ends, but for those of hubs. So
-/// that no vertex takes more time at each change than one of few faces, a change beside it brings
-/// back only as many of its pairs as `most_pairs` says, and all of them when no others are left, as
-/// long as that pays.
+/// Evaluating a pair takes time in proportion to the faces at its ends, except for those of hubs.
+/// So that no vertex takes more time at each change than one of few faces, a change next to it
+/// brings back only as many of its pairs as `most_pairs` says, and all of them when no others are
+/// left, as long as that pays.
 class WaitingPairs {
 public:
   static constexpr std::size_t few_faces = 64; // at a vertex
@@ -176,7 +176,8 @@ public:
   void note_left_behind(Index v) { left_behind_.push_back(v); }
   bool empty() const { return refused_.size() == 0; }
 
-  /// That many pairs of a vertex look at few² faces together; all of them where there are few.
+  /// Returns the number of pairs of a vertex that visit few² faces together; all of them if there
+  /// are few.
   std::size_t most_pairs(Index v) const {
     const std::size_t faces = complex_.degree_bound(v);
     return faces <= few_faces ? all : (std::max<std::size_t>)(1, few_faces * few_faces / faces);
@@ -210,8 +211,8 @@ public:
       refused_.release(v, all, push);
   }
 
-  /// Those that were left behind, at a time. False if there are none, or if those of the last time
-  /// brought too few contractions: time counts these.
+  /// Releases the remaining pairs, some at a time. Returns false if there are none, or if the last
+  /// release brought too few contractions: time counts these.
   template <class Push>
   bool release_rest(std::uint32_t time, Push push) {
     if (time < time_to_release_)

@@ -11,8 +11,8 @@
 
 namespace quadrille::internal {
 
-/// What at(face, corner, is_back) tells of each corner of each input face; a back is told of by its
-/// front and the corner of that. `none` for faces that are not there.
+/// Returns the value of at(face, corner, is_back) for each corner of each input face; a reverse
+/// face is described by its front and the corner of that. `none` for faces that do not exist.
 template <class At>
 std::vector<std::array<Index, 3>> corners_by_input_face(const TriangleComplex& complex,
                                                         const InputIndices& faces, At at) {

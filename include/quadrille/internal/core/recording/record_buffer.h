@@ -12,10 +12,10 @@
 
 namespace quadrille::internal {
 
-/// What a thread needs to tell a recorder of contractions: memory for the one at hand, and in a
-/// pass a list of those that it has done, block by block.
+/// The buffers of a thread for reporting contractions to a recorder: memory for the current one,
+/// and in a pass a list of those that it has done, block by block.
 struct RecordBuffer {
-  /// What a wedge becomes: `joined` and `values` begin where those of the one before end.
+  /// The result for a wedge: `joined` and `values` begin where those of the one before end.
   struct Wedge {
     std::size_t channel;
     Index wedge;

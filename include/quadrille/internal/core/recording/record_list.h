@@ -52,7 +52,7 @@ public:
   bool knows_distances() const { return knows_distances_; }
   bool knows_both_ways() const { return knows_both_ways_; }
 
-  /// Makes room, so that nothing is copied. What is not used takes no memory.
+  /// Reserves room, so that nothing is copied. Unused room takes no memory.
   void reserve(std::size_t contractions, std::size_t faces) {
     headers_.reserve(contractions);
     values_.reserve(contractions * width_);

@@ -32,7 +32,7 @@
 
 namespace quadrille::internal {
 
-/// What a thread has refused in a stage of a pass, block by block.
+/// The rejections of a thread in a stage of a pass, block by block.
 class Refusals {
 public:
   /// Refusals belong to that block from here on.
@@ -65,14 +65,14 @@ private:
   std::vector<Block> blocks_;
 };
 
-/// What a thread has done in a pass and a recorder is not told of yet.
+/// The contractions of a thread in a pass that have not yet been reported to a recorder.
 struct RecordScratch {
   RecordBuffer contractions;
   Refusals refusals; // where a recorder wants to know
 };
 
-/// Tells of all that threads have refused in a stage, by block, and forgets it. Each block belongs
-/// to one thread.
+/// Reports all rejections of threads in a stage, by block, and clears them. Each block belongs to
+/// one thread.
 template <class Recorder>
 void tell_refusals(const Recorder& recorder, std::vector<RecordScratch>& scratches) {
   std::vector<Refusals::OfBlock> blocks;
@@ -87,7 +87,7 @@ void tell_refusals(const Recorder& recorder, std::vector<RecordScratch>& scratch
     scratch.refusals.clear();
 }
 
-/// Where a contraction of a stage is recorded, and what it costs.
+/// The place at which a contraction of a stage is recorded, and its cost.
 struct RecordPlace {
   std::size_t block;
   float cost;
@@ -120,10 +120,10 @@ places_in_order_of_cost(const std::vector<RecordScratch>& scratches) {
   return places;
 }
 
-/// Tells a recorder what becomes of channels: see channel_writer.h.
+/// Reports the changes of channels to a recorder: see channel_writer.h.
 template <class Policies>
 class ChannelWriter;
-/// The same of a surface without channels.
+/// Does nothing, for a surface without channels.
 struct NoChannelWriter {
   template <class Policies>
   explicit NoChannelWriter(const RecordingNeeds<Policies>&) {}
@@ -135,7 +135,7 @@ struct NoChannelWriter {
   void after(Index, RecordBuffer&) {}
 };
 
-/// Tells a recorder what becomes of a surface, by input indices and in the mesh's units.
+/// Reports the changes of a surface to a recorder, by input indices and in the mesh's units.
 template <class Policies>
 class RecordWriter : public Recording<Policies> {
 public:
