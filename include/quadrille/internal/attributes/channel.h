@@ -29,8 +29,8 @@
 
 namespace quadrille::internal {
 
-/// Of each wedge, the sum of the unit normals of its faces, weighted by their angles there. Source:
-/// Thürmer and Wüthrich, Computing Vertex Normals from Polygonal Facets, 1998.
+/// Returns for each wedge the sum of the unit normals of its faces, weighted by their angles there.
+/// Source: Thürmer and Wüthrich, Computing Vertex Normals from Polygonal Facets, 1998.
 template <class Positions>
 std::vector<Vector<3>> wedge_normals(const WedgeTable& table, std::size_t wedges,
                                      const Positions& positions, const TriangleComplex& complex) {
@@ -58,12 +58,12 @@ struct ContractedPair {
   bool is_first_fixed = false, is_second_fixed = false;
 };
 
-/// One channel of a surface: its wedges, and of each a map of the attributes. What contractions do
-/// to it, ChannelContraction tells.
+/// One channel of a surface: its wedges, and a map of the attributes for each. ChannelContraction
+/// contracts it.
 class Channel {
 public:
-  /// Where pairs may be no edges, wedges of different values may come together anywhere, unless
-  /// each vertex has one.
+  /// If pairs need not be edges, wedges of different values may come together anywhere, unless each
+  /// vertex has one.
   template <class Numbering>
   Channel(const ChannelInput& input, const Numbering& numbering, const TriangleComplex& complex,
           ChannelWeights weights, bool are_pairs_edges)
@@ -127,8 +127,9 @@ public:
     return (one > 0 && two > 0) || (one < 0 && two < 0);
   }
 
-  /// Maps of the attributes as they are now. What the faces of a wedge disagree about goes to its
-  /// vertex: add(v, matrix). `labels`: of each face; or empty. An area counts weight(area).
+  /// Computes the maps of the current attributes. The discrepancies of the faces of a wedge are
+  /// added to its vertex: add(v, matrix). `labels`: of each face; or empty. An area counts
+  /// weight(area).
   template <class Positions, class Weight, class Add>
   void accumulate(const Positions& positions, const TriangleComplex& complex,
                   const Array<Index>& labels, Weight weight_of_area, Add add) {
@@ -159,13 +160,14 @@ public:
   bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_soft()); }
   double border_weight() const { return border_weight_.value_or(0); } ///< see ChannelOptions
   bool is_border_weight_given() const { return border_weight_.has_value(); }
-  /// Of held seams, by which part of the edges they are: where they are few, holding them firmly
-  /// takes little of the shape; where they are many, there is little else to give.
+  /// Sets the weight of soft seams, by the fraction of edges that they are: if they are few,
+  /// constraining them strongly costs little of the shape; if they are many, little else can
+  /// change.
   void choose_border_weight(double part) {
     border_weight_ = std::clamp(0.0036 / (part * part), 0.1, 1.0);
   }
-  /// Holds the chart of a face at its edge vw, which counts as an area: the texture may slide
-  /// along the edge and not off it. What that leaves at v goes to `form`.
+  /// Constrains the chart of a face at its edge vw, which counts as an area: the texture may slide
+  /// along the edge and not away from it. The constraint at v is added to `form`.
   void hold_border(const TriangleComplex& complex, const Array<Index>& labels, Index face, Index v,
                    Index w, double area, QuadricForm<3>& form) {
     records_.hold_borders();
@@ -190,7 +192,7 @@ public:
   QUADRILLE_ALWAYS_INLINE bool joins_two(const ContractedPair& pair) const {
     return joins_two(pair.first, pair.second) && !pair.is_first_fixed && !pair.is_second_fixed;
   }
-  /// The same if neither end is fixed.
+  /// Answers this for pairs without a fixed end.
   QUADRILLE_ALWAYS_INLINE bool joins_two(Index first, Index second) const {
     return are_pairs_edges_ && table_.has_one(first) && table_.has_one(second) &&
            !records_.holds_border(first) && !records_.holds_border(second);
@@ -271,9 +273,9 @@ private:
   // A texture changes by a length for each length nearly everywhere; others change by much more at
   // what is sharp in them, and are to count there.
   double steepness_part() const { return is_texture_ ? 1 : 1.0 / 16; }
-  // Of each attribute on a face. Returns how much they weigh: the area, and less where attributes
-  // change by more than a length (of others than textures, four) for each length, so that slivers
-  // do not count without bound.
+  // Computes the gradient of each attribute on a face. Returns their weight: the area, and less if
+  // attributes change by more than a length (for others than textures, four) for each length, so
+  // that the weight of slivers is bounded.
   template <class Positions, class Weight>
   double find_gradients(const Positions& positions, const TriangleComplex& complex, Index face,
                         double factor, Weight weight_of_area,

@@ -81,11 +81,11 @@ private:
   boost::container::small_vector<std::array<Index, 2>, 4> pairs_;
 };
 
-/// What the contraction of a pair does to the wedges of a channel: those that a face of both ends
-/// joins become one, all others go on as they are.
+/// Contracts the wedges of a pair in a channel: those that a face of both ends joins become one,
+/// all others stay.
 class ChannelContraction {
 public:
-  /// What a contraction leaves instead of some wedges.
+  /// The replacement for some wedges in a contraction.
   struct Change {
     WedgeMap map;     ///< about the target
     WedgeList wedges; ///< that become it
@@ -122,8 +122,8 @@ public:
     return closes;
   }
 
-  /// What becomes of the wedges of a pair at a target, given from the first end. What those that
-  /// are joined disagree about goes to `form`, about the first end.
+  /// Computes the wedges of a pair at a target, given from the first end. The discrepancy of those
+  /// that are joined is added to `form`, about the first end.
   Changes changes(const Vector<3>& target, QuadricForm<3>& form) const {
     Changes changes;
     joins().for_each_group(

@@ -97,7 +97,7 @@ public:
     const Vector<size> value = components(values_.raw(key));
     input.values.insert(input.values.end(), value.coordinates.begin(), value.coordinates.end());
   }
-  /// What is written stays in the limits of what faces had.
+  /// Limits written values to the range of the values that faces had.
   void end_of_reading(ChannelInput& input, const Array<TriangleComplex::Triangle>& triangles) {
     input.require_finite();
     Vector<size> low, high;
@@ -115,8 +115,8 @@ public:
     };
   }
 
-  /// What a wedge of a result has instead of an old value, with what else that has; nothing if it
-  /// is the same. What a simplification has changed is put in the range of its type.
+  /// Returns the new value of a wedge of a result, with its properties; nothing if it is the same.
+  /// A value that a simplification has changed is clamped to the range of its type.
   template <class Result>
   std::optional<Value> changed(const Result& result, std::size_t channel, Index wedge,
                                const Value& old) const {
@@ -206,7 +206,7 @@ private:
   }
 
   using Component = ComponentOf<Value>;
-  /// What counts as 1 in linear light.
+  /// The integer value that represents 1 in linear light.
   static constexpr double whole = [] {
     if constexpr (std::integral<Component>)
       return static_cast<double>((std::numeric_limits<Component>::max)());

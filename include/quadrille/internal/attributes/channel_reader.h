@@ -14,7 +14,7 @@
 
 namespace quadrille::internal {
 
-/// Makes wedges of a channel's input, for a complex with the numbers that a numbering tells.
+/// Makes wedges of a channel's input, for a complex with the numbers of a numbering.
 template <class Numbering>
 class ChannelReader {
 public:

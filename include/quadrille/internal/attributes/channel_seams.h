@@ -41,8 +41,8 @@ public:
   }
 
 private:
-  // Where two edges to a vertex c become one, is that a seam though neither was, or none though one
-  // was? Half seams can do so, at which the channel is discontinuous at one end only.
+  // When two edges to a vertex c become one, is that a seam though neither was, or none though one
+  // was? Half seams can cause this, at which the channel is discontinuous at one end only.
   bool opens_seam(const Channel& channel, const PairStar& star, Index a, Index b) const {
     const auto face_with = [](const AppendBuffer<StarFace>& faces, Index c) {
       const auto f = std::find_if(faces.begin(), faces.end(),

@@ -20,11 +20,12 @@
 
 namespace quadrille::internal {
 
-/// The length that a step of 1 in an attribute would count as if the attribute and the shape were
-/// equally hard to tell from what is beside: over pairs of faces with an edge in common, the median
-/// of (distance of the far corner of the one from the plane of the other) / (difference of its
-/// values from those to which the other extends). Attributes that are noise get little, and smooth
-/// ones much. Of at most about 1000 vertices; the same for any order of the faces.
+/// Returns the length that a step of 1 in an attribute would count as if the attribute and the
+/// shape were equally hard to predict from their neighbourhood: over pairs of faces with an edge in
+/// common, the median of (distance of the far corner of the one from the plane of the other) /
+/// (difference of its values from those to which the other extends). Noisy attributes get a small
+/// weight, and smooth ones a large one. It uses at most about 1000 vertices; the result is the same
+/// for any order of the faces.
 template <class Numbering, class Positions>
 class EvenWeight {
 public:
@@ -153,7 +154,7 @@ public:
       sum = {sum.surface + areas.surface, sum.texture + areas.texture};
     return sum.ratio();
   }
-  /// By how much that differs where a label is; 1 where it can't be told.
+  /// Returns the factor by which that differs at a label; 1 if it is undefined.
   std::vector<double> factors_by_label() const {
     const double all = squared_length_of_texture();
     std::vector<double> factors;
@@ -210,8 +211,9 @@ double default_weight(const ChannelInput& channel, const Numbering& numbering,
                    : std::clamp(0.5 * *even, 0.05 * usual, usual);
 }
 
-/// The weights of a channel: see ChannelOptions. `labels`: of each face; or empty. Throws
-/// std::invalid_argument if these are no lengths that can be told beside those of the surface.
+/// Returns the weights of a channel: see ChannelOptions. `labels`: of each face; or empty. Throws
+/// std::invalid_argument if these are too large or too small to be compared with the lengths of the
+/// surface.
 template <class Numbering, class Positions, std::size_t N>
 ChannelWeights channel_weights(const ChannelInput& channel, const Numbering& numbering,
                                const TriangleComplex& complex, const Positions& positions,

@@ -19,7 +19,7 @@
 
 namespace quadrille::internal {
 
-/// A channel of the engine as a recorder is told of it.
+/// A channel of the engine in the form that a recorder receives.
 struct ReportedChannel {
   std::size_t number;   ///< of the channel of the call
   Index first_wedge;    ///< what is added to the numbers of its wedges
@@ -46,7 +46,7 @@ inline std::vector<ReportedChannel> reported_channels(std::span<const Channel> c
   return told;
 }
 
-/// Tells a recorder what becomes of the channels of a surface.
+/// Reports the changes of the channels of a surface to a recorder.
 template <class Policies>
 class ChannelWriter {
 public:
@@ -63,7 +63,7 @@ public:
       width += reported_[c].has_wedges ? 0 : channels_.all()[c].components();
     return width;
   }
-  /// The channels as a recorder is told of them at the beginning.
+  /// Returns the channels as a recorder receives them at the beginning.
   std::vector<RecordedChannel> recorded() {
     std::vector<RecordedChannel> recorded;
     for (const ReportedChannel& told : reported_)
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  /// Of the wedges that met, those of one wedge now: the lowest identity is left.
+  /// Reports that wedges have met and are one now: the lowest identity is left.
   void after(Index kept, RecordBuffer& buffer) {
     buffer.wedges.clear();
     buffer.joined.clear();

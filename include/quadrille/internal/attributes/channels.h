@@ -31,7 +31,7 @@
 
 namespace quadrille::internal {
 
-/// The values that backs have beside their fronts, told as channels of the fronts.
+/// Stores the values of reverse faces as channels of their fronts.
 class BackChannels {
 public:
   BackChannels(const TriangleComplex& complex, const InputIndices& faces,
@@ -94,13 +94,13 @@ struct ChartEnd {
   Index v, w, face;
 };
 
-/// What the channels of a surface have become, by the numbers that the caller has given them. The
-/// wedges of backs come after all others.
+/// The final channels of a surface, by the numbers that the caller has given them. The wedges of
+/// reverse faces come after all others.
 struct ChannelsLeft {
   std::vector<Channel> channels;
   std::vector<std::size_t> back_channels; ///< see BackChannels
 
-  /// Of a face of the complex at a vertex, or of its back.
+  /// Returns the wedge of a face of the complex at a vertex, or of its reverse.
   Index wedge(const TriangleComplex& complex, std::size_t c, Index face, Index v,
               bool is_back) const {
     const bool is_other = is_back && has_back_channel(c);
@@ -140,7 +140,7 @@ private:
   }
 };
 
-/// Do the vertices remember what channels leave in what they remember anyway?
+/// Do the states of vertices include the quadrics of channels?
 template <class Cost>
 inline constexpr bool accumulates_forms = std::same_as<typename Cost::State, QuadricForm<3>>;
 
@@ -184,7 +184,7 @@ public:
     return std::any_of(channels_.begin(), channels_.end(),
                        [](const Channel& channel) { return channel.has_seams(); });
   }
-  /// Of the channels as they are by now.
+  /// Returns the seams of the current channels.
   ChannelSeams seams() const { return {complex_, channels_}; }
   /// With the values of the result.
   ChannelsLeft take() {
@@ -193,7 +193,8 @@ public:
     return {std::move(channels_), std::move(back_channels_)};
   }
 
-  /// All vertices remember the attributes as they are now. `labels`: of each face; or empty.
+  /// Accumulates the current attributes in the states of all vertices. `labels`: of each face; or
+  /// empty.
   void accumulate(const Array<Index>& labels) {
     if constexpr (!accumulates_forms<Cost>)
       forms_.assign(geometry_.positions().size(), QuadricForm<3>());
@@ -233,7 +234,7 @@ public:
     }
   }
 
-  /// What the attributes cost at a pair is seen by the cost of the pair.
+  /// Adds the cost of the attributes of a pair, so that the cost of the pair includes it.
   QUADRILLE_ALWAYS_INLINE void add_to(PairOf<Cost>& pair, Index a, Index b) const {
     if constexpr (accumulates_forms<Cost>)
       add_joins(pair.state, contracted(a, b));
@@ -263,12 +264,12 @@ public:
             geometry_.is_fixed(b)};
   }
 
-  /// What the joins of a pair cost, about its first end.
+  /// Adds the cost of the joins of a pair, about its first end.
   QUADRILLE_ALWAYS_INLINE void add_joins(QuadricForm<3>& form, const ContractedPair& pair) const {
     for (const Channel& channel : channels_)
       add_joins(channel, pair, form);
   }
-  /// The same of one channel.
+  /// Adds the joins of one channel.
   QUADRILLE_ALWAYS_INLINE void add_joins(const Channel& channel, const ContractedPair& pair,
                                          QuadricForm<3>& form) const {
     if (channel.joins_two(pair))
@@ -276,7 +277,7 @@ public:
     else
       ChannelContraction(channel, complex_, pair).add_joins(form);
   }
-  /// What channels have left at a vertex, where its state does not contain it.
+  /// Returns the quadric of channels at a vertex, if its state does not contain it.
   const QuadricForm<3>& form(Index v) const { return forms_[v]; }
 
   /// Would a contraction turn a face over in a texture?
@@ -343,7 +344,8 @@ private:
       return area;
   }
 
-  // What that leaves in the texture; where seams are held, a line in the surface as well.
+  // Adds a line constraint in the texture and, if seams are soft constraints, one in the surface as
+  // well.
   void hold_border(Channel& channel, const Array<Index>& labels, const ChartEnd& border) {
     const Vector<3> along = geometry_.position(border.w) - geometry_.position(border.v);
     const double area = weight_of_area(squared_length(along));
@@ -359,7 +361,8 @@ private:
       traces_[end] += held.trace();
     }
   }
-  // The direction in the face that leads off its edge, of length 1, or 0 if it can't be told.
+  // Returns the direction in the face that leads away from its edge, of length 1, or 0 if it is
+  // undefined.
   Vector<3> off(const ChartEnd& border, const Vector<3>& along) const {
     const auto& corners = complex_.vertices(border.face);
     const Vector<3> normal =
@@ -377,7 +380,7 @@ private:
       return forms_[v];
   }
 
-  // Of the joins of a pair, which are given where its state does not contain them.
+  // Returns the trace of the joins of a pair, which are given if its state does not contain them.
   double trace_of_joins(const PairOf<Cost>& pair, Index a, Index b,
                         const QuadricForm<3>& joins) const {
     if constexpr (accumulates_forms<Cost>)

@@ -87,9 +87,9 @@ std::vector<WedgeUse> uses_of(const Result& result, const Array<Index>& faces, C
   return uses;
 }
 
-/// What the index triples of a channel become; add(use) is called for each value that is written.
-/// Values that are left keep their order; one that has changed stands where its first wedge met it:
-/// behind the values of old that come before.
+/// Writes the new index triples of a channel; add(use) is called for each value that is written.
+/// The remaining values keep their order; a changed value is placed where its first wedge met it:
+/// after the old values that come before.
 template <class Result, class Old, class Left, class Add>
 void rewrite_triples(const Result& result, const Array<Index>& faces, ChannelNumber c,
                      const Old& old, Left& left, Add add) {
@@ -168,7 +168,7 @@ public:
         result, vertices.size(), [&](std::size_t i) { return inputs[vertices[i]]; },
         [&](std::size_t, std::size_t i) { return result.first_wedge(vertices[i]); });
   }
-  /// The same for points that are split.
+  /// This overload is for points that are split.
   template <class Result>
   auto values(const Result& result, const SplitPoints& points) const {
     return values_of_all(

@@ -42,8 +42,8 @@ QUADRILLE_ALWAYS_INLINE inline void add_differences(const Channel& channel, cons
   }
 }
 
-/// What all channels disagree about at two pairs, about their first ends. Fixed ends are taken for
-/// free ones.
+/// Returns the discrepancies of all channels at two pairs, about their first ends. Fixed ends are
+/// treated as free ones.
 template <class Channels>
 LaneForm two_joins(const Channels& channels, const TwoPairs& two,
                    const std::array<Vector<3>, 2>& to_seconds) {
@@ -63,8 +63,8 @@ LaneForm two_joins(const Channels& channels, const TwoPairs& two,
   return form;
 }
 
-/// The same with what channels have left at the ends, if a cost sees that beside the surface as it
-/// is; NothingAdded, if a cost does not count channels.
+/// Returns these with the quadrics of channels at the ends, if a cost adds these to its local
+/// terms; NothingAdded, if a cost does not count channels.
 template <class Cost>
 auto two_channel_forms(const Channels<Cost>& channels, const TwoPairs& two,
                        const std::array<Vector<3>, 2>& to_seconds) {

@@ -18,8 +18,8 @@
 
 namespace quadrille::internal {
 
-/// What a channel keeps of each wedge: a weight, a map of its attributes about its vertex, and from
-/// which value of the input they are.
+/// The record of each wedge of a channel: a weight, a map of its attributes about its vertex, and
+/// the input value from which they come.
 class WedgeRecords {
 public:
   WedgeRecords(std::size_t components, Workspace* workspace)
@@ -71,14 +71,14 @@ public:
     for (std::size_t c = 0; c < components_; ++c)
       maps_[wedge * components_ + c].value = values[c];
   }
-  /// Of three components: instead of the values, the normals of wedges; a wedge whose normal has no
-  /// length keeps its value.
+  /// Sets the normals of wedges, of three components, instead of the values; a wedge whose normal
+  /// has no length keeps its value.
   void set_normals(const std::vector<Vector<3>>& normals) {
     for (Index wedge = 0; wedge < normals.size(); ++wedge)
       if (squared_length(normals[wedge]) > 0)
         set_values(wedge, {normals[wedge][0], normals[wedge][1], normals[wedge][2]});
   }
-  /// Of a component of a wedge, what it will be at the end.
+  /// Returns the final value of a component of a wedge.
   double final_value(Index wedge, std::size_t c) const {
     return existing_.empty() || origins_[wedge] == none
                ? value(wedge, c)
@@ -194,8 +194,8 @@ public:
   }
 
 private:
-  // Of some values of the input, the one closest to those of maps. Where only existing values may
-  // be.
+  // Returns the value of the input that is closest to those of maps. It is used if only existing
+  // values are allowed.
   Index closest(const WedgeList& origins, const AffineMap* maps,
                 const std::vector<double>& squared_weights) const {
     const auto distance = [&](Index origin) {

@@ -25,8 +25,8 @@ namespace quadrille::internal {
 /// Cleanup, and leave their points to it.
 class DoubledFacesOfStar {
 public:
-  /// Of those that a contraction changes, in the order of the star, the one that is left gets the
-  /// greatest of their bounds.
+  /// Joins the bounds of the faces that a contraction changes, in the order of the star: the one
+  /// that is left gets the greatest of them.
   void join(const PairStar& star, std::vector<float>& bounds) {
     doubled_.clear();
     star.for_each_changed([&](const StarFace& f) {
@@ -48,20 +48,21 @@ private:
   std::vector<std::tuple<Index, Index, Index, std::size_t>> doubled_;
 };
 
-/// Where the points of the faces around a pair go when it is contracted, and how far.
+/// Maps the points of the faces around a pair that is contracted, and bounds their displacement.
 ///
-/// Each point of an old face goes to a point of some new one, also those of the faces that vanish.
-/// An old face goes whole to the face that it becomes (to one beside the edge that it becomes, if
+/// Each point of an old face maps to a point of some new one, also those of the faces that vanish.
+/// An old face maps whole to the face that it becomes (to one next to the edge that it becomes, if
 /// it vanishes): the distance to a triangle is convex, so it is greatest at a corner. Or it is cut
-/// into pieces, each of which goes to the new face over it, as StarDeviation cuts new faces. Of
-/// both, the way that is shorter is taken. What a new face is told of is how far the input points
-/// may be that come to lie in it: those of an old face as far as they were, and by how far they go.
+/// into polygons, each of which maps to the new face over it, as StarDeviation cuts new faces. The
+/// shorter of both displacements is used. A new face receives the distance of the input points that
+/// come to lie in it: the former distance of those of an old face, plus its displacement.
 class BackDeviation {
 public:
-  /// Of the star that a StarDeviation has just compared, sheet by sheet or as one; is it closed
-  /// around each end? bound_of(face) is how far the input points of an old face may be. Returns how
-  /// far they may be then, at most: anything beyond the limit, once is_too_far(distance) says so of
-  /// one that is; infinity if there is no face left to which they could go.
+  /// Measures the star that a StarDeviation has just compared, sheet by sheet or as one; is it
+  /// closed around each end? bound_of(face) is the distance bound of the input points of an old
+  /// face. Returns an upper limit of their distances then: anything beyond the limit, once
+  /// is_too_far(distance) is true for one of them; infinity if there is no face left to which they
+  /// could map.
   template <class BoundOf, class IsTooFar>
   double measure(const PairStar& star, StarDeviation& deviation, bool is_one_sheet, bool is_closed,
                  BoundOf bound_of, IsTooFar is_too_far) {
@@ -89,13 +90,13 @@ public:
     return is_any_lost_ ? infinity : static_cast<double>(rounded_up(greatest_));
   }
 
-  /// Of the faces of the star that are left, in its order, how far their input points may be.
+  /// Returns bounds of the input points of the remaining faces of the star, in its order.
   const std::vector<float>& bounds() const { return bounds_; }
   /// Are there points that have no face left to go to?
   bool is_any_lost() const { return is_any_lost_; }
 
 private:
-  // Of an old face.
+  // The new position of an old face.
   struct Image {
     double bound;      // of its points, before
     double distance;   // by how far they go if they all go to one face
@@ -146,7 +147,7 @@ private:
                                                    faces_[i].corners[1], faces_[i].corners[2])));
   }
 
-  // Of a face that vanishes: to one that has the edge that it becomes.
+  // Maps a face that vanishes to one that has the edge that it becomes.
   void look_beside(std::size_t i) {
     const FaceOfStar& old = faces_[i];
     const Index v = deviation_->is_second_end(old.second) ? old.third : old.second;

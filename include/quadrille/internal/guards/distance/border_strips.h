@@ -39,7 +39,7 @@ struct FaceDeviation {
 /// where no old face is, a point of one lies in a new face or in a strip that is.
 class BorderStrips {
 public:
-  /// What a strip belongs to: new faces that reach beyond the old border, or old ones that reach
+  /// The origin of a strip: new faces that extend beyond the old boundary, or old ones that extend
   /// beyond the new one.
   enum class Side { of_new, of_old };
 
@@ -144,7 +144,7 @@ private:
       bound = (std::max)(bound, other.bound);
     }
   };
-  // Of the border to x.
+  // The boundary point that is nearest to x.
   struct Nearest {
     Vector<3> point;
     const Spoke* spoke; // null on the edge ab
@@ -165,7 +165,7 @@ private:
     spokes_.push_back({position, bound, neighbour, end, turn, 1});
   }
 
-  // The same of an edge from a to b (turn 1) or back.
+  // Adds the strip of an edge from a to b (turn 1) or in reverse.
   void add_between(int turn, double bound) {
     turns_between_ += turn;
     ++faces_between_;
@@ -182,7 +182,7 @@ private:
     }
   }
 
-  // Of the border at one end, or at both if the edge ab belongs to it.
+  // Visits the boundary edges at one end, or at both if the edge ab is one of them.
   template <class Visit>
   void for_each_path(const std::array<Vector<3>, 2>& ends, const std::array<bool, 2>& are_seen,
                      const Vector<3>& x, Visit visit) const {

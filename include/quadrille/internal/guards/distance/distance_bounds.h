@@ -22,13 +22,13 @@
 
 namespace quadrille::internal {
 
-/// What is known of the faces around a pair: all round each end, and wound alike; all round; or
-/// nothing.
+/// The kind of the faces around a pair: closed around each end and oriented alike; closed; or
+/// unknown.
 enum class StarKind { oriented, closed, any };
 
-/// Of each face, how far its points are from the input at most: what each contraction has added.
-/// And, where distances count both ways, how far the input points are that have come to lie in it.
-/// Where there are tolerances both are parts of these: what each contraction has used.
+/// An upper limit of the distance of each face from the input: the sum over contractions. And, if
+/// distances count both ways, an upper limit of the distance of the input points that have come to
+/// lie in it. If there are tolerances both are fractions of these, which contractions have used.
 class DistanceBounds {
 public:
   /// `size` is the greatest coordinate of the surface.
@@ -41,11 +41,11 @@ public:
   double rounding() const { return 0x1p-40 * size_; }
 
   bool has_tolerances() const { return tolerances_.are_given(); }
-  /// What the bounds are parts of at most; 1 if they are distances.
+  /// Returns the greatest tolerance, of which the bounds are fractions; 1 if they are distances.
   double greatest_tolerance() const {
     return has_tolerances() ? (std::max)(tolerances_.greatest(), rounding()) : 1;
   }
-  /// That of the faces around a pair.
+  /// Returns the tolerance of the faces around a pair.
   StarTolerance tolerance_of(const PairStar& star) const {
     StarTolerance result;
     if (!tolerances_.are_given())
@@ -57,9 +57,9 @@ public:
     return result;
   }
 
-  /// What a contraction would make of the bounds of the faces that it changes, in the order of the
-  /// star; and the greatest of these. Once is_too_far(distance) says so nothing else is looked at:
-  /// then only the distance that is too far is told. What is too far stays so at any greater one.
+  /// Computes the bounds of the faces that a contraction changes, in the order of the star, and the
+  /// greatest of these. Once is_too_far(distance) is true nothing else is measured: then only the
+  /// distance that is too far is returned. If a distance is too far, so is any greater one.
   template <std::size_t N, class IsTooFar>
   FaceDeviation measure(const PairStar& star, Index a, Index b, const Array<Vector<N>>& positions,
                         const Vector<3>& x, StarKind kind, const StarTolerance& tolerance,
@@ -79,7 +79,7 @@ public:
       beyond = deviation.compare_border(is_beyond);
     if (!beyond)
       beyond = deviation.compare_sheets(is_one_sheet, is_beyond);
-    if (beyond) { // told as it was asked about, else it might seem not to be too far
+    if (beyond) { // returned as it was queried, since it might otherwise seem not to be too far
       beyond->from_input = bound(beyond->from_input);
       return *beyond;
     }
@@ -101,10 +101,10 @@ public:
         [&](Index face) { return tolerance.length_of(back_of_face_[face]); }, is_too_far);
   }
 
-  /// Will one of very many faces at an end be too far? Looks at them before the star is gathered,
-  /// at those first that were too far the last times: at a hub they are few and mostly the same.
-  /// Of a vertex where sheets meet each may have few faces: there only as many are a hub as take
-  /// long to be told apart.
+  /// Will one of very many faces at an end be too far? It measures them before the star is
+  /// gathered, first those that were too far the last times: at a hub they are few and mostly the
+  /// same. At a vertex where sheets meet, each sheet may have few faces: there it counts as a hub
+  /// only if it has so many that sorting the sheets takes long.
   template <std::size_t N, class MayBeJunction, class IsTooFar>
   bool is_beyond_hub(const TriangleComplex& complex, Index a, Index b,
                      const Array<Vector<N>>& positions, const Vector<3>& x,
@@ -143,7 +143,7 @@ public:
   void set(const PairStar& star, const std::vector<float>& bounds) {
     set(of_face_, star, bounds, [](float bound) { return bound; });
   }
-  /// The same of their input points, where distances count both ways.
+  /// Sets the bounds of their input points, if distances count both ways.
   void set_back(const PairStar& star, const std::vector<float>& lengths,
                 const StarTolerance& tolerance) {
     if (!tolerance.is_given) {
@@ -171,7 +171,7 @@ public:
         tolerances_.limit(face, given[input].tolerance);
     });
   }
-  /// What is known of those that are left, in the same way.
+  /// Sets the bounds of the remaining faces, in the same way.
   template <class Inputs>
   void tell(std::vector<FaceBound>& told, const TriangleComplex& complex,
             const Inputs& inputs) const {
@@ -191,7 +191,7 @@ public:
       tolerances_.pack_if(is_left);
   }
 
-  /// Of the faces that are left.
+  /// Returns the greatest bound of the remaining faces.
   double greatest(const TriangleComplex& complex) const { return greatest(of_face_, complex); }
   /// Which of these has used most of its tolerance, the lowest if several have; `none` of none.
   Index most_used(const TriangleComplex& complex) const {
@@ -204,7 +204,7 @@ public:
   double used(Index face) const {
     return static_cast<double>((std::max)(of_face_[face], back_of_face_[face]));
   }
-  /// The same of their input points.
+  /// Returns the greatest bound of their input points.
   double greatest_back(const TriangleComplex& complex) const {
     return greatest(back_of_face_, complex);
   }
@@ -235,7 +235,8 @@ private:
     return static_cast<double>(greatest);
   }
 
-  // Of the faces of a star, in its order. Returns the greatest of those that change.
+  // Takes the bounds of the faces of a star, in its order. Returns the greatest of those that
+  // change.
   double take_bounds(const PairStar& star, const StarTolerance& tolerance,
                      const StarDeviation& deviation, std::vector<float>& bounds) const {
     bounds.clear();

@@ -33,7 +33,7 @@
 
 namespace quadrille::internal {
 
-/// What a check of distances works with, of each thread.
+/// The scratch space of a check of distances, for each thread.
 struct DistanceScratch {
   StarDeviation deviation;
   BackDeviation back;
@@ -134,7 +134,7 @@ private:
         greatest = (std::max)(greatest, std::abs(p[i]));
     return greatest;
   }
-  // Of faces, in the engine's unit; none of none.
+  // Returns the tolerances of faces, in the engine's unit; none if there are none.
   Tolerances tolerances_of(std::vector<double> of_vertex) const {
     if (of_vertex.empty())
       return {};
@@ -177,7 +177,7 @@ private:
     return stops(measure(contraction, status));
   }
 
-  // The same, and behind it, if both count, of the distance from the input to the surface.
+  // Measures the same and, after it, the distance from the input to the surface, if both count.
   bool measure_too_far_both_ways(Contraction& contraction, Status& status) {
     if (measure_too_far(contraction, status))
       return true;
@@ -233,8 +233,8 @@ private:
     if (tolerance.is_given)
       status.next_tolerance = tolerance.bound_of(distance);
   }
-  // What may be nothing but rounding is 0. Of a tolerance a part is known, and the distance is at
-  // most that part of the greatest.
+  // Returns a distance for reports: 0 if it may be nothing but rounding. If there are tolerances,
+  // `distance` is a fraction, and the result is at most that fraction of the greatest.
   double told(double distance, const StarTolerance& tolerance) const {
     if (distance <= bounds_.rounding())
       return 0;

@@ -33,7 +33,7 @@ public:
            }) > 0;
   }
 
-  /// Lays the new faces flat, which measure_old() needs beside the strips.
+  /// Projects the new faces into the plane, which measure_old() needs in addition to the strips.
   void find_new_faces() {
     new_.clear();
     for (const Face* f : faces_)
@@ -122,7 +122,7 @@ private:
     return take(now, piece.area(), distance);
   }
 
-  // Of the longest edge, in the plane.
+  // Returns the squared length of the longest edge, in the plane.
   static double squared_width(const FlatTriangle& t) {
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -61,10 +61,10 @@ class PartOfStar {
 public:
   using Face = FaceOfStar;
 
-  /// What the roundings of all that is measured come to, at most, in a star of this extent.
+  /// Returns an upper limit of the roundings of all measurements in a star of this extent.
   static double rounding(double extent) { return 0x1p-48 * extent; }
 
-  /// Of the pair of these ends, the second of which is b, which is contracted to x.
+  /// Starts with the pair of these ends, the second of which is b, which is contracted to x.
   void begin(const std::array<Vector<3>, 2>& ends, Index b, const Vector<3>& x, double extent) {
     ends_ = ends;
     b_ = b;
@@ -81,7 +81,7 @@ public:
     kept_ = &table;
     first_ = first;
   }
-  /// Those of them whose normals are within 60 degrees of that of one of them.
+  /// Takes those faces whose normals are within 60 degrees of that of one of them.
   void take_like(const Face& seed, const std::vector<Face*>& faces) {
     const Vector<3>& axis = seed.area;
     faces_.clear();
@@ -136,7 +136,7 @@ public:
     strips_ = &rim_.strips<side>(ends_, x_, tolerance() / 2,
                                  [this](const Vector<3>& p) { return plane_.flat(p); });
   }
-  /// Where it is known that there are none.
+  /// Skips the search for strips if it is known that there are none.
   void find_no_strips() {
     rim_.clear();
     strips_ = &rim_.strips(ends_, x_, 0, [this](const Vector<3>& p) { return plane_.flat(p); });
@@ -167,8 +167,8 @@ protected:
 
   std::size_t index_of(const Face& face) const { return static_cast<std::size_t>(&face - first_); }
 
-  // Next to nothing, but more than roundings: acute angles enlarge these, in the height over a thin
-  // face and where they put the tip of a face over one that it lies beside.
+  // Is it very small, but more than roundings? Acute angles enlarge these, in the height over a
+  // thin face and where they put the tip of a face over one next to it.
   bool may_be_noise(double distance) const {
     return distance > 8 * rounding(extent_) && distance < 0x1p-30 * extent_;
   }
@@ -193,7 +193,8 @@ private:
     return deviation;
   }
 
-  // By pieces, of each of which mended(piece, its area, old face, deviation) tells the last word.
+  // Measures by polygons, for each of which mended(polygon, its area, old face, deviation) returns
+  // the final value.
   template <class Mended>
   FaceDeviation measure_by(const Face& face, double known, Mended mended) const {
     const FlatTriangle now{x_, face.flat[1], face.flat[2]};

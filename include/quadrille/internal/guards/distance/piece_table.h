@@ -19,7 +19,7 @@ public:
   static constexpr std::size_t most_faces = 64;
 
   void clear() { size_ = 0; }
-  /// Of a star of so many faces, none of which has pieces yet.
+  /// Starts with a star of so many faces, none of which has polygons yet.
   void begin(std::size_t faces) {
     clear();
     if (faces > most_faces)

@@ -15,8 +15,8 @@
 
 namespace quadrille::internal {
 
-/// Faces that hang together, in pieces, each wound as the first of its piece or the other way: a
-/// union-find whose links also tell whether a face is turned against the one that it leads to.
+/// Connected faces, in components, each oriented like the first of its component or the other way:
+/// a union-find whose links also store whether a face is turned against the one to which it links.
 class WoundPieces {
 public:
   /// To the first face of a piece; is the other one wound the other way?

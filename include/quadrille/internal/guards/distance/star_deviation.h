@@ -32,7 +32,7 @@ namespace quadrille::internal {
 /// sharp crease, faces of like normals are compared apart in the same way.
 class StarDeviation {
 public:
-  /// Where more faces change, pieces would take long: each face may meet each.
+  /// If more faces change, cutting polygons would take long: each face may meet each.
   static constexpr std::size_t most_faces = 128;
 
   /// Takes the star of the pair ab, and the place x to which it is contracted. bound_of(face) is
@@ -78,7 +78,7 @@ public:
   /// Are the faces of an end, 0 or 1, not changed at all, since the new vertex is where it was?
   bool is_unchanged(std::size_t end) const { return ends_[end] == x_; }
 
-  /// Of the faces that change: those of the first end come first.
+  /// Returns the deviation of a face that changes: those of the first end come first.
   const FaceDeviation& operator[](std::size_t i) const { return deviations_[i]; }
 
   /// The greatest of each kind, of all faces.
@@ -96,12 +96,12 @@ public:
   void begin(PartOfStar& part) const { part.begin(ends_, b_, x_, extent_); }
   const Vector<3>& target() const { return x_; }
   bool is_second_end(Index v) const { return v == b_; }
-  /// Those that were compared last.
+  /// Returns the sheets that were compared last.
   const SheetsOfStar& sheets() const { return sheets_; }
 
   /// The greatest extent of the star, up to a factor of two.
   double extent() const { return extent_; }
-  /// What the roundings of all that is measured come to, at most.
+  /// Returns an upper limit of the roundings of all measurements.
   double rounding() const { return PartOfStar::rounding(extent_); }
 
   /// Compares each face with the one that it was. If it is certain that one will be too far,
@@ -191,7 +191,7 @@ private:
     return std::nullopt;
   }
 
-  // Of the faces of a sheet that is not cut into pieces.
+  // Measures the faces of a sheet that is not cut into polygons.
   template <class IsTooFar>
   std::optional<FaceDeviation> first_beyond(std::span<Face* const> sheet, IsTooFar is_too_far) {
     for (const Face* f : sheet)
@@ -225,7 +225,7 @@ private:
     return std::nullopt;
   }
 
-  // Of one that changes.
+  // Returns the known deviation of a face that changes.
   FaceDeviation& known_of(const Face& face) {
     return deviations_[static_cast<std::size_t>(&face - faces_.data())];
   }

@@ -29,7 +29,7 @@ struct StarTolerance {
   double length_of(float bound) const { return static_cast<double>(bound) * least; }
   /// As a distance that no point has gone beyond.
   double distance_of(double bound) const { return bound * greatest; }
-  /// And back, rounded up to a float. What may be rounding uses nothing more.
+  /// Converts back, rounded up to a float. A length that may be rounding uses nothing more.
   double bound_of(double length) const {
     if (!is_given)
       return length;
@@ -43,13 +43,13 @@ struct StarTolerance {
   }
 };
 
-/// Of each face, the least tolerance of all input points that have come to lie in it or to which
-/// its points have gone. Each contraction spreads the least of its star over the star.
+/// The tolerance of each face: the least one of all input points that have come to lie in it or to
+/// which its points have gone. Each contraction spreads the least one of its star over the star.
 class Tolerances {
 public:
   Tolerances() = default; ///< none
-  /// From those of vertices; each face has the least of its corners. What is greater than `most`,
-  /// which no distance of the surface is, is that. In the engine's unit.
+  /// Takes tolerances of vertices; each face has the least one of its corners. A tolerance above
+  /// `most`, which no distance of the surface reaches, is reduced to it. In the engine's unit.
   Tolerances(const TriangleComplex& complex, const std::vector<double>& of_vertex, double most)
       : of_face_(complex.face_capacity(), 0) {
     for (Index face = 0; face < of_face_.size(); ++face) {
@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// From those of faces, which limit() tells one by one. `greatest` is that of the input.
+  /// Takes tolerances of faces, which limit() sets one by one. `greatest` is that of the input.
   Tolerances(std::size_t faces, double greatest)
       : of_face_(faces, std::numeric_limits<float>::infinity()), greatest_(greatest) {}
 

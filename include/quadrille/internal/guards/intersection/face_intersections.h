@@ -92,11 +92,11 @@ private:
   std::vector<EightBoxes> boxes_; // the last one with empty boxes
 };
 
-/// Where the faces of a surface are, in a tree of boxes, and which of them intersect.
+/// The faces of a surface in a tree of boxes, and a test which of them intersect.
 ///
-/// Once half of the faces are gone, the tree is built anew of those that are left, in the same
-/// order: what was next to each other still is. So all that takes linear time, but for the first
-/// sort. 44 bytes a face.
+/// Once half of the faces are gone, the tree is rebuilt from those that are left, in the same
+/// order: neighbours in it are still neighbours. So all that takes linear time, except for the
+/// first sort. It uses 44 bytes a face.
 template <std::size_t N>
 class FaceIntersections : public SurfaceGuard<N> {
 public:
@@ -178,8 +178,7 @@ public:
   }
 
 private:
-  // What a place of the pair at hand has been found to do: several places are tried, and some
-  // twice.
+  // The result for a position of the current pair: several positions are tried, and some twice.
   struct TriedPlace {
     Vector<3> target;
     bool intersects;
@@ -363,8 +362,9 @@ private:
     return false;
   }
 
-  // Does the surface pass over one of the faces near it? Of one that meets it neither before nor
-  // afterwards a point tells, which lies on no line that is likely to be a side of something.
+  // Does the surface pass over one of the faces near it? For a face that it meets neither before
+  // nor afterwards, one point decides, which lies on no line that is likely to be a side of
+  // something.
   bool passes_over_near(const FloatBox& around) {
     swept_.begin(target_);
     for (const Index face : old_)
@@ -426,7 +426,7 @@ private:
            });
   }
 
-  // Of a face in one of eight slots and another one behind it, those that intersect.
+  // Visits the intersecting pairs of a face in one of eight slots and another one after it.
   template <class Visit>
   void for_each_pair_behind(std::size_t begin, Visit visit) const {
     const std::size_t end = (std::min)(begin + BoxTree::width, faces_.size());

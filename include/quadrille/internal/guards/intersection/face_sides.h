@@ -12,11 +12,11 @@
 
 namespace quadrille::internal {
 
-/// The plane of a face. What is on one side of it does not meet the face: where layers lie close
-/// together, that tells most of the faces near one of them apart from it.
+/// The plane of a face. An object on one side of it does not meet the face: if layers lie close
+/// together, that separates most of the faces near one of them from it.
 ///
-/// The side is the sign of CGAL's orientation(), by doubles with a bound of their roundings, where
-/// that which all points have in common is computed once.
+/// The side is the sign of CGAL's orientation(), in doubles with a bound of their roundings; the
+/// terms that all points have in common are computed once.
 class FacePlane {
 public:
   explicit FacePlane(const std::array<Vector<3>, 3>& face) : origin_(face[0]) {
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  // 1 in front, −1 behind; 0 where doubles cannot tell.
+  // Returns 1 in front, −1 behind; 0 if doubles cannot decide it.
   QUADRILLE_ALWAYS_INLINE double side_of(const Vector<3>& point) const {
     const Vector<3> way = difference(point, origin_);
     const double height = dot(normal_, way);
@@ -57,11 +57,11 @@ private:
   Vector<3> doubt_; // by how much a coordinate of the normal may be wrong
 };
 
-/// Planes through the corners of a face, upright on it, with the face on one side: nearly along
-/// each edge, but turned away from it a little about the corner, so that rounding is of no account.
-/// What is behind one of them does not meet the face, and neither do faces of which one lies on one
-/// side of the other's plane. Most of the faces near it do either: that takes less time to see than
-/// TrianglePair does.
+/// Planes through the corners of a face, perpendicular to it, with the face on one side: nearly
+/// along each edge, but turned away from it a little about the corner, so that rounding does not
+/// matter. An object behind one of them does not meet the face, and neither do faces of which one
+/// lies on one side of the other's plane. Most of the faces near it satisfy one of these tests:
+/// that takes less time than TrianglePair does.
 class FaceSides {
 public:
   explicit FaceSides(const FaceCorners& face) : face_(face), plane_(face.points) {
@@ -128,7 +128,7 @@ private:
 
   FaceCorners face_;
   FacePlane plane_;
-  // Of each corner: across the edge that begins there, and that which ends there.
+  // for each corner: across the edge that begins there, and the one that ends there
   std::array<Vector<3>, 3> at_begin_, at_end_;
   bool is_certain_ = true;
 };

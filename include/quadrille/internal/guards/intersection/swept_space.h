@@ -11,13 +11,13 @@
 
 namespace quadrille::internal {
 
-/// What lies between faces and a point that they all go to: a tetrahedron for each. The old star of
-/// a contraction and the new one are the border of that, so a face that meets neither is passed
-/// over by the surface if a point of it lies in there. It would change sides, though no faces
-/// intersect before or afterwards.
+/// The space between faces and a point to which they all move: a tetrahedron for each. The old star
+/// of a contraction and the new one are its boundary, so the surface passes over a face that meets
+/// neither if a point of it lies inside. It would change sides, though no faces intersect before or
+/// afterwards.
 ///
-/// By doubles: a tetrahedron that is flat up to roundings has no inside. Its sides belong to it, as
-/// far as roundings reach, since a face may lie along the one between two of them.
+/// It uses doubles: a tetrahedron that is flat up to roundings has no inside. Its sides belong to
+/// it, as far as roundings reach, since a face may lie along the one between two of them.
 class SweptSpace {
 public:
   void begin(const Vector<3>& target) {

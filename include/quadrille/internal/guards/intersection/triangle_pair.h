@@ -16,8 +16,8 @@
 #include <utility>
 
 /// \file
-/// Do two triangles of a surface meet beyond the vertices that they have in common? Decided
-/// exactly, by CGAL's kernel, where doubles cannot tell.
+/// Do two triangles of a surface meet beyond the vertices that they have in common? This is
+/// decided exactly, by CGAL's kernel, if doubles cannot decide it.
 
 namespace quadrille::internal {
 
@@ -48,7 +48,7 @@ QUADRILLE_ALWAYS_INLINE inline Vector<3> difference(const Vector<3>& a, const Ve
   return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
 }
 
-/// Of differences of points, or with a vector that need not be exact.
+/// Returns a product of differences of points, or with a vector that need not be exact.
 QUADRILLE_ALWAYS_INLINE inline RoundedSum rounded_dot(const Vector<3>& a, const Vector<3>& b) {
   const double x = a[0] * b[0], y = a[1] * b[1], z = a[2] * b[2];
   return {x + y + z, std::abs(x) + std::abs(y) + std::abs(z)};
@@ -94,8 +94,8 @@ public:
 
   /// Have they points in common that are inside of both, and do not lie in one plane? Then each has
   /// corners on both sides of the other's plane, and of the line that both planes have in common
-  /// each has a segment. Whether these overlap is told by the signs of two volumes: Guigue and
-  /// Devillers, Fast and robust triangle-triangle overlap test using orientation predicates, 2003.
+  /// each has a segment. The signs of two volumes show whether these overlap: Guigue and Devillers,
+  /// Fast and robust triangle-triangle overlap test using orientation predicates, 2003.
   QUADRILLE_NOINLINE bool pass_through() const {
     std::array s{point(first_[0]), point(first_[1]), point(first_[2])};
     std::array t{point(second_[0]), point(second_[1]), point(second_[2])};
@@ -124,7 +124,7 @@ private:
     return true;
   }
 
-  // The same through the common vertex.
+  // Are the triangles apart but for the common vertex? Then a plane through it separates them.
   bool are_apart_but_for_a_vertex() const {
     const Vector<3>& v = *first_[0];
     const std::array sides{difference(*first_[1], v), difference(*first_[2], v),

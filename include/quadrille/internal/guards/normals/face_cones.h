@@ -21,17 +21,17 @@
 
 namespace quadrille::internal {
 
-/// What a contraction makes of the cones of the faces around its pair.
+/// Updates the cones of the faces around a pair that is contracted.
 ///
 /// A face of one end keeps its cone. A face of both ends becomes the edge of the new vertex and its
-/// third vertex: the faces at that edge take its cone. If there are none it has no image, and the
-/// cones are not complete: the edge might come to lie on another one later.
+/// third vertex: the faces at that edge take its cone. If there are none it maps to nothing, and
+/// the cones are incomplete: the edge might come to lie on another one later.
 ///
-/// Where topology is free, edges and faces of both ends may come to lie on each other though no
-/// vanishing face is between them. An edge that others have become is in the cone of each face that
-/// has it. So where a neighbour of both ends has no vanishing face, the faces of its one edge take
-/// the cone of a face at the other; and faces that come to have the same three vertices, of which
-/// one is left, take the cone of each other.
+/// With free topology, edges and faces of both ends may come to lie on each other though no
+/// vanishing face is between them. An edge into which others were merged is in the cone of each
+/// face that has it. So if a neighbour of both ends has no vanishing face, the faces of its one
+/// edge take the cone of a face at the other; and faces that come to have the same three vertices,
+/// of which one is left, take the cones of each other.
 class ConesOfStar {
 public:
   /// `cone_of(face)`: as it is now.
@@ -49,13 +49,14 @@ public:
     StarFace face;
     NormalCone cone;
   };
-  /// Those that are left, in the order of the star.
+  /// Returns the faces that are left, in the order of the star.
   const std::vector<Face>& faces() const { return faces_; }
   /// Has each face that vanishes been taken over by another one?
   bool is_complete() const { return is_complete_; }
 
 private:
-  // Of a face that vanishes, with that third vertex; false if there is nobody to take it.
+  // Hands on the cone of a face that vanishes, with that third vertex; returns false if no face can
+  // take it.
   bool hand_over(const NormalCone& cone, Index third) {
     bool is_taken = false;
     for (Face& f : faces_)
@@ -124,8 +125,8 @@ private:
   bool is_complete_ = true;
 };
 
-/// Of each face, the cone of the normals of all faces of the input that contractions have mapped
-/// into it or onto its edges, where both ends of each pair went to the new vertex. See
+/// The cone of each face contains the normals of all faces of the input that contractions have
+/// mapped into it or onto its edges, if both ends of each pair went to the new vertex. See
 /// NormalDeviation.
 template <std::size_t N>
 class FaceCones final : public SurfaceGuard<N> {
@@ -194,7 +195,7 @@ private:
     return {star, second, is_topology_kept_, [this](Index face) { return cones_[face]; }};
   }
 
-  // Of an edge between hubs the star has one face only.
+  // At an edge between hubs the star has one face only.
   bool meets_further_hub(const PairStar& star, Index second) const {
     return star.may_meet_hub ||
            std::any_of(star.shared.begin(), star.shared.end(), [&](const StarFace& f) {

@@ -30,7 +30,7 @@ struct FaceNormal {
     error = length > 0 ? 0x1p-49 * product / length : infinite;
   }
 
-  /// Has the face an area that doubles can tell from none?
+  /// Is the area of the face distinguishable from zero in doubles?
   bool is_known() const { return error < 0.1; }
   /// Has it none, as doubles see it?
   bool is_null() const { return error == infinite; }
@@ -48,7 +48,7 @@ public:
   /// More than what is lost in computing an angle.
   static constexpr double arithmetic = 0x1p-44;
 
-  /// Of no direction.
+  /// Makes a cone without directions.
   NormalCone() = default;
   explicit NormalCone(const FaceNormal& normal) {
     if (normal.is_known())
