@@ -6,11 +6,11 @@
 
 #include <cstddef>
 
-/// Named parameters that CGAL has no name for. They are joined with a dot, ours first and CGAL's
-/// after them:
+/// Named parameters in addition to CGAL's. They are chained with dots, this library's first and
+/// CGAL's after them:
 /// `quadrille::parameters::vertex_importance_map(i).edge_is_crease_map(c).vertex_point_map(p)`.
-/// What CGAL's functions return is a class of CGAL's, which knows no names but its own: behind such
-/// a chain one of ours takes it as a second argument,
+/// CGAL's functions return a CGAL class, which only has CGAL's names. To append a parameter of this
+/// library to such a chain, pass the chain as its second argument:
 /// `quadrille::parameters::vertex_importance_map(i, CGAL::parameters::vertex_point_map(p))`.
 namespace quadrille::parameters {
 
@@ -42,71 +42,71 @@ enum bounding_box_t { bounding_box_tag };
 /// The tag of coordinates_are_floats().
 enum coordinates_are_floats_t { coordinates_are_floats_tag };
 
-/// A chain of named parameters of which the last is one of ours: each of the functions below is a
-/// member too, which puts its parameter behind this one, and so are those of CGAL.
+/// A chain of named parameters whose last one belongs to this library: each of the functions below
+/// is a member too, which appends its parameter to the chain, and so are those of CGAL.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 class Chain : public CGAL::Named_function_parameters<T, Tag, Base> {
 public:
-  using Cgals = CGAL::Named_function_parameters<T, Tag, Base>; ///< the same as CGAL has it
+  using Cgals = CGAL::Named_function_parameters<T, Tag, Base>; ///< the equivalent class of CGAL
   using Cgals::Cgals;
 
-  /// edge_is_crease_map() after this.
+  /// Appends edge_is_crease_map().
   template <class Map>
   auto edge_is_crease_map(const Map& map) const {
     return then<edge_is_crease_t>(map);
   }
-  /// face_is_selected_map() after this.
+  /// Appends face_is_selected_map().
   template <class Map>
   auto face_is_selected_map(const Map& map) const {
     return then<face_is_selected_t>(map);
   }
-  /// vertex_tolerance_map() after this.
+  /// Appends vertex_tolerance_map().
   template <class Map>
   auto vertex_tolerance_map(const Map& map) const {
     return then<vertex_tolerance_t>(map);
   }
-  /// vertex_is_shared_map() after this.
+  /// Appends vertex_is_shared_map().
   template <class Map>
   auto vertex_is_shared_map(const Map& map) const {
     return then<vertex_is_shared_t>(map);
   }
-  /// edge_is_border_map() after this.
+  /// Appends edge_is_border_map().
   template <class Map>
   auto edge_is_border_map(const Map& map) const {
     return then<edge_is_border_t>(map);
   }
-  /// border_edges() after this.
+  /// Appends border_edges().
   template <class Edges>
   auto border_edges(const Edges& edges) const {
     return then<border_edges_t>(edges);
   }
-  /// bounding_box() after this.
+  /// Appends bounding_box().
   auto bounding_box(const CGAL::Bbox_3& box) const { return then<bounding_box_t>(box); }
-  /// coordinates_are_floats() after this.
+  /// Appends coordinates_are_floats().
   auto coordinates_are_floats(bool are_floats = true) const {
     return then<coordinates_are_floats_t>(are_floats);
   }
-  /// vertex_attribute_map() after this.
+  /// Appends vertex_attribute_map().
   template <class Map>
   auto vertex_attribute_map(const Map& map) const {
     return then<vertex_attribute_t>(map);
   }
-  /// vertex_quadric_map() after this.
+  /// Appends vertex_quadric_map().
   template <class Map>
   auto vertex_quadric_map(const Map& map) const {
     return then<vertex_quadric_t>(map);
   }
-  /// vertex_importance_map() after this.
+  /// Appends vertex_importance_map().
   template <class Map>
   auto vertex_importance_map(const Map& map) const {
     return then<vertex_importance_t>(map);
   }
-  /// vertex_to_vertex_map() after this.
+  /// Appends vertex_to_vertex_map().
   template <class Map>
   auto vertex_to_vertex_map(const Map& map) const {
     return then<vertex_to_vertex_t>(map);
   }
-  /// duplicate_output_iterator() after this.
+  /// Appends duplicate_output_iterator().
   template <class Iterator>
   auto duplicate_output_iterator(const Iterator& iterator) const {
     return then<duplicate_output_t>(iterator);
@@ -119,12 +119,12 @@ private:
   }
 };
 
-/// The chain of a value, which is the first one or comes after others.
+/// Makes a chain of one value.
 template <class Tag, class Value>
 Chain<Value, Tag> chain(const Value& value) {
   return {value};
 }
-/// The same, after others.
+/// Appends a value to a chain.
 template <class Tag, class Value, class T, class OtherTag, class Base>
 Chain<Value, Tag, CGAL::Named_function_parameters<T, OtherTag, Base>>
 chain(const Value& value, const CGAL::Named_function_parameters<T, OtherTag, Base>& before) {
@@ -138,75 +138,75 @@ auto edge_is_crease_map(const Map& map, const Before&... before) {
 }
 
 /// A property map from faces (of a soup: from indices of triangles) to bool: only faces where it is
-/// true are simplified. All vertices of other faces stay where they are, with all attributes, so
-/// these faces are left bit by bit and what is simplified fits to them; a soup's degenerate and
-/// doubled ones are dropped as ever. Counts and ratios of stop policies, and what a visitor is
-/// told, are of the selected faces and their vertices; distances relative to a diagonal are of that
-/// of all, and Report tells of all.
+/// true are simplified. All vertices of other faces stay in place with all attributes, so these
+/// faces are bit-identical and the simplified ones fit to them; degenerate and doubled faces of a
+/// soup are still dropped. Counts and ratios of stop policies, and the status that a visitor
+/// receives, refer to the selected faces and their vertices. Relative distances refer to the
+/// diagonal of the whole surface, and Report to the whole surface.
 ///
-/// The map is read, and not written: in a mesh descriptors of faces stay; of a soup, `Labels` of
-/// the same map come back in order.
+/// The map is read, but not written: in a mesh the face descriptors stay valid; for a soup, pass
+/// `Labels` of the same map to get it back in the new order.
 template <class Map, class... Before>
 auto face_is_selected_map(const Map& map, const Before&... before) {
   return chain<face_is_selected_t>(map, before...);
 }
 
-/// A property map from vertices (of a soup: from point indices) to numbers: how far points may
-/// move, in the mesh's units, at least 0; infinity where that does not matter. Linear on faces. For
-/// ToleranceLimit, which says what it promises.
+/// A property map from vertices (of a soup: from point indices) to numbers: the distance by which
+/// points may move, in the mesh's units, at least 0; infinity where there is no limit. It is linear
+/// on faces. It belongs to ToleranceLimit, which documents the guarantee.
 template <class Map, class... Before>
 auto vertex_tolerance_map(const Map& map, const Before&... before) {
   return chain<vertex_tolerance_t>(map, before...);
 }
 
-/// A property map from vertices (of a soup: from point indices) to bool, for a *piece* of a
-/// surface that is simplified by itself: where it is true, another piece has this vertex as well.
-/// Pieces fit after that as they did before, without a gap, a T-junction, or an edge of three
-/// faces:
+/// A property map from vertices (of a soup: from point indices) to bool, for a *tile* of a surface
+/// that is simplified by itself: where it is true, another tile has this vertex too. The simplified
+/// tiles then still fit together, without a gap, a T-junction, or an edge of three faces:
 ///
-/// - A shared vertex stays where it is, bit by bit, as if it was constrained.
-/// - No edge between two shared vertices comes about that this piece has not, since another piece
-///   may have it, or make it, as well: Rejection::chord.
-/// - An edge of one face between two shared vertices is no border, and nothing holds it like one,
-///   but for those that edge_is_border_map or border_edges() names.
+/// - A shared vertex stays in place, bit for bit, as if it were constrained.
+/// - No new edge between two shared vertices arises, since another tile may have or create the same
+///   edge: Rejection::chord.
+/// - An edge of one face between two shared vertices is not treated as a boundary, unless
+///   edge_is_border_map or border_edges() names it.
 ///
-/// All pieces should be simplified in the scale of one box, see bounding_box, up to one
-/// CostLimit: a target of faces would destroy a piece that has many shared vertices. Nothing of
-/// the surface beyond the piece is looked at, which costs no accuracy beside MemorylessQuadric: a
-/// shared vertex does not move, and lies on all of its faces. Creases that cost policies find by
-/// angles, and labels' borders, are not seen at edges of two pieces.
+/// All tiles should be simplified in the scale of one box (see bounding_box), up to one CostLimit:
+/// a target of faces would destroy a tile with many shared vertices. The surface outside the tile
+/// is not considered. With MemorylessQuadric this does not reduce accuracy, since a shared vertex
+/// does not move and lies on all of its faces. Edges between two tiles are not recognized as
+/// creases by their angle, nor as region boundaries of labels.
 template <class Map, class... Before>
 auto vertex_is_shared_map(const Map& map, const Before&... before) {
   return chain<vertex_is_shared_t>(map, before...);
 }
 
-/// A property map from edges of a mesh to bool, beside vertex_is_shared_map: edges of one face
-/// between two shared vertices that are borders of the whole surface. Others of one face are
-/// borders anyway.
+/// A property map from edges of a mesh to bool, in addition to vertex_is_shared_map: edges of one
+/// face between two shared vertices that are on the boundary of the whole surface. Other edges of
+/// one face are boundaries anyway.
 template <class Map, class... Before>
 auto edge_is_border_map(const Map& map, const Before&... before) {
   return chain<edge_is_border_t>(map, before...);
 }
 
-/// The same of a soup: a range of pairs of point indices, as std::array<std::size_t, 2>.
+/// The boundary edges for a soup: a range of pairs of point indices, as std::array<std::size_t, 2>.
 template <class Edges, class... Before>
 auto border_edges(const Edges& edges, const Before&... before) {
   return chain<border_edges_t>(edges, before...);
 }
 
-/// A CGAL::Bbox_3 in the scale of which the surface is simplified, instead of that of its own
-/// bounding box: relative limits are of its diagonal, and costs have the bits that they have
-/// in any other piece with the same box. A surface that reaches out of it by more than half of
-/// its diagonal is refused by std::invalid_argument; less may come of an earlier simplification.
+/// A CGAL::Bbox_3 that sets the scale of the simplification in place of the surface's own bounding
+/// box: relative limits refer to its diagonal, and costs are bit-identical to those in any other
+/// tile with the same box. A surface that extends beyond the box by more than half of its diagonal
+/// is rejected with std::invalid_argument; a smaller excess may result from an earlier
+/// simplification.
 template <class... Before>
 auto bounding_box(const CGAL::Bbox_3& box, const Before&... before) {
   return chain<bounding_box_t>(box, before...);
 }
 
-/// Will the coordinates of the result become floats, though the points that `simplify` is given
-/// are of doubles, since a file or an array has them so? Then what is promised of distances,
-/// normals, hulls, volumes and intersections holds of those floats: places are rounded before
-/// anything is decided about them, as they are where the points are of floats.
+/// True if the coordinates of the result will be stored as floats, in a file or an array, although
+/// the points passed to `simplify` are doubles. Guarantees about distances, normals, hulls, volumes
+/// and intersections then hold for these floats: positions are rounded before they are tested, as
+/// they are when the points are floats.
 template <class... Before>
 auto coordinates_are_floats(bool are_floats, const Before&... before) {
   return chain<coordinates_are_floats_t>(are_floats, before...);
@@ -220,57 +220,58 @@ auto vertex_attribute_map(const Map& map, const Before&... before) {
 }
 
 /// A property map from vertices (of a soup: from point indices) to QuadricForm, which `simplify`
-/// writes: for each vertex that is left, what it remembers of the planes that have gone into it.
-/// The form is about the vertex, in the units of the mesh and its attributes; its values are mean
-/// squared distances to the planes, so its square root at 0 is the error of the vertex in the
-/// sense of Report::error. For costs whose memory is a QuadricForm.
+/// writes: the quadric of each remaining vertex, accumulated from the planes that contributed to
+/// it. Its origin is the vertex, in the units of the mesh and its attributes; its values are mean
+/// squared distances to the planes, so the square root of its value at 0 is the error of the vertex
+/// in the sense of Report::error. It is for costs whose vertex state is a QuadricForm.
 template <class Map, class... Before>
 auto vertex_quadric_map(const Map& map, const Before&... before) {
   return chain<vertex_quadric_t>(map, before...);
 }
 
-/// A property map from vertices (of a soup: from point indices) to numbers, at least 0: by how much
-/// what a contraction at the vertex costs is multiplied, so that more faces stay where it is large.
-/// Only ratios matter. On a curved surface 8 times the importance leaves about twice as many faces
-/// for the same area, with half of the distance; in general f times leaves the cube root of f. What
-/// has 0 goes first, the cheapest before the others.
+/// A property map from vertices (of a soup: from point indices) to numbers, at least 0: the factor
+/// on the costs of contractions at the vertex, so that more faces stay where it is large. Only
+/// ratios matter. On a curved surface, 8 times the importance leaves about twice as many faces for
+/// the same area, at half the distance; in general a factor f leaves ∛f times as many. Vertices
+/// with importance 0 are contracted first, the cheapest ones before the others.
 ///
-/// A pair counts as the more important of its two ends, and the vertex that it becomes as well: so
-/// what has become part of a vertex counts on, in whatever order that came about, and important
-/// parts do not fade from their rims. Where the vertex goes, limits of distances, and all errors
-/// that are told are as they were without. curvature_importance() and view_importance() of
+/// A pair has the greater importance of its two ends, and the new vertex inherits it. So
+/// merged vertices keep their importance, in whatever order they were merged, and important regions
+/// do not erode from their boundaries. Placement, distance limits, and all reported errors are the
+/// same as without importance. curvature_importance() and view_importance() of
 /// <quadrille/importance.h> make such maps.
 ///
-/// Costs that are told, as Status::next_cost and to CostLimit, are multiplied too, by parts of the
-/// greatest importance of the call: pieces of a surface that are to fit need the same greatest one.
+/// The costs in Status::next_cost and for CostLimit are multiplied too, by fractions of the
+/// greatest importance of the call: tiles of one surface need the same greatest importance.
 ///
-/// Throws std::invalid_argument for one that is negative or not finite. Takes 4 bytes a vertex.
+/// Throws std::invalid_argument for an importance that is negative or not finite. It takes 4 bytes
+/// per vertex.
 template <class Map, class... Before>
 auto vertex_importance_map(const Map& map, const Before&... before) {
   return chain<vertex_importance_t>(map, before...);
 }
 
-/// In the place of an index: see vertex_to_vertex_map.
+/// The value that stands for a removed vertex: see vertex_to_vertex_map.
 inline constexpr std::size_t vanished = ~std::size_t{0};
 
-/// A property map that `simplify` writes for each vertex of the input: which vertex it has become
-/// part of. From vertices of a mesh to vertices: null_vertex() of its graph traits where the
-/// vertex has vanished with all of its faces, or had none. Of a soup from the old to the new
-/// indices of points, both std::size_t: `vanished` in that case.
+/// A property map that `simplify` writes for each vertex of the input: the vertex that it was
+/// merged into. For a mesh it maps vertices to vertices, with null_vertex() of its graph traits if
+/// the vertex has vanished with all of its faces, or had none. For a soup it maps old to new point
+/// indices, both std::size_t, with `vanished` in this case.
 ///
 /// Keys are the vertices of the input, of which most are removed afterwards: for a mesh whose
-/// vertices are handles use a map that does not look at them, as
-/// boost::make_assoc_property_map(std_map). Of a vertex that a non-manifold result is written
-/// with several times, it is the first one: see duplicate_output_iterator.
+/// vertices are handles use a map that does not dereference them, as
+/// boost::make_assoc_property_map(std_map). If a vertex of a non-manifold result is duplicated, the
+/// value is the first one: see duplicate_output_iterator.
 template <class Map, class... Before>
 auto vertex_to_vertex_map(const Map& map, const Before&... before) {
   return chain<vertex_to_vertex_t>(map, before...);
 }
 
-/// An output iterator that takes the vertices that a mesh gets so that it can hold a non-manifold
-/// result, each as a std::pair of the new vertex and the one that it is a duplicate of.
-/// Duplicates have the position of that, its attributes and, in a Surface_mesh or a mesh of
-/// OpenMesh, all of its properties; other maps are for the caller to fill.
+/// An output iterator that receives the vertices added to a mesh to represent a non-manifold
+/// result, each as a std::pair of the new vertex and the one that it duplicates. A duplicate has
+/// the same position and attributes and, in a Surface_mesh or a mesh of OpenMesh, all of its
+/// properties; the caller must fill other maps.
 template <class Iterator, class... Before>
 auto duplicate_output_iterator(const Iterator& iterator, const Before&... before) {
   return chain<duplicate_output_t>(iterator, before...);
