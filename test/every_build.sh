@@ -41,8 +41,8 @@ debug_and_release() {
 # Costs are the same, to the last digit, with and without the vectors that a compiler has.
 #   lanes COMPILER FLAG...
 lanes() {
-  "$@" -O0 -ffp-contract=off test/lanes.cpp -o "$folder/vectors"
-  "$@" -O0 -ffp-contract=off -DQUADRILLE_NO_VECTOR_EXTENSIONS test/lanes.cpp -o "$folder/scalars"
+  "$@" -O0 -ffp-contract=off test/lanes.cpp test/support/soups.cpp -o "$folder/vectors"
+  "$@" -O0 -ffp-contract=off -DQUADRILLE_NO_VECTOR_EXTENSIONS test/lanes.cpp test/support/soups.cpp -o "$folder/scalars"
   "$folder/vectors" >"$folder/vectors.txt"
   "$folder/scalars" >"$folder/scalars.txt"
   echo "$(wc -l <"$folder/vectors.txt") lines"
@@ -106,7 +106,7 @@ done
 for compiler in g++ clang++; do
   echo "$compiler"
   $compiler -std=c++20 -O2 -ffp-contract=off -Iinclude -Itest -Itest/support test/main.cpp \
-    test/support/read_model.cpp test/programs/test_digests.cpp -lOpenMeshCore -lmpfr -lgmp -o "$folder/digests"
+    test/support/*.cpp test/programs/test_digests.cpp -lOpenMeshCore -lmpfr -lgmp -o "$folder/digests"
   "$folder/digests"
   lanes $compiler -std=c++20 -Iinclude
   min_max_macros $compiler -std=c++20 -Iinclude

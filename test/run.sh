@@ -1,8 +1,9 @@
 #!/bin/sh
-# Builds and runs all tests, or the quick ones. Debian packages that are missing are installed
-# first.
-#   sh test/run.sh [--quick] [CMAKE_ARGUMENT...]   for instance -DQUADRILLE_WERROR=ON
-#   sh test/run.sh --headers                       compiles each header by itself: minutes the first time
+# Builds and runs all tests, or some. Debian packages that are missing are installed first.
+#   sh test/run.sh [CMAKE_ARGUMENT...]   for instance -DQUADRILLE_WERROR=ON
+#   sh test/run.sh --quick               what notices most in two minutes
+#   sh test/run.sh --module NAME         a folder of test/, core or guards: builds nothing of the others
+#   sh test/run.sh --headers             compiles each header by itself: minutes the first time
 set -eu
 export LC_ALL=C
 
@@ -15,23 +16,21 @@ sh .ci/install_packages.sh cmake g++ clang libc++-dev ninja-build libcgal-dev li
   libdraco-dev libmeshoptimizer-dev libtinyobjloader-dev nlohmann-json3-dev libzstd-dev gnuplot-nox doxygen help2man \
   bash-completion dpkg-dev file chromium $npm libopenmpi-dev pybind11-dev python3-dev python3-numpy
 
-target=all
-labels=
-if [ "${1:-}" = --quick ]; then
-  shift
-  target=quick_tests
-  labels="-L quick"
-fi
-
 jobs=$(nproc)
-if [ "${1:-}" = --headers ]; then
-  shift
-  cmake --preset test "$@"
-  exec cmake --build --preset test --parallel "$jobs" --target all_verify_interface_header_sets
-fi
+target=
+case ${1:-} in
+  --quick) target=check_quick ;;
+  --headers) target=all_verify_interface_header_sets ;;
+  --module)
+    target=check_${2:?"usage: sh test/run.sh --module NAME"}
+    shift
+    ;;
+esac
+[ -z "$target" ] || shift
 cmake --preset test "$@"
+[ -z "$target" ] || exec cmake --build --preset test --parallel "$jobs" --target "$target"
 # A test that does not compile must not keep the others from running.
 built=0
-cmake --build --preset test --parallel "$jobs" --target $target -- -k 0 || built=$?
-ctest --preset test --parallel "$jobs" $labels
+cmake --build --preset test --parallel "$jobs" -- -k 0 || built=$?
+ctest --preset test --parallel "$jobs"
 exit "$built"

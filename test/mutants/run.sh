@@ -51,9 +51,10 @@ mkdir -p "$folder"
   cp test/mutants/prelude.h "$folder/prelude.h"
   $compile -x c++-header "$folder/prelude.h" -o "$folder/prelude.h.gch" || exit 2
 }
-for source in test/main.cpp test/support/read_model.cpp; do # what all tests link
-  object=$folder/$(basename "$source" .cpp).o
-  [ "$object" -nt "$source" ] || $compile -Iinclude -c "$source" -o "$object" || exit 2
+mkdir -p "$folder/support"
+for source in test/main.cpp test/support/*.cpp; do # what all tests link
+  object=$folder/support/$(basename "$source" .cpp).o
+  [ "$object" -nt "$source" ] || $compile -O1 -Iinclude -c "$source" -o "$object" || exit 2
 done
 
 # compiled_library: quadrille::compiled, for the tests that link it
@@ -81,7 +82,7 @@ passes() {
     distance_limit | float_precision | hausdorff_limit | tolerance_limit | targets | thin_features) options=-O1 ;; # take minutes without
   esac
   $compile -include "$folder/prelude.h" $options -I"$folder/include" -I"$folder/test" \
-    -I"$folder/test/support" "$folder"/test/*/"test_$1.cpp" $sources "$folder/main.o" "$folder/read_model.o" $libraries \
+    -I"$folder/test/support" "$folder"/test/*/"test_$1.cpp" $sources "$folder"/support/*.o $libraries \
     -o "$folder/test_$1" 2>"$folder/log" || {
     verdict="DOES NOT COMPILE"
     return 1
