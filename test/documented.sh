@@ -127,7 +127,7 @@ names() {
   while read -r place name; do
     case $name in
     CGAL::* | FaceGraph | MutableFaceGraph | FaceListGraph | SurfaceMesh) continue ;;
-    *.h) find include examples -path "*/$name" | grep -q . || { echo "$place: there is no $name" >&2; status=1; } ;;
+    *.h) find include examples test -path "*/$name" | grep -q . || { echo "$place: there is no $name" >&2; status=1; } ;;
     *) for part in $(echo "$name" | sed 's/::/ /g'); do
          grep -rqw -e "$part" include examples/products || { echo "$place: there is no $name" >&2; status=1; }
        done ;;

@@ -1,5 +1,7 @@
 #include "cases.h"
 
+#include "../support/properties.h"
+
 #include <quadrille/attribute_quadric.h>
 #include <quadrille/distance_limits.h>
 #include <quadrille/edge_length.h>
@@ -389,278 +391,39 @@ bool has_finite(const Numbers& numbers) {
   return std::isfinite(numbers[0]) && std::isfinite(numbers[1]);
 }
 
-/// The same for all triangles on the same vertices; or, if sides are told apart, for those of them
-/// that run the same way round.
-Triangle key_of(Triangle t, bool tells_sides) {
-  if (tells_sides)
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  else
-    std::sort(t.begin(), t.end());
-  return t;
+Asked asked_of(const Case& input) {
+  const Call& call = input.call;
+  Asked asked;
+  asked.soup = input.soup;
+  asked.is_mesh = input.is_mesh;
+  asked.is_fixed = input.is_fixed;
+  asked.kept = input.kept;
+  asked.topology = call.topology;
+  asked.is_by_edges = !(call.threshold > 0);
+  asked.is_at_endpoints = call.placement == PlacementName::endpoint;
+  asked.may_be_cancelled = call.cancel_at < 1000;
+  if (call.cost == CostName::attributes)
+    for (const Numbers& numbers : input.numbers)
+      asked.attributes.emplace_back(numbers.begin(), numbers.end());
+  if (call.stop.chosen.index() != 6) // the next distance is not known after the end
+    asked.stop = [&](const Status& status) { return call.stop(status); };
+  asked.stops_at_distance = std::holds_alternative<DistanceLimit>(call.stop.chosen);
+  if (const auto* contractions = std::get_if<AfterContractions>(&call.stop.chosen))
+    asked.contractions = contractions->count;
+  return asked;
 }
 
-/// The triangles without those that have two equal corners and without doubles.
-Soup cleaned(Soup soup, bool tells_sides) {
-  std::set<Triangle> seen;
-  std::erase_if(soup.triangles, [&](const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
-           !seen.insert(key_of(t, tells_sides)).second;
-  });
-  return soup;
-}
-
-std::size_t count_non_manifold_edges(const Soup& soup) {
-  std::map<std::array<std::uint32_t, 2>, int> faces;
-  for (const auto& [a, b, c] : soup.triangles)
-    for (const auto& [v, w] : {std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)})
-      ++faces[{v, w}];
-  return static_cast<std::size_t>(
-      std::count_if(faces.begin(), faces.end(), [](const auto& e) { return e.second > 2; }));
-}
-
-double squared_distance_to_segment(const Position& x, const Position& p, const Position& q) {
-  const double length = squared_distance(p, q);
-  const double t = length > 0 ? std::clamp(dot(x - p, q - p) / length, 0.0, 1.0) : 0;
-  return squared_distance(x, p + t * (q - p));
-}
-
-double squared_distance_to_triangle(const Position& x, const Position& p, const Position& q,
-                                    const Position& r) {
-  double least =
-      std::min({squared_distance_to_segment(x, p, q), squared_distance_to_segment(x, q, r),
-                squared_distance_to_segment(x, r, p)});
-  const Position n = cross(q - p, r - p);
-  const auto is_left = [&](const Position& a, const Position& b) {
-    return dot(cross(b - a, x - a), n) >= 0;
-  };
-  if (squared_length(n) > 0 && is_left(p, q) && is_left(q, r) && is_left(r, p))
-    least = std::min(least, dot(x - p, n) * dot(x - p, n) / squared_length(n));
-  return least;
-}
-
-/// What is promised of a result, looked at one by one; the first that does not hold is told.
-// The Euler characteristic of each part and how many borders it has, in order.
-std::multiset<std::array<std::ptrdiff_t, 2>> topologies_of_parts(const Soup& soup) {
-  detail::Partition parts(soup.points.size());
-  for (const auto& [a, b, c] : soup.triangles)
-    parts.merge(a, b), parts.merge(b, c);
-  std::map<std::uint32_t, Soup> by_root;
-  for (const Triangle& t : soup.triangles) {
-    Soup& part = by_root[parts.root(t[0])];
-    part.points = soup.points;
-    part.triangles.push_back(t);
-  }
-  std::multiset<std::array<std::ptrdiff_t, 2>> result;
-  for (const auto& [root, part] : by_root) {
-    const SoupTopology topology = topology_of(part);
-    result.insert({static_cast<std::ptrdiff_t>(topology.euler()),
-                   static_cast<std::ptrdiff_t>(topology.border_loops)});
-  }
+Result result_of(const Case& input, const Outcome& outcome) {
+  Result result;
+  for (const Point& p : outcome.points)
+    result.soup.points.push_back(to_position(p));
+  result.soup.triangles = outcome.triangles;
+  result.report = outcome.report;
+  if (input.call.cost == CostName::attributes)
+    for (const Numbers& numbers : outcome.numbers)
+      result.attributes.emplace_back(numbers.begin(), numbers.end());
   return result;
 }
-
-class Judge {
-public:
-  Judge(const Case& input, const Outcome& outcome)
-      : input_(input), call_(input.call), report_(outcome.report), outcome_(outcome),
-        before_(cleaned(input.soup, !input.is_mesh)), topology_before_(topology_of(before_)) {
-    for (const Point& p : outcome.points)
-      after_.points.push_back(to_position(p));
-    after_.triangles = outcome.triangles;
-  }
-
-  std::string violation() {
-    require_valid();
-    if (!complaint_.empty())
-      return complaint_;
-    if (report_.stop == StopReason::cancelled && report_.contractions == 0)
-      return require_untouched();
-    topology_after_ = topology_of(after_);
-    require_clean();
-    require_report();
-    require_target();
-    require_distance();
-    require_constraints();
-    require_topology();
-    require_endpoints();
-    return complaint_;
-  }
-
-private:
-  void require(bool holds, const std::string& what) {
-    if (!holds && complaint_.empty())
-      complaint_ = what;
-  }
-
-  // Cancelled before the first contraction it is as it was, with all that is odd about it.
-  std::string require_untouched() {
-    require(report_.faces_after == report_.faces_before, "faces went though nothing was done");
-    return complaint_;
-  }
-
-  void require_valid() {
-    require(is_finite(after_), "a point is not finite");
-    require(outcome_.colors.size() >= after_.points.size(), "colours are missing");
-    require(outcome_.numbers.size() >= after_.points.size(), "attributes are missing");
-    for (std::size_t v = 0; v < after_.points.size() && v < outcome_.numbers.size(); ++v)
-      require(has_finite(outcome_.numbers[v]), "an attribute is not finite");
-    for (const Triangle& t : after_.triangles)
-      for (std::uint32_t v : t)
-        require(v < after_.points.size(), "an index of no point");
-  }
-
-  void require_clean() {
-    require(!topology_after_.has_collapsed_faces, "a face with two equal corners");
-    const bool has_sides = topology_before_.has_duplicate_faces && !input_.is_mesh;
-    require(cleaned(after_, has_sides).triangles.size() == after_.triangles.size() ||
-                report_.duplicated_vertices > 0,
-            "a duplicate face");
-    require(topology_after_.vertices == after_.points.size(), "a point of no face");
-  }
-
-  void require_report() {
-    require(report_.faces_before == input_.soup.triangles.size(), "faces_before");
-    require(input_.is_mesh || report_.counted_faces == before_.triangles.size(), "counted_faces");
-    require(report_.vertices_before == input_.soup.points.size(), "vertices_before");
-    require(report_.faces_after == after_.triangles.size(), "faces_after");
-    require(report_.vertices_after == after_.points.size(), "vertices_after");
-    require(report_.contractions + report_.vertices_after - report_.duplicated_vertices <=
-                topology_before_.vertices,
-            "more contractions than vertices are gone");
-    require(report_.error >= 0 && std::isfinite(report_.error), "the error is not a distance");
-    require(report_.components_before == topology_before_.components, "components_before");
-    require(call_.threshold > 0 || report_.non_edge_contractions == 0, "non_edge_contractions");
-    if (report_.duplicated_vertices > 0)
-      return; // the numbers are those of the surface before it is taken apart
-    require(report_.components_after == topology_after_.components, "components_after");
-    require(report_.non_manifold_edges == count_non_manifold_edges(after_), "non_manifold_edges");
-    require((report_.non_manifold_edges == 0 && report_.non_manifold_vertices == 0) ==
-                topology_after_.is_manifold,
-            "non_manifold_vertices");
-  }
-
-  void require_target() {
-    if (report_.stop == StopReason::cancelled)
-      return require(call_.cancel_at < 1000, "cancelled by nobody");
-    Status status;
-    status.initial_faces = before_.triangles.size();
-    status.initial_vertices = topology_before_.vertices;
-    status.faces = report_.faces_after;
-    status.vertices = report_.vertices_after - report_.duplicated_vertices;
-    status.contractions = report_.contractions;
-    const bool is_met = is_target_reached(report_.stop);
-    if (std::holds_alternative<DistanceLimit>(call_.stop.chosen)) {
-      // What may be nothing but rounding passes any limit: see DistanceLimit.
-      double coordinate = 0;
-      for (const Position& p : before_.points)
-        for (double x : p.coordinates)
-          coordinate = std::max(coordinate, std::abs(x));
-      status.next_distance = std::max(0.0, report_.distance_bound - 0x1p-39 * coordinate);
-      require(!call_.stop(status), "the result is beyond the limit");
-    } else if (call_.stop.chosen.index() != 6) { // the next distance is not known here
-      require(call_.stop(status) == is_met, "the target and the reason to stop do not agree");
-    }
-    if (std::holds_alternative<AfterContractions>(call_.stop.chosen) && is_met)
-      require(report_.contractions == std::get<AfterContractions>(call_.stop.chosen).count,
-              "contractions after the target was met");
-  }
-
-  // At the corners and in the middle of each face.
-  void require_distance() {
-    if (before_.triangles.empty() || before_.triangles.size() * after_.triangles.size() > 20'000)
-      return;
-    const double size = diagonal(before_);
-    if (!(size > 1e-60 && size < 1e60))
-      return; // squares over- or underflow here
-    double far = 0;
-    for (const Position& p : before_.points)
-      far = std::max(far, std::sqrt(squared_length(p)));
-    const double limit = report_.distance_bound * (1 + 1e-6) + 1e-9 * size + 1e-14 * far;
-    const auto require_near = [&](const Position& x) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& [a, b, c] : before_.triangles)
-        nearest =
-            std::min(nearest, squared_distance_to_triangle(x, before_.points[a], before_.points[b],
-                                                           before_.points[c]));
-      require(std::sqrt(nearest) <= limit, "the result is further away than distance_bound");
-    };
-    for (const auto& [a, b, c] : after_.triangles) {
-      const Position &p = after_.points[a], &q = after_.points[b], &r = after_.points[c];
-      require_near(p);
-      require_near(1.0 / 3 * (p + q + r));
-    }
-  }
-
-  void require_constraints() {
-    std::set<Vector> there;
-    for (const Position& p : after_.points)
-      there.insert(p.coordinates);
-    const auto require_there = [&](std::uint32_t v) {
-      require(there.contains(before_.points[v].coordinates), "a fixed vertex is gone");
-    };
-    for (const Triangle& t : before_.triangles)
-      for (std::uint32_t v : t)
-        if (input_.is_fixed[v])
-          require_there(v);
-    std::set<std::array<Vector, 2>> edges;
-    for (const Triangle& t : after_.triangles)
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-          edges.insert({after_.points[t[i]].coordinates, after_.points[t[j]].coordinates});
-    for (const auto& [v, w] : input_.kept)
-      require(edges.contains({before_.points[v].coordinates, before_.points[w].coordinates}),
-              "a constrained edge is gone");
-  }
-
-  // Each part of the result has the topology of another one of the input.
-  void require_parts() {
-    require(topology_after_.components + report_.vanished_parts == topology_before_.components,
-            "the count of parts that vanished");
-    require(topology_before_.components == 0 || topology_after_.components > 0, "nothing is left");
-    if (!topology_before_.is_manifold)
-      return;
-    require(topology_after_.is_manifold, "no manifold any more");
-    const auto before = topologies_of_parts(before_), after = topologies_of_parts(after_);
-    require(std::includes(before.begin(), before.end(), after.begin(), after.end()),
-            "the topology of a part changed");
-  }
-
-  void require_topology() {
-    if (call_.topology == Topology::parts_may_vanish)
-      return require_parts();
-    require(report_.vanished_parts == 0 || call_.topology == Topology::free, "parts vanished");
-    if (call_.topology != Topology::kept)
-      return;
-    require(topology_after_.components == topology_before_.components, "components changed");
-    if (!topology_before_.is_oriented) // the faces that are left may be
-      topology_after_.is_oriented = false;
-    if (!topology_before_.is_manifold || is_same_topology(topology_before_, topology_after_))
-      return;
-    std::ostringstream what;
-    what << "the topology changed: " << topology_before_ << " -> " << topology_after_;
-    require(false, what.str());
-  }
-
-  void require_endpoints() {
-    if (call_.placement != PlacementName::endpoint)
-      return;
-    std::set<Vector> there;
-    for (const Position& p : before_.points)
-      there.insert(p.coordinates);
-    for (const Position& p : after_.points)
-      require(there.contains(p.coordinates), "a position that is not of the input");
-  }
-
-  using Vector = std::array<double, 3>;
-
-  const Case& input_;
-  const Call& call_;
-  const Report& report_;
-  const Outcome& outcome_;
-  Soup before_, after_;
-  SoupTopology topology_before_, topology_after_;
-  std::string complaint_;
-};
 
 bool is_bad(const Case& input) {
   return !is_finite(input.soup) ||
@@ -706,7 +469,10 @@ std::string violation(const Case& input) {
   }
   if (is_bad(input))
     return "bad input is not refused";
-  return Judge(input, outcome).violation();
+  if (outcome.colors.size() < outcome.points.size() ||
+      outcome.numbers.size() < outcome.points.size())
+    return "colours or numbers are missing";
+  return broken(asked_of(input), result_of(input, outcome));
 }
 
 } // namespace test

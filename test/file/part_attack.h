@@ -1,8 +1,8 @@
 #ifndef QUADRILLE_TEST_PART_ATTACK_H
 #define QUADRILLE_TEST_PART_ATTACK_H
 
-#include "farthest.h"
 #include "folder.h"
+#include "properties.h"
 #include "random_surfaces.h"
 #include "soups.h"
 #include "surface_files.h"
@@ -110,7 +110,7 @@ public:
       tolerant(folder, part * diagonal(input_.soup));
       break;
     default:
-      run(folder, quadrille::FaceRatio{random_(0.02, 0.3)});
+      check_properties(folder, {}, run(folder, quadrille::FaceRatio{random_(0.02, 0.3)}));
     }
     return broken_;
   }
@@ -119,15 +119,9 @@ private:
   template <class Limit>
   void limited(const Folder& folder, const Limit& limit) {
     const quadrille::FileReport report = run(folder, limit);
-    const Soup output = read_labelled_ply(folder.path("out1.ply")).soup;
-    const double rounding = 1e-13 * greatest_coordinate(input_.soup);
-    check("a bound beyond the limit",
-          report.distance_bound <= limit.distance(report.diagonal) * (1 + 1e-6));
-    check("a distance beyond its bound",
-          farthest(output, input_.soup, 3) <= report.distance_bound + rounding);
-    if (std::isfinite(report.hausdorff_bound))
-      check("a distance of the input beyond its bound",
-            farthest(input_.soup, output, 3) <= report.hausdorff_bound + rounding);
+    Asked asked;
+    asked.distance = limit.distance(report.diagonal);
+    check_properties(folder, asked, report);
   }
 
   /// Tolerances from a tenth of the distance to ten times as much, in stripes.
@@ -138,35 +132,9 @@ private:
       input_.tolerances.push_back(
           allowed[static_cast<std::size_t>(std::abs(std::floor(p[1] / width))) % 3]);
     const quadrille::FileReport report = run(folder, quadrille::ToleranceLimit{});
-    const Soup output = read_labelled_ply(folder.path("out1.ply")).soup;
-    if (!std::isfinite(report.hausdorff_bound) || output.triangles.empty())
-      return;
-    check("more used than there is", report.used_tolerance->part <= 1);
-    const double rounding = 1e-11 * greatest_coordinate(input_.soup);
-    const auto of_face = [&](const Triangle& t) {
-      const auto& of = input_.tolerances;
-      return std::min({of[t[0]], of[t[1]], of[t[2]]});
-    };
-    const Nearest nearest(output);
-    std::map<double, Soup> faces; // by what they allow
-    for (const Triangle& t : input_.soup.triangles) {
-      faces[of_face(t)].triangles.push_back(t);
-      for_each_point(input_.soup, t, 3, [&](const Position& p) {
-        check("a distance of the input beyond its tolerance",
-              nearest.distance(p) <= of_face(t) + rounding);
-      });
-    }
-    std::map<double, Nearest> nearest_by_tolerance;
-    for (auto& [tolerance, soup] : faces) {
-      soup.points = input_.soup.points;
-      nearest_by_tolerance.emplace(tolerance, soup);
-    }
-    for (const Triangle& t : output.triangles)
-      for_each_point(output, t, 3, [&](const Position& p) {
-        check("a distance beyond the tolerances",
-              std::any_of(nearest_by_tolerance.begin(), nearest_by_tolerance.end(),
-                          [&](auto& n) { return n.second.distance(p) <= n.first + rounding; }));
-      });
+    check_properties(folder, {}, report);
+    if (std::isfinite(report.hausdorff_bound))
+      check("more used than there is", report.used_tolerance->part <= 1);
   }
 
   template <class Stop>
@@ -185,42 +153,21 @@ private:
     }
     check("bytes that depend on how many parts are in flight",
           content_of(folder.path("out1.ply")) == content_of(folder.path("out3.ply")));
-    const LabelledSoup output = read_labelled_ply(folder.path("out1.ply"));
-    const SoupTopology before = topology_of(input_.soup), after = topology_of(output.soup);
-    if (before.is_manifold)
-      check("topology", is_same_topology(before, after) && !after.has_duplicate_faces &&
-                            !after.has_collapsed_faces);
-    check("regions", regions_of(input_) == regions_of(output));
-    check("regions that meet", meetings_of(input_) == meetings_of(output));
     return report;
   }
 
-  /// How many parts, connected by edges, each label has.
-  static std::map<std::int32_t, std::size_t> regions_of(const LabelledSoup& surface) {
-    std::map<std::int32_t, Soup> faces;
-    for (std::size_t f = 0; f < surface.labels.size(); ++f)
-      faces[surface.labels[f]].triangles.push_back(surface.soup.triangles[f]);
-    std::map<std::int32_t, std::size_t> regions;
-    for (auto& [label, soup] : faces) {
-      soup.points = surface.soup.points;
-      regions[label] = topology_of(soup).components;
-    }
-    return regions;
-  }
-  /// Pairs of labels of faces that have an edge in common.
-  static std::set<std::array<std::int32_t, 2>> meetings_of(const LabelledSoup& surface) {
-    std::map<std::array<std::uint32_t, 2>, std::set<std::int32_t>> edges;
-    for (std::size_t f = 0; f < surface.labels.size(); ++f)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Triangle& t = surface.soup.triangles[f];
-        const auto [v, w] = std::minmax(t[i], t[(i + 1) % 3]);
-        edges[{v, w}].insert(surface.labels[f]);
-      }
-    std::set<std::array<std::int32_t, 2>> meetings;
-    for (const auto& [edge, labels] : edges)
-      if (labels.size() == 2)
-        meetings.insert({*labels.begin(), *labels.rbegin()});
-    return meetings;
+  void check_properties(const Folder& folder, Asked asked, const quadrille::FileReport& report) {
+    asked.soup = input_.soup;
+    asked.labels = input_.labels;
+    asked.tolerances = input_.tolerances;
+    const LabelledSoup output = read_labelled_ply(folder.path("out1.ply"));
+    Result result;
+    result.soup = output.soup;
+    result.labels = output.labels;
+    result.report.distance_bound = report.distance_bound;
+    result.report.hausdorff_bound = report.hausdorff_bound;
+    const std::string complaint = test::broken(asked, result, properties_of_files());
+    check(complaint, complaint.empty());
   }
 
   void check(const std::string& what, bool holds) {

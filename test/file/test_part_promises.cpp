@@ -1,5 +1,5 @@
 // What a run by parts promises holds of random surfaces, told by nothing but the points: over many
-// seeds sh test/promises/parts.sh looks at it.
+// seeds sh test/promises/run.sh parts looks at it.
 #include "part_attack.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // What filters and levels promise of whole runs holds, told by nothing but the points: over many
-// seeds sh test/promises/filters.sh looks at it.
+// seeds sh test/promises/run.sh filters looks at it.
 #include "filter_attack.h"
 
 #include <quadrille/memoryless_quadric.h>

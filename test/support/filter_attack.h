@@ -1,8 +1,7 @@
 #ifndef TEST_SUPPORT_FILTER_ATTACK_H
 #define TEST_SUPPORT_FILTER_ATTACK_H
 
-#include "farthest.h"
-#include "filter_promises.h"
+#include "properties.h"
 #include "random_surfaces.h"
 #include "soups.h"
 
@@ -36,44 +35,25 @@ class FilterAttack {
 public:
   FilterAttack(std::uint64_t seed, const Surface& surface)
       : seed_(seed), random_(seed + 9), surface_(surface), diagonal_(diagonal(surface.soup)),
-        edge_(diagonal_ / std::sqrt(double(surface.soup.triangles.size()))),
-        rounding_(1e-13 * greatest_coordinate(surface.soup)) {}
+        edge_(diagonal_ / std::sqrt(double(surface.soup.triangles.size()))) {}
 
   /// What is broken, in a line each.
   std::vector<std::string> broken() {
-    const double degrees = random_(3, 40),
-                 length = edge_ * std::pow(10, random_(-0.5, 1)),
+    const double degrees = random_(3, 40), length = edge_ * std::pow(10, random_(-0.5, 1)),
                  limit = diagonal_ * std::pow(10, random_(-3.5, -1));
     const std::size_t degree = 6 + random_.below(6);
-    run("smallest angle", quadrille::SmallestAngle(degrees),
-        [&](const FilterPromises& p, const quadrille::Level&) {
-          return p.lost_degrees(degrees) <= 1e-5;
-        });
-    run("longest edge", quadrille::LongestEdge(length),
-        [&](const FilterPromises& p, const quadrille::Level&) {
-          return p.gained_length(length) <= 1e-12;
-        });
-    run("degree", quadrille::HighestDegree(degree),
-        [&](const FilterPromises& p, const quadrille::Level&) {
-          return p.gained_faces(degree) == 0;
-        });
-    run("distance", quadrille::DistanceLimit(limit),
-        [&](const FilterPromises& p, const quadrille::Level& level) {
-          return farthest(p.result(), surface_.soup, 3) <= level.distance_bound + rounding_ &&
-                 level.distance_bound <= limit * (1 + 1e-6);
-        });
-    run("both ways", quadrille::HausdorffLimit(limit),
-        [&](const FilterPromises& p, const quadrille::Level& level) {
-          return farthest(p.result(), surface_.soup, 3) <= level.distance_bound + rounding_ &&
-                 farthest(surface_.soup, p.result(), 3) <= level.hausdorff_bound + rounding_ &&
-                 level.hausdorff_bound <= limit * (1 + 1e-6);
-        });
+    run(quadrille::SmallestAngle(degrees), {.smallest_angle = degrees});
+    run(quadrille::LongestEdge(length), {.longest_edge = length});
+    run(quadrille::HighestDegree(degree), {.degree = degree});
+    run(quadrille::DistanceLimit(limit), {.distance = limit});
+    run(quadrille::HausdorffLimit(limit), {.distance_both_ways = limit});
     return broken_;
   }
 
 private:
-  template <class Policy, class Holds>
-  void run(const char* promise, const Policy& policy, Holds holds) {
+  template <class Policy>
+  void run(const Policy& policy, Asked asked) {
+    asked.soup = surface_.soup;
     quadrille::Levels levels;
     constexpr std::array topologies{quadrille::Topology::kept, quadrille::Topology::kept,
                                     quadrille::Topology::free,
@@ -88,9 +68,10 @@ private:
           levels.at(quadrille::AfterContractions{count - count * (i * i - 1) / 25});
       if (level.faces == 0)
         continue; // it is at no distance
-      const std::vector<std::uint32_t> images = levels.images(level);
-      if (!holds(FilterPromises(surface_.soup, level, images), level))
-        tell(promise, level);
+      const std::string complaint =
+          test::broken(asked, result_of(levels, level), properties_of_levels());
+      if (!complaint.empty())
+        tell(complaint, level);
     }
   }
 
@@ -112,16 +93,28 @@ private:
                                            topology, order, record_into(levels));
   }
 
-  void tell(const char* promise, const quadrille::Level& level) {
-    broken_.push_back("seed " + std::to_string(seed_) + ", " + surface_.name + ", " + promise +
-                      ": at " + std::to_string(level.faces) + " of " +
+  static Result result_of(const quadrille::Levels& levels, const quadrille::Level& level) {
+    Result result;
+    for (const auto& p : level.points)
+      result.soup.points.push_back({p});
+    result.soup.triangles = level.triangles;
+    result.report.distance_bound = level.distance_bound;
+    result.report.hausdorff_bound = level.hausdorff_bound;
+    result.images = levels.images(level);
+    result.input_faces = level.input_faces;
+    return result;
+  }
+
+  void tell(const std::string& complaint, const quadrille::Level& level) {
+    broken_.push_back("seed " + std::to_string(seed_) + ", " + surface_.name + ", " + complaint +
+                      ", at " + std::to_string(level.faces) + " of " +
                       std::to_string(surface_.soup.triangles.size()) + " faces");
   }
 
   std::uint64_t seed_;
   Random random_;
   const Surface& surface_;
-  double diagonal_, edge_, rounding_;
+  double diagonal_, edge_;
   std::vector<std::string> broken_;
 };
 

@@ -7,8 +7,6 @@
 
 #include "soups.h"
 
-#include <quadrille/levels.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,16 +22,12 @@ namespace test {
 /// induction over all contractions that holds of each level of a recording.
 class FilterPromises {
 public:
-  /// `images`: which point of the level each one of the input has become.
-  FilterPromises(const Soup& input, const quadrille::Level& level,
+  /// `input_faces`: which face of the input each face has been; `images`: which point of the result
+  /// each one of the input has become.
+  FilterPromises(const Soup& input, const Soup& result,
+                 const std::vector<std::uint32_t>& input_faces,
                  const std::vector<std::uint32_t>& images)
-      : input_(input), level_(level), images_(images) {
-    for (const auto& p : level.points)
-      result_.points.push_back({p});
-    result_.triangles = level.triangles;
-  }
-
-  const Soup& result() const { return result_; }
+      : input_(input), result_(result), input_faces_(input_faces), images_(images) {}
 
   /// By how many degrees an angle is smaller than SmallestAngle says, at most.
   double lost_degrees(double degrees) const {
@@ -71,9 +65,8 @@ private:
   template <class Measure>
   double worst(Measure measure) const {
     double worst = 0;
-    for (std::size_t f = 0; f < level_.triangles.size(); ++f)
-      worst =
-          std::max(worst, measure(level_.triangles[f], input_.triangles[level_.input_faces[f]]));
+    for (std::size_t f = 0; f < result_.triangles.size(); ++f)
+      worst = std::max(worst, measure(result_.triangles[f], input_.triangles[input_faces_[f]]));
     return worst;
   }
 
@@ -117,9 +110,9 @@ private:
   }
 
   const Soup& input_;
-  const quadrille::Level& level_;
+  const Soup& result_;
+  const std::vector<std::uint32_t>& input_faces_;
   const std::vector<std::uint32_t>& images_;
-  Soup result_;
 };
 
 } // namespace test

@@ -2,6 +2,7 @@
 #define QUADRILLE_TEST_ON_ALL_H
 
 #include "mesh_types.h"
+#include "properties.h"
 #include "soups.h"
 
 #include <quadrille/channels.h>
@@ -52,15 +53,10 @@ auto named_attributes(const Map& map) {
     return quadrille::parameters::vertex_attribute_map(map);
 }
 
-/// A result, with the attributes of each vertex.
-struct Result {
-  Soup soup;
-  std::vector<std::vector<double>> attributes;
-  quadrille::Report report;
-};
-
 template <class M>
 struct OnMesh {
+  static constexpr bool is_mesh = true;
+
   template <class Cost, class... Policies>
   static Result run(const Soup& soup, const Cost& cost, const Policies&... policies) {
     constexpr std::size_t n = Cost::dimension - 3;
@@ -85,6 +81,8 @@ struct OnMesh {
 };
 
 struct OnSoup {
+  static constexpr bool is_mesh = false;
+
   template <class Cost, class... Policies>
   static Result run(const Soup& soup, const Cost& cost, const Policies&... policies) {
     constexpr std::size_t n = Cost::dimension - 3;
@@ -109,22 +107,6 @@ struct OnSoup {
     return result;
   }
 };
-
-/// Neither degenerate nor duplicate faces, but for those with a back if there may be any; no point
-/// without a face, all finite.
-inline bool is_clean(const Soup& soup, bool may_have_backs = false) {
-  std::set<Triangle> seen;
-  std::set<std::uint32_t> used;
-  for (const Triangle& t : soup.triangles) {
-    Triangle sorted = t;
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || sorted[2] >= soup.points.size() ||
-        !seen.insert(may_have_backs ? canonical(t) : sorted).second)
-      return false;
-    used.insert(t.begin(), t.end());
-  }
-  return used.size() == soup.points.size() && is_finite(soup);
-}
 
 /// The faces of a soup, their corners as the first of the given places that is as good as there.
 inline std::multiset<Triangle> faces_at(const std::vector<Position>& places, const Soup& soup) {

@@ -28,28 +28,27 @@ Result check_result(const Soup& soup, const Cost& cost, const Placement& placeme
   const FaceRatio stop{0.3};
   const Result result = Kind::run(soup, cost, placement, pairs, order, stop, topology);
   INFO(result.report);
-  const auto target = static_cast<std::size_t>(
-      std::lround(stop.ratio * static_cast<double>(soup.triangles.size())));
-  CHECK(result.soup.triangles.size() == result.report.faces_after);
-  CHECK(is_target_reached(result.report.stop) == (result.report.faces_after <= target));
+  Asked asked;
+  asked.soup = soup;
+  asked.is_mesh = Kind::is_mesh;
+  asked.topology = topology;
+  asked.is_by_edges = is_by_edges;
+  asked.is_at_endpoints = std::is_same_v<Placement, EndpointPlacement>;
+  asked.stop = stop;
+  if constexpr (Cost::dimension > 3)
+    for (const Position& p : soup.points) {
+      const auto values = attributes_at<Cost::dimension - 3>(p);
+      asked.attributes.emplace_back(values.begin(), values.end());
+    }
+  CHECK(broken(asked, result) == "");
   CHECK(is_clean(result.soup));
   if (is_by_edges) {
     CHECK(topology_of(result.soup).is_manifold);
     CHECK(result.report.components_after == 2);
-    CHECK(result.report.non_edge_contractions == 0);
   } else {
     CHECK(result.report.components_after == 1);
     CHECK(result.report.non_edge_contractions > 0);
   }
-  if (std::is_same_v<Placement, EndpointPlacement>)
-    for (std::size_t v = 0; v < result.soup.points.size(); ++v) {
-      const Position& p = result.soup.points[v];
-      REQUIRE(is_place_of(soup, p));
-      if constexpr (Cost::dimension > 3) {
-        const auto expected = attributes_at<Cost::dimension - 3>(p);
-        REQUIRE(std::equal(expected.begin(), expected.end(), result.attributes[v].begin()));
-      }
-    }
   return result;
 }
 
