@@ -12,5 +12,6 @@ int main(int argc, char* argv[]) {
     return EXIT_FAILURE;
   }
   std::cout << quadrille::simplify(mesh, quadrille::FaceCount{1000}) << '\n';
-  return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto exact = CGAL::parameters::stream_precision(17); // coordinates keep all of their digits
+  return CGAL::IO::write_polygon_mesh(argv[2], mesh, exact) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

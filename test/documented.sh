@@ -140,7 +140,8 @@ names() {
 
 # The tables of what others call it, in coming_from.md, name what is there: in the column "library" each
 # name in code is one of the headers, in "program" each option one of the program, in "Python" each
-# argument one of the module, and in "CGAL 5.5" or "CGAL 6" each name one of that CGAL, if it is here.
+# argument one of the module, and in "CGAL 5.5" or "CGAL 6" each name one of that CGAL, if it is here. The
+# tables of units.md, algorithm.md and tool.md are looked at by `units`, `folders` and `options`.
 #   tables [FOLDER OF CGAL'S HEADERS]
 tables() {
   cgal=${1:-/usr/include/CGAL}
@@ -194,7 +195,81 @@ tables() {
   done < "$names"
   echo "$count names"
   [ "$count" -gt 100 ] || status=1
+  units || status=1
+  folders || status=1
+  options || status=1
   exit $status
+}
+
+# units.md has each public class that rejects numbers, with the defaults of the headers: a row whose first
+# name is `Class::member` and whose fourth column is a number has the number with which the member begins.
+units() {
+  table=doc/manual/units.md
+  status=0
+  for header in include/quadrille/*.h; do
+    awk '/^namespace internal/          { internal = 1 }
+         /^} \/\/ namespace internal/    { internal = 0 }
+         /^(struct|class) [A-Z]/         { name = $2; sub(/[:;{].*/, "", name) }
+         /hrows std::invalid_argument/ && name && !internal { print name }
+         /^};/                           { name = "" }' "$header"
+  done | sort -u > "$folder/checked"
+  while read -r name; do
+    case $name in MatrixRows | VertexAttribute | PartitionedSimplifier) continue ;; esac # no numbers of a policy
+    grep -qE "^\|.*\`$name\b" "$table" || { echo "$table: there is no $name" >&2; status=1; }
+  done < "$folder/checked"
+
+  awk -F '|' '/^\| `[A-Z][A-Za-z]*::[a-z_]+`/ { gsub(/[` ]/, "", $2); sub(/,.*/, "", $2); gsub(/ /, "", $5)
+              if ($5 ~ /^[0-9.]+$/) { split($2, name, "::"); print name[1], name[2], $5 } }' "$table" > "$folder/defaults"
+  while read -r class member number; do
+    cat include/quadrille/*.h | sed -n "/^struct $class\b/,/^};/p;/^class $class\b/,/^};/p" |
+      grep -qE "\b$member = $number[;,]" || { echo "$table: $class::$member is not $number" >&2; status=1; }
+  done < "$folder/defaults"
+  echo "$(wc -l < "$folder/checked") checked classes, $(wc -l < "$folder/defaults") defaults"
+  [ -s "$folder/checked" ] && [ -s "$folder/defaults" ] || status=1
+  return $status
+}
+
+# algorithm.md says where each name is: `Name`, `Other` (PLACE) with a header of include/quadrille or a folder of
+# include/quadrille/internal, one of whose files has the name.
+folders() {
+  table=doc/manual/algorithm.md
+  status=0
+  grep -oE '`[^|()]*` \([a-z_/]+(/|\.h)\)' "$table" > "$folder/places"
+  while read -r line; do
+    place=$(printf '%s\n' "$line" | sed 's/.*(\(.*\))/\1/')
+    case $place in */) path=include/quadrille/internal/$place ;; *) path=include/quadrille/$place ;; esac
+    for name in $(printf '%s\n' "$line" | sed 's/^.*), //' | grep -oE '`[A-Za-z_:]+`' | tr -d '`'); do
+      grep -rqsE "\b${name##*::}\b" "$path" || { echo "$table: $place has no $name" >&2; status=1; }
+      case $place in
+      *.h) ;;
+      *) grep -rqsE "^ *(class|struct) ${name%%::*}\b" "$path" || { echo "$table: $place has no class $name" >&2; status=1; } ;;
+      esac
+    done
+  done < "$folder/places"
+  echo "$(wc -l < "$folder/places") places"
+  [ -s "$folder/places" ] || status=1
+  return $status
+}
+
+# tool.md has each option of the program, and it and formats.md no other one.
+options() {
+  status=0
+  find examples/products/program -name '*.h' -o -name '*.cpp' | sort | xargs cat | tr '\n' ' ' |
+    grep -oE '(\.add_[a-z_]+(<[a-z:]+>)?|\badd)\( *"(-[a-z],)?--[a-z,-]+"' | grep -oE -e '--[a-z-]+' | sort -u |
+    grep -vxE -e '--(help|version)' > "$folder/registered"
+  grep -ohE -e '--[a-z][a-z-]+' doc/manual/tool.md doc/manual/formats.md | sort -u | grep -vx -e --help > "$folder/written"
+  for option in $(comm -23 "$folder/registered" "$folder/written"); do
+    echo "doc/manual/tool.md: there is no $option" >&2
+    status=1
+  done
+  for option in $(comm -13 "$folder/registered" "$folder/written"); do
+    echo "doc/manual/tool.md: the program has no $option" >&2
+    status=1
+  done
+  count=$(wc -l < "$folder/registered")
+  echo "$count options"
+  [ "$count" -gt 40 ] || status=1
+  return $status
 }
 
 # The commands that documents show are right: each block of shell is parsed, and where the program is

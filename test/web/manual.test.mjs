@@ -14,7 +14,7 @@ after(() => rmSync(folder, { recursive: true }));
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(resolve(process.env.PACKAGE), join(folder, "node_modules/quadrille"));
 
-for (const document of ["doc/manual/web.md", "examples/products/web/package/README.md"]) {
+for (const document of ["doc/manual/web.md", "doc/manual/for_games.md", "examples/products/web/package/README.md"]) {
   const blocks = [...readFileSync(join(root, document), "utf8").matchAll(/^```js\n([^]*?)^```$/gm)].map(([, code]) => code);
   blocks.forEach((code, i) =>
     test(`program ${i + 1} of ${document}`, () => {
