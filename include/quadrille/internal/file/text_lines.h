@@ -196,7 +196,7 @@ private:
     line_end_ = position_ + static_cast<std::size_t>(text_end - begin);
     newline_ = next_ = position_ + static_cast<std::size_t>(end - begin);
     next_ += text().substr(next_, 2) == "\r\n" ? 2 : 1;
-    next_ = std::min(next_, text().size());
+    next_ = (std::min)(next_, text().size());
     ++line_number_;
   }
 
