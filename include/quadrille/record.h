@@ -6,18 +6,19 @@
 
 namespace quadrille {
 
-/// An argument of `simplify` by which a recorder is told of all contractions. It has to be there as
-/// long as the call.
+/// An argument of `simplify` that passes all contractions to a recorder. The recorder must outlive
+/// the call.
 ///
-/// RelaxedOrder contracts in many places at a time. Its contractions are told in an order in which
-/// they could have been done one by one, which is the same for any number of threads: those of a
-/// pass by their costs, as far as the order within each block allows it. After those of a stage of
-/// a pass come its refusals, by block, and as they were in each.
+/// RelaxedOrder contracts in many places at a time. It reports its contractions in an order in
+/// which they could have been done one by one, and which is the same for any number of threads:
+/// those of a pass by their costs, as far as the order within each block allows it. The rejections
+/// of each stage of a pass follow its contractions, block by block, in their order within each
+/// block.
 template <ContractionRecorder R>
 struct RecordInto {
   R* recorder; ///< not owned
 };
-/// The argument of `simplify` that tells a recorder of all contractions: see RecordInto.
+/// Makes the argument of `simplify` that passes all contractions to a recorder: see RecordInto.
 template <ContractionRecorder R>
 RecordInto<R> record_into(R& recorder) {
   return {&recorder};

@@ -1,9 +1,9 @@
 #ifndef QUADRILLE_SELF_INTERSECTION_H
 #define QUADRILLE_SELF_INTERSECTION_H
 
-// This header includes CGAL's kernel for exact predicates, which is LGPL as the parts are that
-// <quadrille/simplify.h> includes. That does not include this one, so that calls that do without
-// need not compile it.
+// This header includes CGAL's kernel for exact predicates, which is LGPL like the parts of CGAL
+// that <quadrille/simplify.h> includes. simplify.h does not include this header, so that calls
+// without these guards need not compile it.
 
 #include <quadrille/internal/core/guard/surface_guard.h>
 #include <quadrille/internal/guards/intersection/face_intersections.h>
@@ -16,56 +16,56 @@
 
 namespace quadrille {
 
-/// A guard, an argument of `simplify`: the surface does not pass through itself where it did not
-/// before.
+/// A guard, an argument of `simplify`: the surface gets no new self-intersections.
 ///
-/// Two faces intersect if they have a point in common beside the vertices and edges that both have:
-/// so do faces that lie on each other in a plane, and those that touch where they have no common
+/// Two faces intersect if they have a point in common outside of their common vertices and edges.
+/// This includes faces that overlap in a plane, and faces that touch where they have no common
 /// vertex. No pair of faces of the result intersects that did not in the input. Pairs of the input
-/// that intersect may stay or vanish, but those that only touch or overlap in a plane do not come
-/// to pass through each other: Report::self_intersections says how many there were, and how
-/// many are left. Faces without an area intersect none, and no face loses its area.
+/// that intersect may stay or vanish, but pairs that only touch or overlap in a plane will not pass
+/// through each other. Report::self_intersections has the numbers of pairs before and after. Faces
+/// without an area do not intersect others, and no face loses its area.
 ///
-/// What would make faces intersect is refused: Rejection::self_intersection. All is decided
-/// exactly, by CGAL's predicates, on the coordinates that will be written to the mesh: as floats
-/// where its points are of floats, or with parameters::coordinates_are_floats. Where faces are in
-/// the way of the place of least cost, the vertex goes to an end of its pair.
+/// A contraction that would make faces intersect is rejected: Rejection::self_intersection. CGAL's
+/// predicates decide this exactly, for the coordinates that will be written to the mesh: as floats
+/// if its points are floats, or with parameters::coordinates_are_floats. If faces obstruct the
+/// position of least cost, the vertex moves to an end of its pair.
 ///
-/// For GreedyOrder only. O(log n) for each contraction, as a rule, and 44 bytes a face: all takes
-/// three to five times as long.
+/// It works with GreedyOrder only. It takes O(log n) expected time for each contraction and 44
+/// bytes per face; the whole simplification takes three to five times as long.
 struct NoSelfIntersection {
-  static constexpr const char* name = "quadrille::NoSelfIntersection"; ///< in messages
-  static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
+  static constexpr const char* name = "quadrille::NoSelfIntersection"; ///< for messages
+  static constexpr Rejection cause = Rejection::self_intersection;     ///< counts its rejections
 
-  /// For the engine: what keeps the faces apart.
+  /// Used by the engine: makes the guard that keeps the faces apart.
   template <std::size_t N>
   std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
     return std::make_unique<internal::FaceIntersections<N>>(room.complex, room.geometry);
   }
 };
 
-/// A guard, an argument of `simplify`: a solid stays one, as for printing and simulation.
+/// A guard, an argument of `simplify`: a solid stays a solid, as needed for printing and
+/// simulation.
 ///
 /// It is Topology::kept and NoSelfIntersection{}, and it requires an input that is closed, each
 /// edge with as many faces on one side as on the other, and of which no two faces intersect. Then
-/// the result is closed and has no faces that intersect; it has the parts of the input, each of its
-/// genus, inside of others or beside them as there; and it bounds a volume if the input does, which
-/// is all of the above and that parts which lie in others are oriented the other way than these.
-/// Report::volume_before and volume_after tell the volume, Report::self_intersections that no faces
-/// intersect.
+/// the result is closed and has no faces that intersect; it has the components of the input, each
+/// with its genus, nested as in the input; and it bounds a volume if the input does, which means in
+/// addition that components inside others have the opposite orientation. Report::volume_before and
+/// volume_after are the volumes, and Report::self_intersections confirms that no faces intersect.
 ///
-/// `simplify` throws std::invalid_argument for an input that is no such surface, with the number of
-/// edges that are open, or pairs of faces that intersect, and where the first is; and if it is
-/// asked for another Topology. Otherwise it is for GreedyOrder only, and takes the time and the
-/// memory of NoSelfIntersection. Solids of two parts that touch each other are closed where they
-/// have these vertices or edges in common, and intersect where each has its own.
+/// `simplify` throws std::invalid_argument for any other input, with the number of open edges or of
+/// intersecting pairs of faces and the position of the first one, and for a call with another
+/// Topology. It works with GreedyOrder only, and takes the time and the memory of
+/// NoSelfIntersection. Two touching components of a solid are closed if they share the vertices or
+/// edges where they touch, and intersect if each has its own.
 struct KeepSolid {
-  static constexpr const char* name = "quadrille::KeepSolid";      ///< in messages
-  static constexpr Rejection cause = Rejection::self_intersection; ///< what is refused counts as it
-  static constexpr Topology topology = Topology::kept;             ///< no other one goes with it
-  static constexpr bool asks_for_volume = true;                    ///< a solid encloses one
+  static constexpr const char* name = "quadrille::KeepSolid";      ///< for messages
+  static constexpr Rejection cause = Rejection::self_intersection; ///< counts its rejections
+  static constexpr Topology topology = Topology::kept;             ///< excludes any other topology
+  static constexpr bool asks_for_volume = true;                    ///< a solid encloses a volume
 
-  /// For the engine: refuses what is no solid before anything is changed, and keeps faces apart.
+  /// Used by the engine: rejects an input that is not a solid before anything is changed, and makes
+  /// the guard that keeps faces apart.
   template <std::size_t N>
   std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
     return std::make_unique<internal::SolidGuard<N>>(room);

@@ -15,23 +15,23 @@
 
 namespace quadrille {
 
-/// What `simplified` makes of a mesh.
+/// The result of `simplified` for a mesh.
 template <class Mesh>
 struct Simplified {
   Mesh mesh;     ///< the simplified copy
-  Report report; ///< of the call
+  Report report; ///< the report of the call
 };
-/// What `simplified` makes of a soup.
+/// The result of `simplified` for a soup.
 template <class Points, class Triangles>
 struct SimplifiedSoup {
-  Points points;       ///< of the simplified copy
-  Triangles triangles; ///< of the simplified copy
-  Report report;       ///< of the call
+  Points points;       ///< the points of the simplified copy
+  Triangles triangles; ///< the triangles of the simplified copy
+  Report report;       ///< the report of the call
 };
 
 namespace internal {
 
-/// As what a container is copied: a span as a vector.
+/// The type of the copy of a container: for a span a vector.
 template <class Container>
 struct CopyOf : std::type_identity<Container> {
   static Container of(const Container& container) { return container; }
@@ -42,7 +42,7 @@ struct CopyOf<std::span<T, N>> : std::type_identity<std::vector<std::remove_cons
     return {numbers.begin(), numbers.end()};
   }
 };
-/// A view of a matrix, as a map, as the matrix that it would be.
+/// The type of the copy of a matrix view, such as a map: the plain matrix.
 template <class View>
 requires requires {
   requires MatrixView<View>;
@@ -58,7 +58,7 @@ template <class Points, class Triangles>
 concept CopiedSoup = BufferedSoup<Points, Triangles> ||
     (PointContainer<Points>&& TriangleContainer<Triangles>);
 
-/// Gives back what a mesh has only marked as removed.
+/// Removes elements that a mesh has only marked as removed.
 template <class Mesh>
 void tidy_up([[maybe_unused]] Mesh& mesh) {
   if constexpr (requires { mesh.collect_garbage(); })
@@ -71,21 +71,21 @@ void tidy_up([[maybe_unused]] Mesh& mesh) {
 
 inline namespace QUADRILLE_THREADING {
 
-/// A simplified copy of a triangle mesh, with its report; `mesh` stays as it is. The arguments are
-/// those of `simplify`.
+/// Returns a simplified copy of a triangle mesh, with its report; `mesh` is not changed. The
+/// arguments are those of `simplify`.
 ///
-/// The copy has exactly the vertices and faces that are left, in their order, and all properties
-/// that a copy of the mesh has. A mesh that marks what is removed is tidied up, so that numbers of
-/// vertices and faces are others than in `mesh`.
+/// The copy has exactly the remaining vertices and faces, in their order, and all properties that a
+/// copy of the mesh has. A mesh that marks removed elements is compacted, so that vertices and
+/// faces have other numbers than in `mesh`.
 ///
-/// Maps over `mesh` are taken as over the copy where that can be: properties of a Surface_mesh,
-/// among them channels (`simplified(mesh, Texture{uv})` leaves its values in the copy's property of
-/// the same name), and maps without state, which look at the element itself. Where vertices have
-/// the same numbers in a copy (Surface_mesh, OpenMesh) so are all other maps that are only read:
-/// constraints, creases, labels, indices. Other maps do not compile, nor do vertex_to_vertex_map,
-/// vertex_quadric_map and duplicate_output_iterator: there copy the mesh and call `simplify`.
+/// Maps over `mesh` are applied to the copy where possible: properties of a Surface_mesh, including
+/// channels (`simplified(mesh, Texture{uv})` writes the copy's property of the same name), and maps
+/// without state, which read the element itself. If vertices have the same numbers in a copy
+/// (Surface_mesh, OpenMesh), this includes all other maps that are only read: constraints, creases,
+/// labels, indices. Other maps do not compile, nor do vertex_to_vertex_map, vertex_quadric_map and
+/// duplicate_output_iterator: there copy the mesh and call `simplify`.
 ///
-/// Throws what `simplify` throws, and what copying does.
+/// Throws whatever `simplify` or copying throws.
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::FaceGraph<Mesh> Simplified<Mesh> simplified(const Mesh& mesh,

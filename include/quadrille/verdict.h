@@ -13,69 +13,70 @@
 
 namespace quadrille {
 
-/// What is claimed of a result. What is left out is not looked at.
+/// The claims to verify about a result. Claims that are not set are not checked.
 struct Claims {
-  /// No point of the result is further from the input than that, in the unit of both: see
-  /// DistanceLimit and Report::distance_bound.
+  /// A claim that no point of the result is further from the input than this distance, in the unit
+  /// of both: see DistanceLimit and Report::distance_bound.
   std::optional<double> distance = {};
-  /// The same, and no point of the input is further from the result.
+  /// A claim that also no point of the input is further from the result.
   std::optional<double> distance_both_ways = {};
-  /// Of each vertex of the input, by its index or in the order of vertices(mesh), how far points
-  /// may be there; a face has the least of its corners. No point of an input face is further from
-  /// the result, and each point of the result is within that of some input face: see
-  /// ToleranceLimit. Empty: nothing is claimed.
+  /// The claimed tolerance at each vertex of the input, by its index or in the order of
+  /// vertices(mesh); the tolerance of a face is the least of its corners. No point of an input face
+  /// is further from the result, and each point of the result is within the tolerance of some input
+  /// face: see ToleranceLimit. If it is empty, nothing is claimed.
   std::vector<double> tolerances = {};
-  /// No more pairs of faces intersect than in the input: see NoSelfIntersection. Where none did,
-  /// that is all of its promise.
+  /// No more pairs of faces intersect than in the input: see NoSelfIntersection. If no pair of the
+  /// input intersects, this is the whole guarantee.
   bool no_self_intersection = false;
   /// The input, which is closed, and the result are solids alike: the result is closed, and each
-  /// part of the input has become one of it, with as many handles, with its inside on the same side
-  /// and not flat, and in the same ones of the others. It bounds a volume if the input does. See
-  /// KeepSolid{}.
+  /// component of the input corresponds to one component of the result, with the same number of
+  /// handles, the same inner side, not flat, and enclosed by the same other components. It bounds a
+  /// volume if the input does. See KeepSolid{}.
   bool solid = false;
-  /// No normal of the result is further than so many degrees from that of any face of the input
-  /// that has become it, or one of its edges: see NormalDeviation. Needs `images`, which have to
-  /// explain each face of the result; so they are not for what is written with duplicates of
-  /// vertices.
+  /// A claim that no normal of the result deviates by more than this angle, in degrees, from the
+  /// normal of any input face that was merged into its face, or into one of the face's edges: see
+  /// NormalDeviation. It needs `images`, which must explain each face of the result; so it cannot
+  /// be used for results with duplicated vertices.
   std::optional<double> normal_deviation = {};
   /// Of each vertex of the input, the vertex of the result that it has become, by their indices or
   /// in the order of vertices(mesh); parameters::vanished for none. vertex_to_vertex_map tells
   /// them.
   std::vector<std::size_t> images = {};
-  /// No claim, but how to follow what takes long: told again and again which part of it is done,
-  /// from 0 to 1. If it returns false, verify() ends soon: Verdict::is_cancelled.
+  /// Not a claim: a function that is called repeatedly with the fraction of the work that is done,
+  /// from 0 to 1. If it returns false, verify() ends soon, with Verdict::is_cancelled.
   std::function<bool(double part)> progress = {};
 
-  /// One way or both.
+  /// Returns whether distances are claimed, in one direction or both.
   bool are_distances_claimed() const { return distance || distance_both_ways; }
 };
 
-/// A claim, and what has been measured.
+/// A claim and the measured value.
 struct Finding {
-  std::string claim; ///< in words
+  std::string claim; ///< the claim in words
   double promised =
       0; ///< a distance in the unit of the surfaces, degrees, or a number of what is named
   double measured = 0; ///< the same
-  double error = 0;    ///< by how much what is measured may be wrong, at most
-  /// Is what is measured as it was promised? Always if that is so of the truth, and never if the
-  /// truth is beyond it by more than the error.
+  double error = 0;    ///< the greatest possible error of the measured value
+  /// Whether the claim is held: always if it is true, and never if the true value exceeds it by
+  /// more than the error.
   bool is_held = false;
-  /// Where it is broken, in the unit of the surfaces: a point of the farthest, of a face that
-  /// intersects another one or has a normal too far away, of a part that has changed.
+  /// A place where the claim is broken, in the unit of the surfaces: one of the farthest points, a
+  /// point of a face that intersects another one or whose normal deviates too far, or a point of a
+  /// component that has changed.
   std::optional<Vector<3>> place = {};
 };
 
-/// What verify() has found, one after the other. It prints itself in one line.
+/// The findings of verify(). They can be printed in one line.
 struct Verdict {
-  std::vector<Finding> findings; ///< one or some for each claim, in the order of Claims
-  bool is_cancelled = false;     ///< by Claims::progress: then not all has been looked at
+  std::vector<Finding> findings; ///< one or more for each claim, in the order of Claims
+  bool is_cancelled = false;     ///< cancelled by Claims::progress: then not everything was checked
 
-  /// Are all claims held, as far as is known?
+  /// Returns whether all claims are held, as far as is known.
   bool is_held() const {
     return !is_cancelled && std::all_of(findings.begin(), findings.end(),
                                         [](const Finding& finding) { return finding.is_held; });
   }
-  explicit operator bool() const { return is_held(); } ///< the same
+  explicit operator bool() const { return is_held(); } ///< the same as is_held()
 };
 
 /// Prints a verdict in one line, without an end of line.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Does a result keep what was promised of it? This header measures; it takes no part in
-// simplifying, shares no code with what does but how points and triangles are read, and
+// Verifies whether a result keeps the claims made of it. This header only measures. It shares no
+// code with the simplification, except for the reading of points and triangles, and
 // quadrille/simplify.h never includes it.
 //
 // Licence: this file is MIT, but it includes CGAL's Polygon Mesh Processing, box intersection and
@@ -32,7 +32,7 @@ namespace quadrille {
 
 namespace internal {
 
-/// What claims say of two surfaces, one after the other.
+/// Verifies claims about two surfaces, one after the other.
 class Verification {
 public:
   Verification(TriangleSoup<> input, TriangleSoup<> result)
@@ -64,7 +64,7 @@ private:
       throw std::invalid_argument("quadrille::verify: what is claimed is not an angle");
   }
 
-  // Nothing can be said of a surface without faces but that the other one has none either.
+  // A surface without faces allows only one conclusion: whether the other one has no faces either.
   bool are_both_there(const Claims& claims) {
     const bool is_any_claimed = stages(claims) > 0 || claims.normal_deviation;
     if (!is_any_claimed || (!input_.triangles.empty() && !result_.triangles.empty()))
@@ -121,7 +121,7 @@ private:
         after.first);
   }
 
-  // Where it is not held, it is so at a face of the result.
+  // A broken claim is located at a face of the result.
   void add(Finding finding, std::size_t face) {
     if (!finding.is_held)
       finding.place = result_.points[result_.triangles[face][0]];
@@ -139,32 +139,34 @@ private:
 
 } // namespace internal
 
-/// Looks whether a simplified mesh keeps what is claimed of it, by code that shares nothing with
+/// Verifies whether a simplified mesh keeps the claims made of it, with code that is independent of
 /// the engine.
 ///
-/// Distances are measured by pieces of faces, cut along those of the other surface and halved until
-/// they are known to a fortieth of what is promised, but to no less than 5·10⁻⁶ of the diagonal of
-/// both surfaces, nor to more than 5·10⁻⁴: what is told is never more than the truth but for
-/// roundings. What is beyond the promise by no more than that counts as held, so what is broken by
-/// twice as much, Finding::error, never does, and what is kept always does. What is beyond
-/// tolerances is measured in the same way, by the least of them. Angles are those of all pairs of
-/// faces. Faces intersect as for NoSelfIntersection; CGAL's exact predicates decide. Where some of
-/// the input only touch or overlap in a plane, those that pass through each other are counted, too.
+/// For distances, faces are cut along the faces of the other surface and subdivided until the
+/// distance is known to a fortieth of the claim, but at least to 5·10⁻⁴ and at most to 5·10⁻⁶ of
+/// the diagonal of both surfaces. Up to rounding, the measured distance never exceeds the true one.
+/// A claim that is exceeded by no more than this accuracy counts as held; so a claim that is true
+/// is always held, and one that is exceeded by more than twice the accuracy, Finding::error, is
+/// always broken. Excess over tolerances is measured in the same way, relative to the least of
+/// them. Angles are those of all pairs of faces. Faces intersect as for NoSelfIntersection, decided
+/// by CGAL's exact predicates. If some input faces only touch or overlap in a plane, the pairs that
+/// pass through each other are counted too.
 ///
-/// Solids are compared part by part, cut where a surface only touches itself. Which part has become
-/// which is told by where they are, and where that says little, since parts lie closer together
-/// than they have changed, by what they have in common. An input need not bound a volume: then the
-/// result has to be turned like it.
+/// Solids are compared component by component, after cutting the surface where it only touches
+/// itself. Components are matched by their positions, or, if they lie closer together than the
+/// distance by which they changed, by the features that they have in common. The input need not
+/// bound a volume; the result must then have the same orientation.
 ///
-/// Where only one of both has faces, no claim is held. `claims.progress` follows it and may end it.
+/// If only one of the two surfaces has faces, no claim is held. `claims.progress` receives the
+/// progress and may end the verification.
 ///
-/// Both are models of CGAL's FaceListGraph with a vertex_point map; types may differ. What was
-/// rounded to the numbers of a mesh is measured as it is there. Complexity: about O(n log n) for n
+/// Both are models of CGAL's FaceListGraph with a vertex_point map; types may differ. Rounded
+/// coordinates are measured as they are stored in the mesh. Complexity: about O(n log n) for n
 /// faces of both; distances take about a second for 10⁴ faces at a thousandth of the diagonal,
 /// whether surfaces are flat or curved, and solids of k parts O(k²) beside that. Throws
-/// std::invalid_argument for a face that is not a triangle, a coordinate that is not finite, a
-/// claimed distance or angle that is none, tolerances or images that are not as many as the
-/// vertices of the input, and an input with open edges of which it is claimed that it is a solid.
+/// std::invalid_argument for a face that is not a triangle, a coordinate that is not finite, an
+/// invalid distance or angle, tolerances or images whose number is not that of the input vertices,
+/// and a claim of solidity for an input with open edges.
 template <class MeshA, class MeshB>
 requires(!std::ranges::range<MeshA> && !std::ranges::range<MeshB>) Verdict
     verify(const MeshA& input, const MeshB& result, const Claims& claims) {
