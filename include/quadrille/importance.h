@@ -18,34 +18,34 @@
 #include <vector>
 
 /// \file
-/// Maps of importance for vertex_importance_map: where a surface is curved, and where it is seen.
-/// They are numbers of which only ratios matter, the same in any unit of length. Another map may be
-/// multiplied with them. <quadrille/simplify.h> does not include this header.
+/// Importance maps for vertex_importance_map, from the curvature and the visibility of a surface.
+/// Only ratios of importances matter, and they do not depend on the unit of length. They may be
+/// multiplied with another map. <quadrille/simplify.h> does not include this header.
 
 namespace quadrille {
 
-/// How curvature_importance() counts.
+/// Options of curvature_importance().
 struct CurvatureImportance {
-  /// What is curved as the surface is on average counts 2 to this power times as much as what is
-  /// flat: with 3 it gets about twice as many faces, beside those that the cost gives it anyway. At
-  /// least 0, where all is alike.
+  /// A region of average curvature has 2 to this power times the importance of a flat one: with 3
+  /// it gets about twice as many faces, in addition to the effect of the cost. At least 0; with 0
+  /// all importances are equal.
   double strength = 3;
 };
 
-/// How view_importance() counts.
+/// Options of view_importance().
 struct ViewImportance {
-  Vector<3> eye = {}; ///< from where the surface is seen, in its own coordinates
-  /// How much a vertex counts of which no face is turned to the eye, beside others as near; at
-  /// least 0. With 1/64 what is turned away gets about a quarter of the faces.
+  Vector<3> eye = {}; ///< the position of the viewer, in the surface's coordinates
+  /// The factor for a vertex whose faces are all turned away from the eye, relative to others at
+  /// the same distance; at least 0. With 1/64 the regions turned away get about a quarter of the
+  /// faces.
   double turned_away = 1. / 64;
-  /// How much one counts of which some are and some are not, so that it may lie on the outline; at
-  /// least 0.
+  /// The factor for a vertex with faces of both kinds, which may lie on the outline; at least 0.
   double outline = 8;
 };
 
 namespace internal {
 
-/// Brings a surface to the engine's unit, so that nothing over- or underflows.
+/// Scales a surface to the engine's unit, so that nothing over- or underflows.
 inline Scale<3> rescale(TriangleSoup<>& surface) {
   const Scale<3> scale(Box<3>(surface.points), true);
   for (Vector<3>& p : surface.points)
@@ -53,7 +53,7 @@ inline Scale<3> rescale(TriangleSoup<>& surface) {
   return scale;
 }
 
-/// The vertex normals of a surface: of unit length, or 0 where no face has an area.
+/// Returns the vertex normals of a surface: of unit length, or 0 where no face has an area.
 inline std::vector<Vector<3>> vertex_normals(const SurfaceView& surface) {
   std::vector<Vector<3>> normals(surface.points.size());
   for (const auto& [a, b, c] : surface.triangles) {
@@ -68,8 +68,8 @@ inline std::vector<Vector<3>> vertex_normals(const SurfaceView& surface) {
   return normals;
 }
 
-/// Four times the area of a triangle, times the mean of the square of the gradient of a map that
-/// is linear on it: each edge counts by the cotangent of the angle opposite to it.
+/// Returns four times the area of a triangle, times the mean of the squared gradient of a map that
+/// is linear on it: each edge counts by the cotangent of the opposite angle.
 inline double dirichlet_energy(const std::array<Vector<3>, 3>& at,
                                const std::array<Vector<3>, 3>& values, double doubled_area) {
   double energy = 0;
@@ -81,8 +81,8 @@ inline double dirichlet_energy(const std::array<Vector<3>, 3>& at,
   return 2 * energy;
 }
 
-/// The root of the sum of the squares of both principal curvatures, at each vertex: by how much
-/// vertex normals turn over its faces, in the mean of their areas.
+/// Returns the root of the sum of the squares of both principal curvatures at each vertex: the
+/// change of vertex normals over its faces, averaged by area.
 inline std::vector<double> curvatures(const SurfaceView& surface) {
   const std::vector<Vector<3>> normals = vertex_normals(surface);
   std::vector<double> curvature(surface.points.size()), area(surface.points.size());
@@ -102,7 +102,7 @@ inline std::vector<double> curvatures(const SurfaceView& surface) {
   return curvature;
 }
 
-/// The mean over the area of a surface of what its vertices have.
+/// Returns the mean of values at vertices over the area of a surface.
 inline double mean_over(const SurfaceView& surface, const std::vector<double>& values) {
   double sum = 0, area = 0;
   for (const auto& [a, b, c] : surface.triangles) {
@@ -132,7 +132,7 @@ inline std::vector<double> importances(const char* function, TriangleSoup<> surf
   return importances;
 }
 
-/// How much each vertex counts for how it is turned to an eye, in the unit of the surface.
+/// Returns a factor for each vertex from its orientation to an eye, in the unit of the surface.
 inline std::vector<double> facing(const SurfaceView& surface, const Vector<3>& eye,
                                   const ViewImportance& how) {
   std::vector<std::array<bool, 2>> has_face(surface.points.size()); // away, towards the eye
@@ -152,7 +152,7 @@ inline std::vector<double> facing(const SurfaceView& surface, const Vector<3>& e
 
 inline std::vector<double> importances(const char* function, TriangleSoup<> surface,
                                        const ViewImportance& how) {
-  constexpr double nearest = 1e-2; // of the way to the farthest vertex
+  constexpr double nearest = 1e-2; // fraction of the distance to the farthest vertex
   require_factor(function, "turned_away", how.turned_away);
   require_factor(function, "outline", how.outline);
   if (!is_finite(how.eye))
@@ -178,14 +178,14 @@ void put_importances(const Mesh& mesh, Map map, const std::vector<double>& impor
 
 } // namespace internal
 
-/// Importances for vertex_importance_map by which more faces stay where the surface is curved:
+/// Returns importances for vertex_importance_map that keep more faces where the surface is curved:
 /// (1 + κ/κ̄)^strength, where κ² is the sum of the squares of both principal curvatures and κ̄ the
-/// mean of κ over the area; 1 everywhere on a surface that is flat. One for each point, in linear
-/// time.
+/// mean of κ over the area; 1 everywhere on a flat surface. There is one for each point. It takes
+/// linear time.
 ///
 /// `points` and `triangles` are a polygon soup. Throws std::invalid_argument for a strength that is
-/// negative or not finite, a point that is not finite, and a face that is not a triangle or names a
-/// point which is not there.
+/// negative or not finite, a point that is not finite, and a face that is not a triangle or has an
+/// index without a point.
 ///
 /// κ² is the square of the gradient of the vertex normals, linear on each face, in the mean over
 /// the faces of a vertex. Source: Rusinkiewicz, Estimating Curvatures and Their Derivatives on
@@ -198,7 +198,8 @@ std::vector<double> curvature_importance(const Points& points, const Triangles& 
   return internal::importances(function, internal::read_surface(function, points, triangles), how);
 }
 
-/// The same of a mesh, a model of CGAL's FaceListGraph, written to a property map of its vertices.
+/// Writes the importances of a mesh, a model of CGAL's FaceListGraph, to a property map of its
+/// vertices.
 template <class Mesh, class Map>
 requires internal::ReadableGraph<Mesh>
 void curvature_importance(const Mesh& mesh, Map map, const CurvatureImportance& how = {}) {
@@ -207,15 +208,15 @@ void curvature_importance(const Mesh& mesh, Map map, const CurvatureImportance& 
       mesh, map, internal::importances(function, internal::read_surface(function, mesh), how));
 }
 
-/// Importances for vertex_importance_map for a surface that is seen from a place: in proportion to
-/// distance⁻³, so that errors look alike large at any distance (twice as near, half of the error),
-/// times ViewImportance::turned_away and outline. What lies behind other parts counts as if it were
-/// seen, and what is nearer to the eye than a hundredth of the farthest vertex as if it were there.
-/// One for each point, in linear time.
+/// Returns importances for vertex_importance_map for a surface that is seen from one position:
+/// proportional to distance⁻³, so that errors look equally large at any distance (half the
+/// distance, half the error), times ViewImportance::turned_away and outline. Occluded regions count
+/// as visible. Distances below a hundredth of that of the farthest vertex count as this value.
+/// There is one importance for each point. It takes linear time.
 ///
 /// `points` and `triangles` are a polygon soup. Throws std::invalid_argument for factors that are
 /// negative or not finite, an eye or a point that is not finite, and a face that is not a triangle
-/// or names a point which is not there.
+/// or has an index without a point.
 template <std::ranges::input_range Points, std::ranges::input_range Triangles>
 std::vector<double> view_importance(const Points& points, const Triangles& triangles,
                                     const ViewImportance& how) {
@@ -223,7 +224,8 @@ std::vector<double> view_importance(const Points& points, const Triangles& trian
   return internal::importances(function, internal::read_surface(function, points, triangles), how);
 }
 
-/// The same of a mesh, a model of CGAL's FaceListGraph, written to a property map of its vertices.
+/// Writes the importances of a mesh, a model of CGAL's FaceListGraph, to a property map of its
+/// vertices.
 template <class Mesh, class Map>
 requires internal::ReadableGraph<Mesh>
 void view_importance(const Mesh& mesh, Map map, const ViewImportance& how) {

@@ -18,10 +18,10 @@
 
 namespace quadrille {
 
-/// Makes a mesh of a level: what it had is removed first. `mesh` models CGAL's MutableFaceGraph.
-/// Its vertices and faces come in the order of the level's points and triangles; where the level is
-/// not manifold, vertices are duplicated, and come after these. Returns, of each vertex of the
-/// mesh in this order, the point of the level. Linear time.
+/// Converts a level to a mesh, whose former contents are removed. `mesh` models CGAL's
+/// MutableFaceGraph. Its vertices and faces are in the order of the level's points and triangles;
+/// where the level is not manifold, vertices are duplicated and follow after these. Returns the
+/// level's point for each vertex of the mesh, in this order. It takes linear time.
 template <class Mesh>
 std::vector<std::uint32_t> to_mesh(const Level& level, Mesh& mesh) {
   using Traits = boost::graph_traits<Mesh>;

@@ -15,22 +15,22 @@
 
 namespace quadrille {
 
-/// One contraction between two levels, told the same way forwards and backwards: an edge collapse
-/// of a progressive mesh, or its vertex split. To animate it, move both ends between their places
-/// at the finer level and `after` (a geomorph).
+/// One contraction between two levels, described in the same way forwards and backwards: an edge
+/// collapse of a progressive mesh, or its vertex split. To animate it, move both ends between their
+/// positions at the finer level and `after` (a geomorph).
 struct LevelStep {
-  /// The vertex that is left; not_recorded where faces only go.
+  /// The vertex that is left; not_recorded if faces are only removed.
   std::uint32_t kept = not_recorded;
-  std::uint32_t gone = not_recorded;      ///< the vertex that becomes it
-  std::array<double, 3> kept_before = {}; ///< where the one that is left is at the finer level
-  std::array<double, 3> gone_before = {}; ///< where the one that goes is at the finer level
-  std::array<double, 3> after = {};       ///< where the one is that is left
-  std::size_t finer_faces = 0;            ///< at the finer level; the last ones go
+  std::uint32_t gone = not_recorded;      ///< the vertex that is merged into it
+  std::array<double, 3> kept_before = {}; ///< position of the kept vertex at the finer level
+  std::array<double, 3> gone_before = {}; ///< position of the removed vertex at the finer level
+  std::array<double, 3> after = {};       ///< position of the kept vertex after the contraction
+  std::size_t finer_faces = 0;            ///< at the finer level; the last ones are removed
   std::size_t coarser_faces = 0;          ///< at the coarser level
-  std::size_t finer_vertices = 0;         ///< at the finer level; the last ones go
+  std::size_t finer_vertices = 0;         ///< at the finer level; the last ones are removed
   std::size_t coarser_vertices = 0;       ///< at the coarser level
-  /// The triangles with a corner that is one of the two at the finer level, and the other at the
-  /// coarser one; those that go are among them.
+  /// The triangles with a corner at either vertex at the finer level, or at the kept vertex at the
+  /// coarser one, including the removed triangles.
   std::span<const std::uint32_t> changed;
 };
 
@@ -38,30 +38,32 @@ struct LevelStep {
 /// progressive mesh. Its points and triangles are those of Levels::at for the same number of
 /// contractions.
 ///
-/// A step takes time proportional to what it changes, as a rule; at each halving of the faces, it
-/// takes time linear in the level. It knows positions; for channels take whole levels.
+/// A step usually takes time proportional to the number of changes; at each halving of the faces it
+/// takes time linear in the size of the level. Steps only have positions; for channels extract
+/// whole levels.
 ///
 /// Source: Hoppe, Progressive Meshes, 1996, sections 3 and 4.
 class LevelSteps {
 public:
-  /// Begins at the finest level. `levels` has to be there as long as the object is.
+  /// Begins at the finest level. `levels` must outlive the object.
   explicit LevelSteps(const Levels& levels) : levels_(levels) {
     levels.require_any();
     enter(0);
   }
 
-  /// Of the level that it is at.
+  /// Returns the figures of the current level.
   LevelInfo info() const { return levels_.info({segment_, contractions_}); }
-  /// Of the level that it is at; there until the next step.
+  /// Returns the points of the current level; they are valid until the next step.
   std::span<const std::array<double, 3>> points() const {
     return std::span(points_).first(track().items_at(contractions_));
   }
-  /// The same, as indices of points.
+  /// Returns the triangles of the current level, as indices of points; they are valid until the
+  /// next step.
   std::span<const std::array<std::uint32_t, 3>> triangles() const {
     return std::span(triangles_).first(segment().faces_at(contractions_));
   }
 
-  /// Does the next contraction, or undoes the last one. False at the coarsest level, or the finest.
+  /// Does the next contraction. Returns false at the coarsest level.
   bool coarsen() {
     if (contractions_ == segment().contractions()) {
       if (segment_ + 1 == levels_.segments_.size())
@@ -94,7 +96,7 @@ public:
     return true;
   }
 
-  /// The last step, forwards or backwards. What it refers to is there until the next one.
+  /// Returns the last step, forwards or backwards. Its data is valid until the next step.
   const LevelStep& last_step() const { return step_; }
 
 private:
@@ -104,7 +106,7 @@ private:
   const internal::LevelTrack& track() const { return segment().tracks.front(); }
   std::size_t first_to_go() const { return track().items() - track().parents.size(); }
 
-  // To the beginning of a segment.
+  // Goes to the beginning of a segment.
   void enter(std::size_t segment) {
     segment_ = segment;
     contractions_ = 0;
@@ -117,7 +119,7 @@ private:
     link_changes();
   }
 
-  // Of each vertex, by a counting sort, the corners that are there at the beginning.
+  // Lists for each vertex, by a counting sort, its corners at the beginning of the segment.
   void list_corners() {
     corner_begin_.assign(track().items() + 1, 0);
     for (const auto& corners : track().corners)
@@ -131,7 +133,7 @@ private:
         corners_[end[track().corners[face][i]]++] = 3 * face + i;
   }
 
-  // Of each vertex, those that become it within the segment.
+  // Lists for each vertex those that are merged into it within the segment.
   void list_children() {
     child_begin_.assign(track().items() + 1, 0);
     for (Index parent : track().parents)
@@ -145,7 +147,7 @@ private:
         children_[end[track().parents[i]]++] = static_cast<Index>(first_to_go() + i);
   }
 
-  // Of each change, the last one of the same vertex before it.
+  // Links each change to the last earlier one of the same vertex.
   void link_changes() {
     std::vector<Index> last(track().items(), internal::none);
     change_before_.clear();
@@ -173,7 +175,7 @@ private:
       visit(i);
   }
 
-  // Tells the contraction but for its triangles.
+  // Describes the contraction, except for its triangles.
   void describe(std::size_t contraction) {
     step_ = {};
     step_.finer_faces = segment().faces_at(contraction);
@@ -182,15 +184,15 @@ private:
     step_.coarser_vertices = track().items_at(contraction + 1);
     for_each_change(contraction, [&](std::size_t change) {
       step_.kept = track().changed[change];
-      step_.gone = static_cast<Index>(step_.finer_vertices - 1); // the first to go
+      step_.gone = static_cast<Index>(step_.finer_vertices - 1); // the first one to be removed
       step_.kept_before = point_before(change);
       step_.gone_before = points_[step_.gone];
       step_.after = changed_point(change);
     });
   }
 
-  // The corners of a vertex that goes, with all that have become it, are at another one, or at
-  // itself again.
+  // Moves the corners of a removed vertex, with all that were merged into it, to another vertex, or
+  // back to itself.
   void apply(Index gone, Index vertex) {
     changed_.clear();
     if (gone != internal::none) {
@@ -213,7 +215,7 @@ private:
 
   const Levels& levels_;
   std::size_t segment_ = 0, contractions_ = 0; // where it is
-  std::vector<std::array<double, 3>> points_;  // of those that are gone, where they were last
+  std::vector<std::array<double, 3>> points_;  // for removed vertices, their last positions
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<Index> corner_begin_, corners_, child_begin_, children_, change_before_;
   std::vector<Index> changed_, pending_;

@@ -29,55 +29,58 @@ namespace quadrille {
 struct ErrorAtMost {
   double error; ///< at least 0
 };
-/// The coarsest level no point of which is known to be further from the input than a distance in
-/// the mesh's units: see Report::distance_bound. For recordings with a stop policy that asks for
+/// The coarsest level whose points are all known to be within a distance of the input, in the
+/// mesh's units: see Report::distance_bound. It is for recordings with a stop policy that needs
 /// distances, as DistanceLimit.
 struct DistanceAtMost {
   double distance; ///< at least 0
 };
-/// The level after that many contractions.
+/// The level after the given number of contractions.
 struct AfterContractions {
   std::size_t contractions; ///< 0: the input
 };
 
-/// What is known of a level.
+/// The known figures of a level.
 struct LevelInfo {
   std::size_t faces = 0;        ///< of the level
   std::size_t vertices = 0;     ///< of the level
-  std::size_t contractions = 0; ///< that lead to it
+  std::size_t contractions = 0; ///< the contractions that lead to it
   double error = 0;             ///< as Report::error; rounded up to a float
-  /// As Report::distance_bound, or more: it never falls from a level to a coarser one.
+  /// A bound as Report::distance_bound, or a greater one: it never falls from a level to a coarser
+  /// one.
   double distance_bound = std::numeric_limits<double>::infinity();
-  /// The same of Report::hausdorff_bound; distance_bound is no less then. For recordings with a
-  /// stop policy that asks both ways, as HausdorffLimit; else infinite, but for the input.
+  /// A bound as Report::hausdorff_bound; distance_bound is then no less. It is known for recordings
+  /// with a stop policy that needs both directions, as HausdorffLimit; otherwise it is infinite,
+  /// except for the input.
   double hausdorff_bound = std::numeric_limits<double>::infinity();
 };
 
 /// The values of a channel at a level.
 struct LevelChannel {
-  std::size_t components = 0; ///< how many numbers a value has
-  std::vector<double> values; ///< one value after the other
-  /// Of each triangle, the values of its corners; empty: a value has the index of its point.
+  std::size_t components = 0; ///< the number of components of a value
+  std::vector<double> values; ///< consecutive values
+  /// For each triangle, the values of its corners; if empty, a value has the index of its point.
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// A surface at a level of detail, as a soup. Of two levels of one recording the coarser one has
-/// the first faces and the first vertices of the finer one, by input indices.
+/// A surface at a level of detail, as a soup. For two levels of one recording, the faces and
+/// vertices of the coarser one are the first ones of the finer one, by input indices.
 struct Level : LevelInfo {
   std::vector<std::array<double, 3>> points;           ///< in the mesh's units
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
-  /// The attributes that the cost reads, if it reads any; then the channels, in the order of the
-  /// call. Values are numbers of the user's unit, not yet rounded to the user's type.
+  /// The attributes that the cost reads, if any, followed by the channels, in the order of the
+  /// call. Values are in the user's unit, not yet rounded to the user's type.
   std::vector<LevelChannel> channels;
-  /// Of each point, which one of the input it is; of a mesh by the order of vertices(mesh).
+  /// For each point, its index in the input; for a mesh in the order of vertices(mesh).
   std::vector<std::uint32_t> input_vertices;
-  /// Of each triangle, which face of the input it is; of a mesh by the order of faces(mesh). So a
-  /// label or a colour of a face is found.
+  /// For each triangle, its face of the input; for a mesh in the order of faces(mesh). It serves to
+  /// find a label or a colour of the face.
   std::vector<std::uint32_t> input_faces;
 };
 
-/// The same level with its points and triangles in the order of the input, as `simplify` leaves
-/// them; channels too where a value has the index of its point. Takes O(n log n) time.
+/// Returns the same level with its points and triangles in the order of the input, as `simplify`
+/// leaves them, and also channels whose values have the index of their point. It takes O(n log n)
+/// time.
 inline Level in_input_order(const Level& level) {
   const auto ordered = [](const std::vector<std::uint32_t>& inputs) {
     std::vector<std::uint32_t> order(inputs.size());
@@ -112,11 +115,11 @@ inline Level in_input_order(const Level& level) {
   return sorted;
 }
 
-/// Where the vertices of the input are at a level: members[i] are those that have become its vertex
-/// i, in ascending order.
+/// The vertices of the input that are merged at a level: members[i] are those that have become its
+/// vertex i, in ascending order.
 class LevelMembers {
 public:
-  /// Of what Levels::images says of a level, and how many vertices that has. Linear time.
+  /// Inverts the result of Levels::images for a level with this number of vertices, in linear time.
   LevelMembers(const std::vector<std::uint32_t>& images, std::size_t vertices)
       : begin_(vertices + 1, 0) {
     for (std::uint32_t image : images)
@@ -129,8 +132,8 @@ public:
       if (images[v] != not_recorded)
         members_[end[images[v]]++] = v;
   }
-  std::size_t size() const { return begin_.size() - 1; } ///< how many vertices the level has
-  /// The vertices of the input, by number, that have become vertex i.
+  std::size_t size() const { return begin_.size() - 1; } ///< the number of vertices of the level
+  /// Returns the vertices of the input, by number, that have become vertex i.
   std::span<const std::uint32_t> operator[](std::size_t i) const {
     return std::span(members_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
@@ -144,7 +147,7 @@ private:
 
 namespace quadrille::internal {
 
-/// What is known of a level; of its bound only if distances have been recorded.
+/// Makes the figures of a level; its bound is only known if distances have been recorded.
 inline LevelInfo level_info(std::size_t faces, std::size_t vertices, std::size_t contractions,
                             double error, bool knows_bounds, bool are_both_ways, double bound) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -153,15 +156,15 @@ inline LevelInfo level_info(std::size_t faces, std::size_t vertices, std::size_t
           error, known,    contractions == 0 || are_both_ways ? known : unknown};
 }
 
-/// That many contractions into a segment.
+/// A position in a segment, by its number of contractions.
 struct LevelPlace {
   std::size_t segment, contractions;
 };
 
-/// Finds levels in segments, of which there is one at least, in logarithmic time.
+/// Finds levels in segments by binary search. There must be at least one segment.
 class LevelSearch {
 public:
-  /// `before`: how many contractions come before the first segment.
+  /// `before` is the number of contractions before the first segment.
   LevelSearch(const std::vector<LevelSegment>& segments, std::size_t before)
       : segments_(segments), before_(before) {}
 
@@ -196,8 +199,8 @@ public:
   }
 
 private:
-  // The first level of which is_enough(segment, contractions) holds, which it does of all coarser
-  // ones; else the coarsest.
+  // Returns the first level for which is_enough(segment, contractions) is true, or the coarsest
+  // one. It must then be true for all coarser levels.
   template <class IsEnough>
   LevelPlace first(IsEnough is_enough) const {
     std::size_t s = 0;
@@ -213,8 +216,8 @@ private:
     }
     return {s, low};
   }
-  // The last one of which is_within(segment, contractions) holds, which it does of all finer ones;
-  // else the finest.
+  // Returns the last level for which is_within(segment, contractions) is true, or the finest one.
+  // It must then be true for all finer levels.
   template <class IsWithin>
   LevelPlace last(IsWithin is_within) const {
     const LevelPlace place = first([&](const LevelSegment& segment, std::size_t contractions) {
@@ -246,60 +249,61 @@ class LevelsFileWriter;
 /// ```
 ///
 /// A level has the faces and positions that `simplify` with that stop would have left, bit for bit
-/// in GreedyOrder with the same policies, for any number of faces that it meets without choosing
-/// another pair for it: any even one of a closed surface. (Attributes of a cost in more dimensions
-/// go through their weights, which rounds them.) A part that vanishes whole counts as a
-/// contraction. Coordinates are doubles, also of meshes with exact numbers. Channels come along,
-/// but for NewValues::recomputed: see RecordedChannel.
+/// in GreedyOrder with the same policies, for any number of faces that the order reaches without
+/// choosing another pair: for a closed surface, any even number. (Attributes of a cost in more
+/// dimensions are rounded when they are weighted.) The removal of a component counts as a
+/// contraction. Coordinates are doubles, even for meshes with exact numbers. Channels are included,
+/// except NewValues::recomputed: see RecordedChannel.
 ///
-/// Contractions only remove faces. So faces in the order in which they are removed, the last first,
-/// have each level as their first ones, and so have vertices. At each halving of the faces the
-/// surface is kept, with what happens until the next: finding, reading and writing a level takes
-/// time linear in its size. Memory: about 76 bytes for each face of the input, without channels;
-/// while a call records, about 24 for the surface and 24 for the contractions.
+/// Contractions only remove faces. So if faces are sorted by removal, the last removed first, each
+/// level is a prefix of them, and the same holds for vertices. The surface is stored at each
+/// halving of the faces, with the contractions until the next one: finding, reading and writing a
+/// level takes time linear in its size. It takes about 76 bytes for each face of the input, without
+/// channels; during the recording, about 24 for the surface and 24 for the contractions.
 ///
-/// Source: Hoppe, Progressive Meshes, 1996, for the idea; the order by removal is that of Popović
-/// and Hoppe, Progressive Simplicial Complexes, 1997, turned round.
+/// Source: Hoppe, Progressive Meshes, 1996, for the idea; the order by removal is the reverse of
+/// that of Popović and Hoppe, Progressive Simplicial Complexes, 1997.
 class Levels {
 public:
-  /// Has nothing been recorded?
+  /// Returns whether nothing has been recorded.
   bool empty() const { return segments_.empty(); }
 
-  /// The input, and the coarsest level.
+  /// Returns the figures of the input, the finest level.
   LevelInfo finest() const { return info(begin_of(0)); }
-  /// The last one that was recorded.
+  /// Returns the figures of the coarsest level.
   LevelInfo coarsest() const { return info(end_of(segments_.size() - 1)); }
 
-  /// A level: the finest with at most that many faces or vertices, or the coarsest within that
-  /// error or distance; the coarsest of all if none is as coarse. `stop` is a FaceCount,
-  /// VertexCount, ErrorAtMost, DistanceAtMost or AfterContractions. Takes linear time.
+  /// Returns a level: the finest with at most the given number of faces or vertices, or the
+  /// coarsest within the given error or distance; the coarsest of all if no level is that coarse.
+  /// `stop` is a FaceCount, VertexCount, ErrorAtMost, DistanceAtMost or AfterContractions. Takes
+  /// linear time.
   ///
   /// Throws std::logic_error if nothing has been recorded, and for a DistanceAtMost if distances
   /// have not been.
   template <class Stop>
   Level at(const Stop& stop) const;
-  /// The same without the surface, in logarithmic time.
+  /// Returns the figures of a level without its surface, in logarithmic time.
   template <class Stop>
   LevelInfo info(const Stop& stop) const {
     return info(find(stop));
   }
-  /// The level as a soup of the user's types, as for `simplify`. It takes no memory for the soup if
-  /// the containers have room enough.
+  /// Extracts a level as a soup of the user's types, as for `simplify`. It allocates no memory if
+  /// the containers are large enough.
   template <class Stop, class Points, class Triangles>
   LevelInfo extract(const Stop& stop, Points& points, Triangles& triangles) const;
 
-  /// Of each vertex of the input, its vertex at a level; not_recorded if it has vanished. Linear in
-  /// the size of the input.
+  /// Returns, for each vertex of the input, its vertex at a level; not_recorded if it has vanished.
+  /// It takes time linear in the size of the input.
   std::vector<std::uint32_t> images(const LevelInfo& level) const;
-  /// The other way round.
+  /// Returns the inverse of images().
   LevelMembers members(const LevelInfo& level) const { return {images(level), level.vertices}; }
 
-  /// Of each vertex of a level, its vertex at a coarser one; not_recorded if it has vanished. To
-  /// let a level grow into the other one, move each point to that of its image (a geomorph).
-  /// Linear in the size of the finer level.
+  /// Returns, for each vertex of a level, its vertex at a coarser one; not_recorded if it has
+  /// vanished. To morph the level into the coarser one, move each point to that of its image (a
+  /// geomorph). It takes time linear in the size of the finer level.
   std::vector<std::uint32_t> images(const LevelInfo& fine, const LevelInfo& coarse) const;
 
-  // What a recorder is told: see record.h.
+  // The events of a recorder: see record.h.
   void begin(RecordedSurface surface); ///< called by `simplify`: see ContractionRecorder
   /// Called by `simplify` for each contraction.
   void record(const RecordedContraction& contraction) { records_.add(contraction); }
@@ -310,7 +314,7 @@ private:
   using Segment = internal::LevelSegment;
   using Track = internal::LevelTrack;
   using Place = internal::LevelPlace;
-  // Where a channel's values are: in a track, after other values.
+  // The place of a channel's values: in a track, after other values.
   struct ChannelPlace {
     std::size_t track, offset, components;
   };
@@ -344,7 +348,7 @@ private:
   std::vector<ChannelPlace> recorded_channels_;
 
   std::vector<Segment> segments_;
-  std::vector<std::size_t> begins_; // of each segment, how many contractions come before
+  std::vector<std::size_t> begins_; // for each segment, the number of contractions before it
   std::vector<Index> input_vertices_, input_faces_; // by number
   std::size_t input_vertex_count_ = 0;
   std::vector<ChannelPlace> channels_;

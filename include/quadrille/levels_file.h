@@ -24,35 +24,36 @@
 #include <vector>
 
 /// \file
-/// Levels of detail in a file, from which each level is read by itself.
+/// Levels of detail in a file, from which each level can be read separately.
 ///
 /// The file has a directory, then the segments of Levels, the coarsest first, then the input
-/// indices in the same order. So any level takes two reads, of the directory and one segment,
-/// at most about twice as long as the level, and one more for its input indices; and the front of
-/// a file is enough for its coarse levels. Each part has a checksum. Numbers are little-endian.
-/// Where the macro QUADRILLE_WITH_ZSTD is defined (link zstd), parts are compressed; a program
-/// without it reads files that are not.
+/// indices in the same order. So any level takes two reads, of the directory and of one segment,
+/// which is at most about twice as long as the level, and one more read for its input indices. The
+/// beginning of a file is enough for its coarse levels. Each block has a checksum. Numbers are
+/// little-endian. If the macro QUADRILLE_WITH_ZSTD is defined (link zstd), blocks are compressed; a
+/// program without it can read uncompressed files only.
 
 namespace quadrille {
 
-/// Writes all levels to a file. A file that is there is replaced once all of it is written.
+/// Writes all levels to a file. An existing file is replaced once the new one is complete.
 ///
 /// Throws std::logic_error if nothing has been recorded, and std::runtime_error if the file cannot
 /// be written, or is to be compressed without zstd.
 inline void write_levels(const std::filesystem::path& path, const Levels& levels,
                          const LevelsFileOptions& options = {});
 
-/// The same to a stream, binary and seekable, from its beginning. What its state says afterwards is
-/// for the caller to see.
+/// Writes all levels to a binary, seekable stream, from its beginning. The caller must check the
+/// state of the stream afterwards.
 inline void write_levels(std::ostream& file, const Levels& levels,
                          const LevelsFileOptions& options = {}) {
   internal::LevelsFileWriter(levels, options).write(file);
 }
 
-/// A file of levels. What is read is checked, so that a broken or foreign file is refused with a
-/// std::runtime_error that names it and says what is wrong, here or when a level is asked for.
+/// A file of levels. Data is checked when it is read: a broken or foreign file is rejected with a
+/// std::runtime_error that names the file and the problem, in the constructor or when a level is
+/// read.
 class LevelsFile {
-  // Says which file it is that cannot be read.
+  // Adds the name of the unreadable file to exceptions.
   template <class Task>
   decltype(auto) checked(Task task) {
     try {
@@ -64,7 +65,7 @@ class LevelsFile {
   }
 
 public:
-  /// Opens a file and reads its directory, no level.
+  /// Opens a file and reads its directory, but no level.
   explicit LevelsFile(const std::filesystem::path& path) : path_(path) {
     checked([&] { open(); });
   }
@@ -73,23 +74,23 @@ public:
   LevelInfo finest() const { return info_of(directory_.stages.front()); }  ///< the input
   LevelInfo coarsest() const { return info_of(directory_.stages.back()); } ///< the last one
 
-  /// As Levels::at.
+  /// Does the same as Levels::at.
   template <class Stop>
   Level at(const Stop& stop) {
     return part(stop, true).at(stop);
   }
-  /// As Levels::info.
+  /// Does the same as Levels::info.
   template <class Stop>
   LevelInfo info(const Stop& stop) {
     return part(stop, false).info(stop);
   }
-  /// As Levels::extract.
+  /// Does the same as Levels::extract.
   template <class Stop, class Points, class Triangles>
   LevelInfo extract(const Stop& stop, Points& points, Triangles& triangles) {
     return part(stop, false).extract(stop, points, triangles);
   }
 
-  /// All of it.
+  /// Reads all levels.
   Levels read() {
     return checked([&] {
       Levels levels = empty_levels();
@@ -135,7 +136,7 @@ private:
                                 directory_.are_bounds_both_ways, static_cast<double>(stage.bound));
   }
 
-  // The segment in which a level lies: the first that ends with one that is coarse enough.
+  // Returns the segment of a level: the first one that ends with a level that is coarse enough.
   std::size_t segment_of(const FaceCount& stop) const {
     return first_ending([&](const Stage& end) { return end.faces <= stop.faces; });
   }
@@ -161,7 +162,7 @@ private:
     return s;
   }
 
-  // Levels of nothing but the segment in which a level lies. The last one that was read is kept.
+  // Returns Levels with only the segment of a level. The last segment that was read is cached.
   template <class Stop>
   const Levels& part(const Stop& stop, bool with_inputs) {
     const std::size_t segment = segment_of(stop);
@@ -203,7 +204,7 @@ private:
     return segment;
   }
 
-  // Of the faces and vertices that are there at the beginning of a segment.
+  // Reads the input indices of the faces and vertices at the beginning of a segment.
   void read_inputs(std::size_t segment, Levels& levels) {
     levels.input_faces_.clear();
     levels.input_vertices_.clear();
@@ -231,7 +232,7 @@ private:
   std::size_t part_segment_ = 0;
 };
 
-/// All levels of a file: see LevelsFile.
+/// Reads all levels of a file: see LevelsFile.
 inline Levels read_levels(const std::filesystem::path& path) {
   return LevelsFile(path).read();
 }

@@ -14,26 +14,27 @@ namespace quadrille {
 
 /// A guard, an argument of `simplify`: normals stay within an angle of those of the input.
 ///
-/// Each contraction maps the surface onto what is left: both ends of the pair, and all faces with
-/// them, go to the new vertex. No normal of the result is further than `degrees` from the normal of
-/// any face of the input that all of these map into it, or onto one of its edges. NormalFlip looks
-/// at a single contraction, so that a face may turn over in several; this one bounds the sum, and
-/// below 90 degrees nothing folds over what it stands for.
+/// Each contraction maps the old surface onto the new one: both ends of the pair, with their faces,
+/// move to the new vertex. No normal of the result deviates by more than `degrees` from the normal
+/// of any input face that the composed maps take into its face, or onto one of the face's edges.
+/// NormalFlip only tests single contractions, so that a face may flip in several steps; this guard
+/// bounds the sum, and below 90 degrees no face folds over the input faces that it stands for.
 ///
-/// Each face carries a cone around the normals that it stands for, so what is promised is kept, and
-/// more than that may be: where a surface bends, cones are as wide as it bends there. What would
-/// leave them is refused: Rejection::normal_deviation. Report::normal_bound_degrees tells the
-/// greatest angle, as the cones bound it. Faces of the input without an area have no normal, and
-/// those of the result have none to be compared; which these are, doubles decide. Where topology is
-/// free, a contraction is refused that takes a face and leaves none at the edge that it becomes. A
-/// part that goes whole, with Topology::parts_may_vanish, leaves nothing to compare.
+/// Each face has a cone around the normals that it stands for. This is conservative: where a
+/// surface bends, the cones are as wide as the bend. A contraction that would exceed the angle is
+/// rejected: Rejection::normal_deviation. Report::normal_bound_degrees is the greatest angle, as
+/// bounded by the cones. Faces without an area, in the input or the result, have no normal and are
+/// ignored; this is decided in doubles. If topology is free, a contraction is rejected that removes
+/// a face and leaves no face at the edge that it becomes. A component that is removed, with
+/// Topology::parts_may_vanish, has nothing to compare.
 ///
-/// For any order. Where points are of floats, or coordinates_are_floats, it is kept of the result
-/// as rounded to floats. 16 bytes a face, and about one microsecond a contraction.
+/// It works with any order. If points are floats, or with coordinates_are_floats, it holds for the
+/// result as rounded to floats. It takes 16 bytes per face, and about one microsecond per
+/// contraction.
 struct NormalDeviation {
   double degrees = 60; ///< in (0, 180)
 
-  static constexpr Rejection cause = Rejection::normal_deviation; ///< what is refused counts as it
+  static constexpr Rejection cause = Rejection::normal_deviation; ///< counts its rejections
   static constexpr bool works_in_passes = true; ///< each face has a cone of its own
 
   /// Throws std::invalid_argument for an angle that is not in (0, 180).
@@ -43,7 +44,7 @@ struct NormalDeviation {
                                   " degrees are not in (0, 180)");
   }
 
-  /// For the engine: what bounds the normals.
+  /// Used by the engine: makes the guard that bounds the normals.
   template <std::size_t N>
   std::unique_ptr<internal::SurfaceGuard<N>> make_guard(const internal::GuardRoom<N>& room) const {
     return std::make_unique<internal::FaceCones<N>>(room, degrees);

@@ -11,32 +11,34 @@
 
 namespace quadrille {
 
-/// Passes over the surface instead of a queue: all pairs are costed, and the cheapest of them
-/// contracted where neither end has been contracted in this pass. Parallel, and close to the error
-/// of GreedyOrder.
+/// Passes over the surface instead of a queue: all pairs are costed, and the cheapest of them are
+/// contracted if neither end has been contracted in this pass. It is parallel, and its error is
+/// close to that of GreedyOrder.
 ///
-/// Passes end where the target comes near, or where they find little to contract; the rest is done
-/// in greedy order. So targets are met as exactly, and all policies, filters and constraints hold
-/// as well. A pair that the stop policy would stop at is left to the greedy order.
+/// Passes end near the target, or when they find little to contract; the rest is done in greedy
+/// order. So targets are met as exactly as in GreedyOrder, and all policies, filters and
+/// constraints apply. A pair at which the stop policy would stop is left to the greedy order.
 ///
 /// A pass works on blocks of neighbouring vertices, each by itself, and on the pairs between blocks
 /// at its end. The blocks do not depend on the number of threads, so neither does the result.
 struct RelaxedOrder {
-  /// The part of the pairs, the cheapest, that a pass looks at: in (0, 1]. Less is slower and
-  /// closer to greedy order; with `refresh`, 0.2 comes close to MemorylessQuadric in greedy order.
+  /// The fraction of the pairs, the cheapest ones, that a pass considers: in (0, 1]. A smaller one
+  /// is slower and closer to greedy order; with `refresh`, 0.2 comes close to MemorylessQuadric in
+  /// greedy order.
   double share = 0.5;
 
-  /// After each pass, let vertices remember the surface as it is then, instead of all planes that
-  /// have gone into them: a lower error, except at the lowest counts, where thin parts are lost.
+  /// Recomputes the states of vertices from the current surface after each pass, instead of
+  /// accumulating all planes: this lowers the error, except at the lowest counts, where thin
+  /// features are lost.
   bool refresh = false;
 
   /// From 1 to 1024. More than one needs oneTBB: link quadrille::parallel, or define
-  /// QUADRILLE_WITH_TBB, in each translation unit that asks for it; `simplify` throws
+  /// QUADRILLE_WITH_TBB, in each translation unit that uses it; `simplify` throws
   /// std::invalid_argument in others. Policies are then called from several threads at a time.
   unsigned threads = 1;
 
-  /// Throws std::invalid_argument for a share outside of (0, 1] and for a number of threads that
-  /// is none from 1 to 1024.
+  /// Throws std::invalid_argument for a share outside of (0, 1] and for a number of threads outside
+  /// of [1, 1024].
   void validate() const {
     if (!(share > 0 && share <= 1))
       throw std::invalid_argument("quadrille::RelaxedOrder: the share " + internal::text_of(share) +
@@ -47,8 +49,8 @@ struct RelaxedOrder {
   }
 };
 
-/// Which of both, with its options, told at run time: one engine is compiled for both, with results
-/// to the same bits. To make passes or not, a std::optional<RelaxedOrder> is enough.
+/// Either order, with its options, chosen at run time: one engine is compiled for both, with
+/// bit-identical results. To choose passes or not, a std::optional<RelaxedOrder> is enough.
 using AnyOrder = std::variant<GreedyOrder, RelaxedOrder>;
 
 } // namespace quadrille

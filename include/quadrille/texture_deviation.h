@@ -17,25 +17,27 @@
 #include <vector>
 
 /// \file
-/// How far the texture of a surface lies from where it lay on the original: a measure for any
-/// simplifier, which shares nothing with the engine.
+/// Measures how far the texture of a surface has moved from its place on the original. It works for
+/// any simplifier and shares no code with the engine.
 
 namespace quadrille {
 
 /// A surface with texture coordinates at the corners of its triangles, as in an OBJ file.
 struct TexturedSoup {
   TriangleSoup<> shape;            ///< in space
-  TriangleSoup<Vector<2>> texture; ///< the triangles of the shape where they lie in the texture
-  std::vector<std::size_t> labels; ///< of each triangle, as its material; empty: all the same
+  TriangleSoup<Vector<2>> texture; ///< the triangles at their places in the texture
+  std::vector<std::size_t> labels; ///< a label for each triangle, such as its material; empty: all
+                                   ///< are the same
 };
 
-/// What texture_deviation() finds. Lengths are in the unit of the points.
+/// The result of texture_deviation(). Lengths are in the unit of the points.
 struct TextureDeviation {
   double rms = 0;           ///< root mean square, over all samples that do not bleed
-  double greatest = 0;      ///< over the same
-  double percentile_99 = 0; ///< 99 % of the area have no more
-  double bleeding = 0;      ///< which part of the area shows what is in no triangle of the original
-  double flipped = 0;       ///< which part of the area is turned over in the texture
+  double greatest = 0;      ///< the greatest deviation of these samples
+  double percentile_99 = 0; ///< the deviation that 99 % of the area does not exceed
+  double bleeding = 0;      ///< the fraction of the area that shows texture outside of the
+                            ///< original's triangles
+  double flipped = 0;       ///< the fraction of the area that is flipped in the texture
 };
 
 namespace internal {
@@ -47,7 +49,7 @@ inline std::array<Vector<2>, 3> texture_corners(const TexturedSoup& soup, std::s
   return {at[a], at[b], at[c]};
 }
 
-/// The triangles of a texture's plane, found by place.
+/// A grid of the triangles in the texture plane, for searches by place.
 class TextureGrid {
 public:
   explicit TextureGrid(const TexturedSoup& soup) : soup_(soup) {
@@ -75,7 +77,7 @@ public:
   }
 
   /// Calls visit(triangle, weights, area) for each triangle with the place q, up to rounding: its
-  /// barycentric coordinates, and twice the triangle's area, negative if it is turned over.
+  /// barycentric coordinates, and twice the triangle's area, negative if it is flipped.
   template <class Visit>
   void for_each_at(const Vector<2>& q, Visit visit) const {
     for (std::size_t t : cells_[side_ * cell(q, 1) + cell(q, 0)]) {
@@ -132,14 +134,14 @@ inline void require_textured(const TexturedSoup& soup, const char* which) {
                std::to_string(t));
 }
 
-/// The point of the original that is nearest to p among those with the place q of the texture: the
-/// square of its distance, infinity if there is none; and whether the texture is turned over there.
+/// The nearest point to p on the original among those with the place q of the texture: the square
+/// of its distance, or infinity if there is none; and whether the texture is flipped there.
 struct NearestInTexture {
   double squared = std::numeric_limits<double>::infinity();
   bool is_flipped = false;
 };
 
-/// Samples of a triangle of the surface are looked for in the original.
+/// Finds samples of a surface's triangles in the original.
 class TextureSampler {
 public:
   TextureSampler(const TexturedSoup& surface, const TexturedSoup& original)
@@ -151,7 +153,7 @@ public:
     return std::sqrt(squared_length(cross(p[b] - p[a], p[c] - p[a]))) / 2;
   }
 
-  /// Of sample `n` of all, in triangle t.
+  /// Finds sample number `n`, in triangle t.
   NearestInTexture nearest(std::size_t t, std::size_t n) const {
     // A sequence that fills the square evenly, folded to a triangle (Roberts 2018).
     const double number = static_cast<double>(n) + 0.5;
@@ -193,17 +195,17 @@ private:
 
 } // namespace internal
 
-/// Measures how far each point of a surface lies from where the original shows the same place of
-/// the texture, with the same label.
+/// Measures the distance of each point of a surface from the points of the original that show the
+/// same place of the texture, with the same label.
 ///
 /// The surface is sampled evenly, by about `samples` points. Each has a place in space and one in
 /// the texture; its deviation is the distance to the nearest point of the original that has the
-/// same place in the texture. A sample whose place the original does not have *bleeds*: it shows
-/// what lies between charts. It takes part in `bleeding` only. Where the nearest such point lies in
-/// a triangle of the other orientation, the sample is *flipped*.
+/// same place in the texture. A sample whose place does not occur in the original *bleeds*: it
+/// shows texture between the charts. It counts for `bleeding` only. If the nearest such point lies
+/// in a triangle of opposite orientation, the sample is *flipped*.
 ///
 /// The same arguments give the same result. Time O(s + n) for s samples and n triangles of about
-/// even size in the texture. Throws std::invalid_argument for indices that are not there.
+/// even size in the texture. Throws std::invalid_argument for an index out of range.
 ///
 /// Source: texture deviation, Cohen, Olano and Manocha 1998.
 inline TextureDeviation texture_deviation(const TexturedSoup& surface, const TexturedSoup& original,
@@ -215,7 +217,7 @@ inline TextureDeviation texture_deviation(const TexturedSoup& surface, const Tex
   for (std::size_t t = 0; t < surface.shape.triangles.size(); ++t)
     all += sampler.area(t);
 
-  std::vector<double> squares; // of those that do not bleed
+  std::vector<double> squares; // for samples that do not bleed
   std::size_t taken = 0, flipped = 0;
   double passed = 0;
   for (std::size_t t = 0; all > 0 && t < surface.shape.triangles.size(); ++t) {
@@ -242,8 +244,8 @@ inline TextureDeviation texture_deviation(const TexturedSoup& surface, const Tex
   return result;
 }
 
-/// How many edges a surface has with other than two faces, if points at the same place are one: of
-/// a closed surface, how many are torn.
+/// Returns the number of edges that do not have exactly two faces, after merging points at the same
+/// place: for a closed surface, the number of torn edges.
 inline std::size_t count_torn_edges(const SurfaceView& surface) {
   std::map<std::array<double, 3>, std::size_t> place;
   std::vector<std::size_t> welded;

@@ -20,8 +20,8 @@
 namespace quadrille {
 
 /// The edges of the surface, and all pairs of vertices that are closer than a threshold t at the
-/// beginning: parts that lie close to each other join. A pair at exactly the distance t does not
-/// count.
+/// beginning: components that lie close to each other are joined. A pair at exactly the distance t
+/// does not count.
 ///
 /// Points that no face uses make no pairs. A t of less than 2^-1000 times the largest coordinate
 /// counts as that.
@@ -31,10 +31,10 @@ namespace quadrille {
 class ThresholdPairs {
 public:
   static constexpr bool includes_edges = true;  ///< edges are pairs, too
-  static constexpr bool ignores_indices = true; ///< points may come in another order
+  static constexpr bool ignores_indices = true; ///< the engine may reorder points
 
   /// t is in the mesh's units, at least 0 and finite. A vertex can have O(n) others within t, so
-  /// more than 64 times as many pairs as vertices are refused.
+  /// more than 64 times as many pairs as vertices are rejected.
   explicit ThresholdPairs(double t) : t_(t) {}
 
   /// t as a fraction of the diagonal of the bounding box.
@@ -95,11 +95,10 @@ private:
   }
 
   [[noreturn]] void refuse(double pairs, double t) const {
-    throw std::length_error("quadrille::ThresholdPairs: about " +
-                            std::to_string(std::llround(pairs)) +
-                            " pairs of vertices are closer than " + internal::text_of(t) +
-                            ", more than the limit of " + std::to_string(most_pairs_a_vertex) +
-                            " a vertex");
+    throw std::length_error(
+        "quadrille::ThresholdPairs: about " + std::to_string(std::llround(pairs)) +
+        " pairs of vertices are closer than " + internal::text_of(t) + ", more than the limit of " +
+        std::to_string(most_pairs_a_vertex) + " a vertex");
   }
 
   double t_;

@@ -10,25 +10,24 @@
 #include <vector>
 
 /// \file
-/// Points, and triangles between them: how all of the library that is not the engine sees a
-/// surface.
+/// Points, and triangles between them: the representation of a surface outside of the engine.
 
 namespace quadrille {
 
-/// A surface that belongs to somebody else and is only read.
+/// A read-only view of a surface that it does not own.
 struct SurfaceView {
-  std::span<const Vector<3>> points;                       ///< where they are
+  std::span<const Vector<3>> points;                       ///< the positions
   std::span<const std::array<std::uint32_t, 3>> triangles; ///< indices of points
-  std::span<const std::uint32_t> constrained = {}; ///< points that stay where they are, ascending
+  std::span<const std::uint32_t> constrained = {}; ///< the points that must not move, ascending
 };
 
-/// A surface of its own. Points may be of another type: of a kernel, or in a plane.
+/// A surface that owns its data. Points may be of another type: of a kernel, or in a plane.
 template <class Point = Vector<3>>
 struct TriangleSoup {
-  std::vector<Point> points;                           ///< where they are
+  std::vector<Point> points;                           ///< the positions
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
 
-  /// The view of it, which is good as long as nothing is added.
+  /// Returns a view, which is valid until elements are added.
   operator SurfaceView() const requires std::same_as<Point, Vector<3>> {
     return {points, triangles};
   }

@@ -154,7 +154,7 @@ private:
 ///
 /// Solids are compared component by component, after cutting the surface where it only touches
 /// itself. Components are matched by their positions, or, if they lie closer together than the
-/// distance by which they changed, by the features that they have in common. The input need not
+/// distance by which they changed, by what they have in common. The input need not
 /// bound a volume; the result must then have the same orientation.
 ///
 /// If only one of the two surfaces has faces, no claim is held. `claims.progress` receives the

@@ -13,35 +13,34 @@
 
 namespace quadrille {
 
-/// Any placement, moved to where the volume that the surface encloses stays the same: along the
-/// mean normal of the faces around the pair, to the plane Σ n · x = Σ n · p of their doubled area
-/// vectors n and points p. A pair is refused (Rejection::volume) where that is further from both
-/// ends than the farthest neighbour, or where the mean normal is none.
+/// Any placement, moved to a position that keeps the enclosed volume: along the mean normal of the
+/// faces around the pair, to the plane Σ n · x = Σ n · p of their doubled area vectors n and points
+/// p. A pair is rejected (Rejection::volume) if this position is further from both ends than the
+/// farthest neighbour, or if the mean normal is zero.
 ///
-/// On a closed surface the volume changes by nothing but the rounding of coordinates: by less than
-/// 10⁻¹² of it with doubles. A fixed vertex does not move, so a pair of one is contracted only if
-/// the volume stays the same. Where there are borders, it is the volume between the old faces and
-/// the new ones that is 0.
+/// On a closed surface the volume only changes by the rounding of coordinates: by less than 10⁻¹²
+/// of it with doubles. A fixed vertex does not move, so its pairs are contracted only if the volume
+/// stays the same. On a surface with boundary, the volume between the old and the new faces is 0.
 ///
 /// With a scale-free placement only: `VolumeKeeping<OptimalPlacement>`, for instance.
 ///
 /// Source: Lindstrom and Turk, Fast and Memory Efficient Polygonal Simplification, 1998, section 4.
 template <class Placement>
 struct VolumeKeeping {
-  using ScaleFree = VolumeKeeping; ///< as well in any unit of length
-  using Guess = Placement;         ///< orders pairs until their turn
+  using ScaleFree = VolumeKeeping; ///< scale-invariant
+  using Guess = Placement;         ///< orders pairs until they are contracted
   static_assert(internal::is_scale_free<Placement>,
                 "VolumeKeeping needs a placement that is scale-free: see <quadrille/concepts.h>.");
-  static constexpr bool looks_at_star = true;   ///< the place is settled by the faces around
-  static constexpr bool asks_for_volume = true; ///< Report tells the volume
-  static constexpr Rejection cause = Rejection::volume; ///< what refusals count as
+  static constexpr bool looks_at_star = true;   ///< the faces around the pair decide the position
+  static constexpr bool asks_for_volume = true; ///< Report contains the volume
+  static constexpr Rejection cause = Rejection::volume; ///< counts its rejections
 
-  Placement placement = {}; ///< whose position is moved
+  Placement placement = {}; ///< the placement whose position is moved
 
-  /// The guess by which pairs are ordered: where the wrapped placement goes.
+  /// Returns the estimate by which pairs are ordered: the position of the wrapped placement.
   auto operator()(const auto& cost, const auto& pair) const { return placement(cost, pair); }
 
-  /// Where the wrapped placement would go, but on the plane.
+  /// Returns the position of the wrapped placement, moved to the plane.
   template <class Cost, class Pair, class Star>
   auto settle(const Cost& cost, const Pair& pair, const Star& star) const {
     auto x = placement(cost, pair);
@@ -62,14 +61,14 @@ struct VolumeKeeping {
     return result;
   }
 
-  /// Does the volume stay the same if the pair goes to x?
+  /// Returns whether the volume stays the same if the pair moves to x.
   template <class Pair, class Star>
   bool admits(const Pair& pair, const Star& star, const auto& x) const {
     const Plane plane(star, space(pair.first));
     return std::abs(plane.change(space(x) - space(pair.first))) <= plane.rounding();
   }
 
-  /// As that of the wrapped placement.
+  /// Does the same as in the wrapped placement.
   template <class Cost, class Pair, class Predicate>
   requires requires(const Placement& p, const Cost& cost, const Pair& pair, Predicate predicate) {
     p.any_equal(cost, pair, pair.first, predicate);
@@ -79,9 +78,9 @@ struct VolumeKeeping {
   }
 
 private:
-  static constexpr double least_mean = 1e-12; // of the square of the mean normal, in that of all
+  static constexpr double least_mean = 1e-12; // fraction of the squared mean normal
 
-  // Where the volume stays the same, about an end of the pair.
+  // The plane on which the volume stays the same, relative to an end of the pair.
   struct Plane {
     Vector<3> normal{};
     double offset = 0;
@@ -101,7 +100,7 @@ private:
       size = star.rounding(size);
     }
     double change(const Vector<3>& x) const { return dot(normal, x) - offset; }
-    // What is no more may be nothing else.
+    // Returns the amount below which a volume may be mere rounding.
     double rounding() const { return area * (0x1p-46 * std::sqrt(extent) + 4 * size); }
   };
 
