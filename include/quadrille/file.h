@@ -90,7 +90,7 @@ public:
       throw std::invalid_argument("quadrille::OutOfCore: ToleranceLimit needs tolerances: name the "
                                   "number of vertices that is theirs");
     if (!runner_.is_limited_by_tolerance() && !options.tolerance.empty())
-      throw std::invalid_argument("quadrille::OutOfCore: nothing holds the tolerances of '" +
+      throw std::invalid_argument("quadrille::OutOfCore: nothing enforces the tolerances of '" +
                                   options.tolerance + "': pass ToleranceLimit as stop policy");
   }
   /// Takes default-constructed policies.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <type_traits>
 
-/// Policies and maps that may be a std::optional: whether they are given is told at run time.
+/// Policies and maps that may be a std::optional: whether they are given is known at run time.
 
 namespace quadrille::internal {
 

@@ -329,7 +329,7 @@ constexpr void check_stop() {
   static_assert(
       !needs_of<Stop>().cost || has_cost_in_mesh_units<Cost>,
       "The stop policy needs what contractions cost in the mesh's units, and this ScaleFree "
-      "cost does not tell: give it a member degree(), see <quadrille/concepts.h>.");
+      "cost has none: give it a member degree(), see <quadrille/concepts.h>.");
 }
 
 template <class Order, class... Arguments>

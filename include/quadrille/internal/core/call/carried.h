@@ -88,7 +88,7 @@ auto named_channels([[maybe_unused]] const Named& named) {
                                  np::vertex_normal_map, parameters::vertex_attribute)) {
     static_assert(AreChannelsIncluded<Named>,
                   "vertex_color_map, vertex_texture_map, vertex_normal_map and "
-                  "vertex_attribute_map are channels beside a cost in space: include "
+                  "vertex_attribute_map are channels if the cost is one in space: include "
                   "<quadrille/channels.h>.");
     if constexpr (AreChannelsIncluded<Named>)
       return NamedChannels<Named>::of(named);

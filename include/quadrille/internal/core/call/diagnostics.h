@@ -52,8 +52,8 @@ void refuse_nearly_known() {
   constexpr bool is_optional = IsOptional<Argument>;
   static_assert(!is_optional,
                 "A std::optional says at run time whether there is a policy. A cost, a "
-                "placement, a channel and SplitVertices are told by their types: what "
-                "this one holds is one of these, or no policy.");
+                "placement, a channel and SplitVertices are chosen at compile time: the "
+                "value of this one is one of these, or no policy.");
   static_assert(!is_levels, "Levels are no policy: write record_into(levels).");
   static_assert(!is_stop_of_cgal, "A stop predicate of CGAL is no stop policy: write "
                                   "CgalStop(predicate), or EdgeCount{n}, EdgeRatio{r}.");
@@ -72,7 +72,7 @@ void refuse_argument() {
   using Argument = typename UnknownArgument::type;
   if constexpr (std::is_arithmetic_v<Argument>) {
     static_assert(!std::is_arithmetic_v<Argument>,
-                  "A number does not tell what it counts: write FaceCount{1000}, FaceRatio{0.1} or "
+                  "A number does not say what it counts: write FaceCount{1000}, FaceRatio{0.1} or "
                   "DistanceLimit{0.01}.");
   } else if constexpr (LooksLikeCost<Argument>) {
     static_assert(CostPolicy<Argument>, "It is no cost.");

@@ -59,7 +59,7 @@ void check_tolerances(const Input& input, const StopRule& stop, bool have_faces)
     throw std::invalid_argument(
         "quadrille::simplify: ToleranceLimit needs tolerances: pass vertex_tolerance_map");
   if (!stop.needs().tolerance && !input.tolerances.empty())
-    throw std::invalid_argument("quadrille::simplify: nothing holds the tolerances of "
+    throw std::invalid_argument("quadrille::simplify: nothing enforces the tolerances of "
                                 "vertex_tolerance_map: pass ToleranceLimit as stop policy");
 }
 

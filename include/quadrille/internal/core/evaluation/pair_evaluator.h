@@ -77,7 +77,7 @@ public:
       state_.channels().prefetch(v);
   }
 
-  /// Returns the position of the pair and its cost, except for settle(); `first` is below `second`.
+  /// Returns the position of the pair and its cost, before settle(); `first` is below `second`.
   Candidate evaluate(Index first, Index second) const {
     Candidate candidate{first, second, view(first, second)};
     if constexpr (!looks_at_star<Placement>) {

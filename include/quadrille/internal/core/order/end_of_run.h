@@ -27,15 +27,16 @@ bool stops_at_a_count(const WorkingSurface<Policies>& surface) {
   return surface.policies().stop(status);
 }
 
-/// Near the floor of what is held: which contractions are not worth the faces that they save?
+/// Near the end of what constraints allow: which contractions are not worth the faces that they
+/// save?
 ///
-/// Where most of a surface is held, the rest of it pays for the target. The error that contractions
-/// add up to (Displacement) grows with a power of the faces that are gone: as long as nothing is
-/// held, by about a fifth while a tenth of the faces goes. It is not to grow by more than
-/// `greatest_growth` in that; nor is a large part of the surface to be spoilt.
+/// If most of a surface is constrained, the rest of it pays for the target. The total error of
+/// contractions (Displacement) grows with a power of the faces that are gone: without constraints,
+/// by about a fifth while a tenth of the faces is removed. It must not grow by more than
+/// `greatest_growth` in that time; and no large component of the surface may be spoiled.
 ///
-/// This asks for nothing but the history of the run, so a target does not change which contractions
-/// are done before it. It asks nothing before many pairs wait that have been refused.
+/// The decision depends only on the history of the run, so a target does not change which
+/// contractions are done before it. Nothing is checked before many rejected pairs wait.
 template <class Policies>
 class EndOfRun {
 public:

@@ -47,12 +47,12 @@ public:
     tree_.fit();
   }
 
-  /// Returns the distance of a place, where `guess` is an estimate of it: larger than 0, in the
+  /// Returns the distance of a place, where `estimate` approximates it: larger than 0, in the
   /// engine's unit.
-  double operator()(const Vector<3>& place, double guess) const {
+  double operator()(const Vector<3>& place, double estimate) const {
     if (faces_.empty())
       return 0;
-    double radius = guess;
+    double radius = estimate;
     for (;;) {
       const double nearest = nearest_within(place, radius);
       if (nearest <= radius || has_all(place, radius))

@@ -45,11 +45,11 @@ public:
     for (std::size_t i = 3; i < N; ++i) {
       const double range = ends[1][i] - ends[0][i];
       if (!std::isnormal(weights_[i - 3]) || !(std::abs(range) <= greatest_range))
-        throw std::invalid_argument("quadrille::simplify: attribute " + std::to_string(i - 3) +
-                                    ", from " + text_of(box.low[i]) + " to " +
-                                    text_of(box.high[i]) + ", weighs " + text_of(weights_[i - 3]) +
-                                    " on a surface of diagonal " + text_of(diagonal_) +
-                                    ": that is no length beside those of the surface");
+        throw std::invalid_argument(
+            "quadrille::simplify: attribute " + std::to_string(i - 3) + ", from " +
+            text_of(box.low[i]) + " to " + text_of(box.high[i]) + ", weighs " +
+            text_of(weights_[i - 3]) + " on a surface of diagonal " + text_of(diagonal_) +
+            ": too large or too small to be compared with lengths of the surface");
     }
   }
 

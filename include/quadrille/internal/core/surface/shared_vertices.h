@@ -45,11 +45,11 @@ public:
   }
 
   /// Would a contraction of ab, of which one end at most is shared, make an edge between shared
-  /// vertices that is not here yet, or a face of three of them? Another piece may have or make the
+  /// vertices that is not here yet, or a face of three of them? Another chunk may have or make the
   /// same, unseen from here: four faces would meet at the edge, or two lie on the face.
   ///
-  /// Where topology is kept, the neighbours that both ends have are those opposite to ab; where it
-  /// is free, this also refuses edges that are here but not opposite.
+  /// If topology is kept, the common neighbours of both ends are those opposite to ab; if it is
+  /// free, this also rejects edges that are here but not opposite.
   QUADRILLE_NOINLINE bool makes_chord(const PairStar& star, Index a, Index b) const {
     if (!has(a) && !has(b))
       return false;

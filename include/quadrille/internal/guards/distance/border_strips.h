@@ -26,17 +26,18 @@ struct FaceDeviation {
   }
 };
 
-/// The border of some faces around the pair ab, but for the link: its edges at a or b, called
-/// spokes. A contraction to x makes an edge vx of each spoke va or vb.
+/// The boundary of some faces around the pair ab, without the link: its edges at a or b, called
+/// spokes. A contraction to x turns each spoke va or vb into an edge vx.
 ///
-/// What the new faces cover beyond the old ones lies in strips between the new spokes and the old
-/// border: each point of the border is matched with one of the new spoke, in the same order from v
-/// on, and at the end the point of the border that is nearest to x with x. A strip is compared with
-/// the edge of the border that it lies along, so a slide along a straight border costs nothing.
+/// The area that the new faces cover beyond the old ones lies in strips between the new spokes and
+/// the old boundary: each point of the boundary is matched with one of the new spoke, in the same
+/// order from v on, and at the end the point of the boundary that is nearest to x with x. A strip
+/// is compared with the boundary edge along which it lies, so a displacement along a straight
+/// boundary costs nothing.
 ///
-/// With orientation, as sums of signed areas in any plane: new faces = old faces + strips. So where
-/// no new face is turned over, a point of one lies in an old face or in a strip that is not; and
-/// where no old face is, a point of one lies in a new face or in a strip that is.
+/// With orientation, as sums of signed areas in any plane: new faces = old faces + strips. So if no
+/// new face is turned over, a point of one lies in an old face or in a strip that is not turned
+/// over; and if no old face is, a point of one lies in a new face or in a strip that is.
 class BorderStrips {
 public:
   /// The origin of a strip: new faces that extend beyond the old boundary, or old ones that extend
