@@ -77,7 +77,7 @@ struct RecordedContraction {
 };
 
 /// A rejected pair; it may be tried again when something has changed next to it.
-struct RecordedRefusal {
+struct RecordedRejection {
   /// An end of the pair; not_recorded for a component that may not vanish.
   RecordedIndex first = not_recorded;
   RecordedIndex second = not_recorded; ///< the other end; not_recorded in the same case
@@ -98,7 +98,7 @@ struct RecordedRefusal {
 ///
 /// **Used where there**:
 ///
-/// - `recorder.refuse(refusal)`: each RecordedRefusal that Report counts.
+/// - `recorder.reject(rejection)`: each RecordedRejection that Report counts.
 /// - `recorder.stop(reason)`: a StopReason, just before the end.
 template <class R>
 concept ContractionRecorder = requires(R& recorder, RecordedSurface surface,

@@ -50,7 +50,7 @@ namespace {
 
 using quadrille::internal::PairQueue;
 using quadrille::internal::QueuedPair;
-using quadrille::internal::RefusedPairs;
+using quadrille::internal::RejectedPairs;
 constexpr std::size_t all = ~std::size_t{0};
 using test::Random;
 
@@ -216,87 +216,87 @@ TEST_CASE("A look ahead shows pairs of the open bucket in order") {
 }
 
 TEST_CASE("A refused pair comes back once, from whichever end is released first") {
-  RefusedPairs refused(4);
+  RejectedPairs rejected(4);
   std::vector<QueuedPair> released;
   const auto keep = [&](const QueuedPair& p) { released.push_back(p); };
-  refused.add({1, 0, 1, 5});
-  refused.add({2, 1, 2, 6});
-  CHECK(refused.size() == 2);
-  refused.release(3, all, keep);
+  rejected.add({1, 0, 1, 5});
+  rejected.add({2, 1, 2, 6});
+  CHECK(rejected.size() == 2);
+  rejected.release(3, all, keep);
   CHECK(released.empty());
-  refused.release(2, all, keep);
+  rejected.release(2, all, keep);
   REQUIRE(released.size() == 1);
   CHECK(released[0].cost == 2);
   CHECK(released[0].version == 6);
-  refused.release(1, all, keep);
+  rejected.release(1, all, keep);
   REQUIRE(released.size() == 2);
   CHECK(released[1].cost == 1);
-  refused.release(0, all, keep);
-  refused.release(1, all, keep);
+  rejected.release(0, all, keep);
+  rejected.release(1, all, keep);
   CHECK(released.size() == 2);
-  CHECK(refused.size() == 0);
+  CHECK(rejected.size() == 0);
 }
 
 TEST_CASE("A pair that was refused for a face in its way comes back once, when that changes or an "
           "end does") {
-  RefusedPairs refused(4);
+  RejectedPairs rejected(4);
   std::vector<float> released;
   const auto keep = [&](const QueuedPair& p) { released.push_back(p.cost); };
-  refused.add({1, 0, 1, 0});
-  CHECK_FALSE(refused.has_behind());
-  refused.add({2, 1, 2, 0}, false, 7);
-  refused.add({3, 2, 3, 0}, false, 7);
-  refused.add({4, 0, 3, 0}, false, 9);
-  CHECK(refused.has_behind());
-  refused.release_behind(8, keep);
-  refused.release_behind(100, keep);
+  rejected.add({1, 0, 1, 0});
+  CHECK_FALSE(rejected.has_behind());
+  rejected.add({2, 1, 2, 0}, false, 7);
+  rejected.add({3, 2, 3, 0}, false, 7);
+  rejected.add({4, 0, 3, 0}, false, 9);
+  CHECK(rejected.has_behind());
+  rejected.release_behind(8, keep);
+  rejected.release_behind(100, keep);
   CHECK(released.empty());
-  refused.release(1, all, keep);
+  rejected.release(1, all, keep);
   CHECK(released == std::vector<float>{1, 2});
-  refused.add({5, 0, 1, 0}, false, 7); // the one before it makes room
-  refused.release_behind(7, keep);
+  rejected.add({5, 0, 1, 0}, false, 7); // the one before it makes room
+  rejected.release_behind(7, keep);
   CHECK(released == std::vector<float>{1, 2, 3, 5});
-  refused.release_behind(7, keep);
+  rejected.release_behind(7, keep);
   for (std::uint32_t v = 0; v < 4; ++v)
-    refused.release(v, all, keep);
+    rejected.release(v, all, keep);
   CHECK(released == std::vector<float>{1, 2, 3, 5, 4});
-  refused.release_behind(9, keep);
+  rejected.release_behind(9, keep);
   CHECK(released.size() == 5);
-  CHECK(refused.size() == 0);
+  CHECK(rejected.size() == 0);
 }
 
 TEST_CASE("Refused pairs come back in their order, and no more than are asked for") {
-  RefusedPairs refused(7);
+  RejectedPairs rejected(7);
   std::vector<std::uint32_t> partners;
   const auto keep = [&](const QueuedPair& p) { partners.push_back(p.second); };
   for (std::uint32_t w = 1; w < 7; ++w)
-    refused.add({1, 0, w, 0});
-  refused.release(2, all, [](const QueuedPair&) {}); // forgotten at 0 when its turn comes
-  CHECK_FALSE(refused.release(0, 3, keep));
+    rejected.add({1, 0, w, 0});
+  rejected.release(2, all, [](const QueuedPair&) {}); // forgotten at 0 when its turn comes
+  CHECK_FALSE(rejected.release(0, 3, keep));
   CHECK(partners == std::vector<std::uint32_t>{1, 3, 4});
-  CHECK(refused.size() == 2);
-  refused.add({1, 0, 1, 0});
-  CHECK_FALSE(refused.release(0, 2, keep));
+  CHECK(rejected.size() == 2);
+  rejected.add({1, 0, 1, 0});
+  CHECK_FALSE(rejected.release(0, 2, keep));
   CHECK(partners == std::vector<std::uint32_t>{1, 3, 4, 5, 6});
-  CHECK(refused.release(0, 1, keep));
+  CHECK(rejected.release(0, 1, keep));
   CHECK(partners == std::vector<std::uint32_t>{1, 3, 4, 5, 6, 1});
-  CHECK(refused.release(0, 1, keep));
+  CHECK(rejected.release(0, 1, keep));
 }
 
 TEST_CASE("Refused pairs are those of a plain set") {
   Random random(9);
   const std::uint32_t vertices = 12;
-  RefusedPairs refused(vertices);
+  RejectedPairs rejected(vertices);
   std::map<std::pair<std::uint32_t, std::uint32_t>, float> expected;
   for (int i = 0; i < 5000; ++i) {
     const std::uint32_t v = random.below(vertices), w = random.below(vertices);
     if (random.below(4) > 0) {
       if (v < w && expected.insert({{v, w}, static_cast<float>(i)}).second)
-        refused.add({static_cast<float>(i), v, w, 0});
+        rejected.add({static_cast<float>(i), v, w, 0});
       continue;
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, float> released;
-    refused.release(v, all, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
+    rejected.release(v, all, [&](const QueuedPair& p) { released[{p.first, p.second}] = p.cost; });
     for (const auto& [pair, cost] : released) {
       const auto found = expected.find(pair);
       REQUIRE(found != expected.end());
@@ -305,6 +305,6 @@ TEST_CASE("Refused pairs are those of a plain set") {
     }
     for (const auto& [pair, cost] : expected)
       REQUIRE((pair.first != v && pair.second != v));
-    REQUIRE(refused.size() == expected.size());
+    REQUIRE(rejected.size() == expected.size());
   }
 }

@@ -21,24 +21,24 @@ using namespace test;
 
 namespace {
 
-struct RefusalLog : Log {
-  std::vector<std::tuple<RecordedIndex, RecordedIndex, Rejection, double>> refusals;
-  void refuse(const RecordedRefusal& refusal) {
-    refusals.emplace_back(refusal.first, refusal.second, refusal.cause, refusal.error);
+struct RejectionLog : Log {
+  std::vector<std::tuple<RecordedIndex, RecordedIndex, Rejection, double>> rejections;
+  void reject(const RecordedRejection& rejection) {
+    rejections.emplace_back(rejection.first, rejection.second, rejection.cause, rejection.error);
   }
 };
 
 } // namespace
 
-TEST_CASE("any number of threads tells the same contractions and refusals in the same order") {
-  std::size_t refusals = 0;
+TEST_CASE("any number of threads tells the same contractions and rejections in the same order") {
+  std::size_t rejections = 0;
   for (const Soup& soup :
        {shuffled(with_noise(sphere(5), 3, 0.002), 11), with_holes(grid(120, 90), 7, 9)})
     for (const Topology topology : {Topology::kept, Topology::free}) {
-      RefusalLog of_one;
+      RejectionLog of_one;
       for (const unsigned threads : {1U, 2U, 4U}) {
         CAPTURE(threads);
-        RefusalLog log;
+        RejectionLog log;
         PointSoup points(soup);
         simplify<MemorylessQuadric, OptimalPlacement>(
             points.points, points.triangles, FaceRatio{0.02}, topology,
@@ -47,16 +47,16 @@ TEST_CASE("any number of threads tells the same contractions and refusals in the
         if (threads == 1)
           of_one = log;
         CHECK((log == of_one));
-        CHECK(log.refusals == of_one.refusals);
+        CHECK(log.rejections == of_one.rejections);
       }
-      refusals += of_one.refusals.size();
+      rejections += of_one.rejections.size();
       Replay replay(of_one);
       bool is_right = true;
       while (replay.steps() < of_one.contractions.size() / 20) // a naive replay takes long
         is_right = replay.step() && is_right;
       CHECK(is_right);
     }
-  CHECK(refusals > 50);
+  CHECK(rejections > 50);
 }
 
 TEST_CASE("any number of threads gives the same levels with a texture") {

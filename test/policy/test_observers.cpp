@@ -1,4 +1,5 @@
-// What a recorder is told beside contractions: each refusal with its cause, and why that has ended.
+// What a recorder is told beside contractions: each rejection with its cause, and why that has
+// ended.
 #include "meshes.h"
 #include "replay.h"
 #include "soups.h"
@@ -26,13 +27,13 @@ using namespace test;
 namespace {
 
 struct Observer : Log {
-  std::vector<RecordedRefusal> refusals;
-  std::vector<std::size_t> contractions_before; // each refusal
+  std::vector<RecordedRejection> rejections;
+  std::vector<std::size_t> contractions_before; // each rejection
   std::optional<StopReason> stopped;
   bool has_ended = false, stopped_before_end = false;
 
-  void refuse(const RecordedRefusal& refusal) {
-    refusals.push_back(refusal);
+  void reject(const RecordedRejection& rejection) {
+    rejections.push_back(rejection);
     contractions_before.push_back(contractions.size());
   }
   void stop(StopReason reason) {
@@ -43,8 +44,8 @@ struct Observer : Log {
 
   std::array<std::size_t, rejection_causes> counts() const {
     std::array<std::size_t, rejection_causes> counts{};
-    for (const RecordedRefusal& refusal : refusals)
-      ++counts[static_cast<std::size_t>(refusal.cause)];
+    for (const RecordedRejection& rejection : rejections)
+      ++counts[static_cast<std::size_t>(rejection.cause)];
     return counts;
   }
 };
@@ -77,19 +78,19 @@ std::pair<Observer, Report> observed(const Soup& soup, const Arguments&... argum
 
 } // namespace
 
-TEST_CASE("Each refusal is told with its cause and its ends, in greedy order when it happens") {
+TEST_CASE("Each rejection is told with its cause and its ends, in greedy order when it happens") {
   const auto [observer, report] = observed(input(), FaceCount{24}, NormalFlip{40});
   CHECK(report.rejected(Rejection::topology) > 0);
   CHECK(report.rejected(Rejection::normal_flip) > 0);
   Replay replay(observer);
   bool are_edges = true, are_errors = true, is_right = true;
-  for (std::size_t i = 0; i < observer.refusals.size(); ++i) {
+  for (std::size_t i = 0; i < observer.rejections.size(); ++i) {
     while (replay.steps() < observer.contractions_before[i])
       is_right = replay.step() && is_right;
-    const RecordedRefusal& refusal = observer.refusals[i];
-    are_edges = are_edges && refusal.first != refusal.second &&
-                is_edge(replay, refusal.first, refusal.second);
-    are_errors = are_errors && refusal.error >= 0 && refusal.error < 10 * report.error;
+    const RecordedRejection& rejection = observer.rejections[i];
+    are_edges = are_edges && rejection.first != rejection.second &&
+                is_edge(replay, rejection.first, rejection.second);
+    are_errors = are_errors && rejection.error >= 0 && rejection.error < 10 * report.error;
   }
   CHECK(is_right);
   CHECK(are_edges);
@@ -97,18 +98,18 @@ TEST_CASE("Each refusal is told with its cause and its ends, in greedy order whe
   CHECK(observer.contractions_before.back() > observer.contractions_before.front());
 }
 
-TEST_CASE("Refusals of passes are told by input indices, behind each stage") {
+TEST_CASE("Rejections of passes are told by input indices, behind each stage") {
   const Soup soup = with_noise(torus(160, 80), 1, 0.01);
   const auto [observer, report] =
       observed(soup, FaceRatio{0.02}, NormalFlip{40}, RelaxedOrder{.refresh = true});
-  CHECK(observer.refusals.size() > 100);
+  CHECK(observer.rejections.size() > 100);
   double longest = 0;
-  for (const RecordedRefusal& refusal : observer.refusals) {
-    REQUIRE(refusal.first < soup.points.size());
-    REQUIRE(refusal.second < soup.points.size());
-    CHECK(refusal.first != refusal.second);
-    longest = (std::max)(longest,
-                         squared_distance(soup.points[refusal.first], soup.points[refusal.second]));
+  for (const RecordedRejection& rejection : observer.rejections) {
+    REQUIRE(rejection.first < soup.points.size());
+    REQUIRE(rejection.second < soup.points.size());
+    CHECK(rejection.first != rejection.second);
+    longest = (std::max)(
+        longest, squared_distance(soup.points[rejection.first], soup.points[rejection.second]));
   }
   CHECK(std::sqrt(longest) < 0.6); // no numbers of packed vertices, which are anywhere
 }
@@ -130,9 +131,9 @@ TEST_CASE("A part that may not vanish is told without ends") {
   const Soup small = mapped(sphere(1), [](const Position& p) { return 0.05 * p; });
   const Soup soup = joined(sphere(3), small, {{5, 0, 0}});
   const auto [observer, report] = observed(soup, DistanceLimit{0.09}, Topology::parts_may_vanish);
-  const bool has_one =
-      std::any_of(observer.refusals.begin(), observer.refusals.end(), [](const auto& refusal) {
-        return refusal.first == not_recorded && refusal.second == not_recorded;
+  const bool has_one = std::any_of(
+      observer.rejections.begin(), observer.rejections.end(), [](const auto& rejection) {
+        return rejection.first == not_recorded && rejection.second == not_recorded;
       });
   CHECK(has_one);
 }

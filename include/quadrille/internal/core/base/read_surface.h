@@ -32,16 +32,16 @@ struct IndexWords {
 template <class Triple, class NotThree>
 std::array<Index, 3> read_indices(const Triple& triple, std::size_t face, std::size_t count,
                                   const IndexWords& words, NotThree not_three) {
-  const auto refuse = [&](const std::string& what) {
+  const auto reject = [&](const std::string& what) {
     throw std::invalid_argument(std::string(words.caller) + ": face " + std::to_string(face) +
                                 what);
   };
   if (std::ranges::size(triple) != 3)
-    refuse(not_three());
+    reject(not_three());
   std::array<Index, 3> indices;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!std::in_range<Index>(triple[i]) || std::cmp_greater_equal(triple[i], count))
-      refuse(std::string(" names ") + words.name + " " + std::to_string(triple[i]) + " of " +
+      reject(std::string(" names ") + words.name + " " + std::to_string(triple[i]) + " of " +
              std::to_string(count) + words.of_what);
     indices[i] = static_cast<Index>(triple[i]);
   }

@@ -46,7 +46,7 @@ concept NearlyKnown = IsOptional<Argument> || std::same_as<Argument, Levels> ||
 
 /// Does not compile, for an argument that is NearlyKnown, and says what is missing.
 template <class Argument, class Call>
-void refuse_nearly_known() {
+void reject_nearly_known() {
   constexpr bool is_levels = std::same_as<Argument, Levels>;
   constexpr bool is_stop_of_cgal = StopOfCgal<Argument>;
   constexpr bool is_optional = IsOptional<Argument>;
@@ -64,7 +64,7 @@ void refuse_nearly_known() {
 
 /// Does not compile, since an argument is of no kind, and says what it lacks to be of each.
 template <class Cost, class UnknownArgument, class Call>
-void refuse_argument() {
+void reject_argument() {
   static_assert(
       AllAreKnown<UnknownArgument>,
       "An argument of this call is no cost, placement, pairs, stop, order, filter or guard: its "
@@ -92,7 +92,7 @@ void refuse_argument() {
 /// Does not compile, for a surface that cannot be changed; each Call is rejected again. If a
 /// function were deleted instead, a compiler would list all others of its name.
 template <class... Call>
-Report refuse_constant() {
+Report reject_constant() {
   static_assert(sizeof...(Call) == 0,
                 "What is constant or temporary cannot be simplified: simplify changes its surface, "
                 "which has to have a name and no const; simplified makes a new one.");
@@ -114,7 +114,7 @@ inline constexpr bool has_no_range_first<First, Others...> = !std::ranges::range
 /// Does not compile, for arguments that are not Fitting. `position` is that of the first policy
 /// among all arguments, counted from 1; each Call is rejected again.
 template <std::size_t position, class Call, class Cost, class Placement, class... Arguments>
-Report refuse() {
+Report reject() {
   using UsedCost = CostOf<Cost, Arguments...>;
   using UnknownArgument = Unknown<position, Cost, Arguments...>;
   if constexpr (!CostPolicy<UsedCost>) {
@@ -122,9 +122,9 @@ Report refuse() {
                   "The cost of this call is no CostPolicy: see <quadrille/concepts.h>.");
   } else if constexpr (!AllAreKnown<UnknownArgument>) {
     if constexpr (NearlyKnown<typename UnknownArgument::type, UsedCost>)
-      refuse_nearly_known<typename UnknownArgument::type, Call>();
+      reject_nearly_known<typename UnknownArgument::type, Call>();
     else
-      refuse_argument<UsedCost, UnknownArgument, Call>();
+      reject_argument<UsedCost, UnknownArgument, Call>();
   } else {
     static_assert(PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, UsedCost>,
                   "The placement of this call is no PlacementPolicy for its cost: see "
@@ -141,7 +141,7 @@ namespace quadrille {
 template <class Cost = internal::NotGiven, class Placement = internal::NotGiven, class Mesh,
           class... Arguments>
 requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&, const Arguments&...) {
-  return internal::refuse_constant<Cost, Placement, Mesh, Arguments...>();
+  return internal::reject_constant<Cost, Placement, Mesh, Arguments...>();
 }
 
 /// Does not compile, for a view of a mesh.
@@ -192,7 +192,7 @@ requires internal::PointContainer<Points> && internal::NoTriangles<Triangles, Po
 /// Does not compile, for a mesh with arguments, so that CGAL::simplify(x) is not chosen for it.
 template <class Mesh>
 requires internal::ReadableGraph<Mesh> Report simplify(const Mesh&) {
-  return internal::refuse_constant<Mesh>();
+  return internal::reject_constant<Mesh>();
 }
 
 /// Does not compile, for a soup that is constant or temporary.
@@ -200,7 +200,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class Triangles, class... Arguments>
 requires internal::PointContainer<Points> && internal::TriangleContainer<Triangles>
     Report simplify(const Points&, const Triangles&, const Arguments&...) {
-  return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
+  return internal::reject_constant<Cost, Placement, Points, Triangles, Arguments...>();
 }
 
 /// Does not compile, for buffers.
@@ -208,7 +208,7 @@ template <class Cost = internal::NotGiven, class Placement = internal::NotGiven,
           class Triangles, class... Arguments>
 requires internal::ConstantBuffers<Points, Triangles>
     Report simplify(const Points&, const Triangles&, const Arguments&...) {
-  return internal::refuse_constant<Cost, Placement, Points, Triangles, Arguments...>();
+  return internal::reject_constant<Cost, Placement, Points, Triangles, Arguments...>();
 }
 
 } // namespace quadrille

@@ -94,7 +94,7 @@ private:
   bool are_wanted_ = true;
 };
 
-/// Refuses a surface that has more vertices or faces than there may be.
+/// Rejects a surface that has more vertices or faces than there may be.
 [[noreturn]] inline void throw_too_large(std::size_t vertices, std::size_t faces,
                                          std::size_t most_vertices, std::size_t most_faces) {
   throw std::length_error(

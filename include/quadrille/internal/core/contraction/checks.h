@@ -35,7 +35,7 @@ public:
                             (state.scale.writes_floats() && state.policies.stop.needs().distance)) {
   }
 
-  /// Why the contraction must not be done, if so. Where only filters refuse it, and another place
+  /// Why the contraction must not be done, if so. Where only filters reject it, and another place
   /// that costs the same suits them, it goes there. Where there are guards, or distances are
   /// bounded, it goes to a place that can be written as it is.
   std::optional<Rejection> rejection(Contraction& contraction) const {
@@ -44,7 +44,7 @@ public:
     if (state_.appearance.seams().is_changed_by(star, a, b))
       return Rejection::seam;
     if (state_.geometry.is_any_fixed()) [[unlikely]]
-      if (const auto cause = refusal_beside_fixed(star, a, b))
+      if (const auto cause = rejection_next_to_fixed(star, a, b))
         return cause;
     if (!is_finite(contraction.target()) || !std::isfinite(contraction.cost()))
       return Rejection::position;
@@ -53,7 +53,7 @@ public:
       return Rejection::topology;
     if (goes_where_written_) [[unlikely]]
       contraction.move_to(state_.scale.as_written(contraction.target()));
-    const std::optional<Rejection> cause = refusal(contraction, contraction.target());
+    const std::optional<Rejection> cause = rejection(contraction, contraction.target());
     if (cause && !stays(star, a) && !stays(star, b) && finds_other_place(contraction, *cause))
       return std::nullopt;
     return cause;
@@ -63,9 +63,9 @@ private:
   bool is_fixed(Index v) const { return state_.geometry.is_fixed(v); }
   bool stays(const PairStar& star, Index end) const { return is_fixed(end) || star.hub == end; }
 
-  // Why what is fixed or shared refuses a contraction, if it does.
-  QUADRILLE_NOINLINE std::optional<Rejection> refusal_beside_fixed(const PairStar& star, Index a,
-                                                                   Index b) const {
+  // Why what is fixed or shared rejects a contraction, if it does.
+  QUADRILLE_NOINLINE std::optional<Rejection> rejection_next_to_fixed(const PairStar& star, Index a,
+                                                                      Index b) const {
     if (stays(star, a) && stays(star, b))
       return Rejection::constraint;
     const auto is_fixed = [this](Index v) { return state_.geometry.is_fixed(v); };
@@ -76,13 +76,13 @@ private:
     return std::nullopt;
   }
 
-  // Why a filter refuses a target, if one does.
-  std::optional<Rejection> refusal(const Contraction& contraction, const Position& target) const {
+  // Why a filter rejects a target, if one does.
+  std::optional<Rejection> rejection(const Contraction& contraction, const Position& target) const {
     const ContractionView<dimension> view(
         contraction.star(), state_.complex, state_.geometry.positions().data(),
         contraction.pair().first, contraction.pair().second, target);
     std::optional<Rejection> cause =
-        state_.policies.filters.refusal(view, contraction, state_.numbering, state_.scale);
+        state_.policies.filters.rejection(view, contraction, state_.numbering, state_.scale);
     if constexpr (Policies::has_channels)
       if (!cause && state_.channels().turn_over(contraction.star(), contraction.first(),
                                                 contraction.second(), target))
@@ -109,7 +109,7 @@ private:
                                             [[maybe_unused]] Rejection cause) const { // seldom
     const auto takes = [&](const Position& place) {
       const Position x = goes_where_written_ ? state_.scale.as_written(place) : place;
-      if (refusal(contraction, x))
+      if (rejection(contraction, x))
         return false;
       contraction.move_to(x);
       return true;

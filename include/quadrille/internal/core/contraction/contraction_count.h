@@ -33,11 +33,11 @@ public:
       after.next_error = after.next_cost = 0;
       return after;
     };
-    std::size_t allowed = 0; // the first `allowed` are, `refused` are not
-    std::size_t refused = now.vertices + 1;
-    while (refused - allowed > 1) {
-      const std::size_t middle = allowed + (refused - allowed) / 2;
-      (stop(status_after(middle - 1)) ? refused : allowed) = middle;
+    std::size_t allowed = 0; // the first `allowed` are, `rejected` are not
+    std::size_t rejected = now.vertices + 1;
+    while (rejected - allowed > 1) {
+      const std::size_t middle = allowed + (rejected - allowed) / 2;
+      (stop(status_after(middle - 1)) ? rejected : allowed) = middle;
     }
     return allowed;
   }

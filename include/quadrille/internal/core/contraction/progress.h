@@ -74,7 +74,7 @@ public:
   void announce_tolerance(double part) { status_.next_tolerance = part; }
   /// Returns the total displacement of contractions up to now: see Displacement.
   std::uint64_t moved() const { return total_.moved; }
-  /// How many were refused for one cause.
+  /// How many were rejected for one cause.
   std::size_t rejected(Rejection cause) const {
     return total_.rejections[static_cast<std::size_t>(cause)];
   }

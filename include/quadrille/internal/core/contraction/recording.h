@@ -35,8 +35,8 @@ public:
                      bool is_in_pass) = 0;
   virtual void vanished(const PartEvent& event) = 0;
   /// A pair of these ends, or a part, which has none.
-  virtual void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
-  virtual void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
+  virtual void reject(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
+  virtual void reject_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                               Scratch& scratch) = 0;
   /// From here on, contractions and rejections of a thread belong to a block of a pass.
   virtual void begin_block(std::size_t number, Scratch& scratch) = 0;

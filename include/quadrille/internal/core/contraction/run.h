@@ -207,17 +207,17 @@ public:
 
   /// Counts a rejected pair, or a component, which has no ends, and reports it to a recorder that
   /// asks for rejections.
-  void refuse(const std::array<Index, 2>& ends, Rejection cause) {
+  void reject(const std::array<Index, 2>& ends, Rejection cause) {
     scratch_.counters.reject(cause);
     if (recording()) [[unlikely]]
-      recording()->refuse(ends, cause, progress_.status().next_error);
+      recording()->reject(ends, cause, progress_.status().next_error);
   }
   /// Rejects a pair in a pass, by any thread; recorders receive it when the stage has ended.
-  void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
+  void reject_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) {
     scratch.counters.reject(cause);
     if (recording()) [[unlikely]]
-      recording()->refuse_in_pass(ends, cause, error, scratch);
+      recording()->reject_in_pass(ends, cause, error, scratch);
   }
   /// From here on, contractions and rejections of a thread belong to a block of a pass.
   void begin_block(std::size_t number, Scratch& scratch) {

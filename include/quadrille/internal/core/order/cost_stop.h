@@ -61,10 +61,10 @@ public:
     constexpr float infinity = std::numeric_limits<float>::infinity();
     if (!is_asking_ || !is_stop_at(infinity))
       return infinity;
-    std::uint32_t allowed = 0, refused = std::bit_cast<std::uint32_t>(infinity);
-    while (refused - allowed > 1) { // floats that are not negative lie as their bits do
-      const std::uint32_t middle = allowed + (refused - allowed) / 2;
-      (is_stop_at(std::bit_cast<float>(middle)) ? refused : allowed) = middle;
+    std::uint32_t allowed = 0, rejected = std::bit_cast<std::uint32_t>(infinity);
+    while (rejected - allowed > 1) { // floats that are not negative lie as their bits do
+      const std::uint32_t middle = allowed + (rejected - allowed) / 2;
+      (is_stop_at(std::bit_cast<float>(middle)) ? rejected : allowed) = middle;
     }
     return std::bit_cast<float>(allowed);
   }

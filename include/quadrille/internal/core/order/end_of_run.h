@@ -56,7 +56,7 @@ public:
     return waiting > 0 && many * status.faces < status.initial_faces && hold_.is_awake(waiting);
   }
 
-  /// Is it here, where what destroys is refused?
+  /// Is it here, where what destroys is rejected?
   bool is_here(std::size_t waiting) {
     return waiting > 0 && has_count_ && hold_.is_awake(waiting) && hold_.is_of_most();
   }

@@ -31,17 +31,17 @@ bool may_move_to_end(const Evaluator& evaluator, const Contraction& contraction)
          !geometry.is_fixed(contraction.second());
 }
 
-/// Moves a contraction to the cheaper end of the pair that refusal(contraction) does not refuse, if
+/// Moves a contraction to the cheaper end of the pair that rejects(contraction) does not reject, if
 /// there is any.
-template <class Evaluator, class Contraction, class Refusal>
+template <class Evaluator, class Contraction, class Rejects>
 QUADRILLE_NOINLINE bool moves_to_end(const Evaluator& evaluator, Contraction& contraction,
-                                     Refusal refusal) {
+                                     Rejects rejects) {
   if (!may_move_to_end(evaluator, contraction))
     return false;
   const typename Contraction::Candidate wanted = contraction.candidate();
   for (const auto& end : evaluator.at_ends(wanted)) {
     contraction.replace(end);
-    if (!refusal(contraction))
+    if (!rejects(contraction))
       return true;
   }
   contraction.replace(wanted);

@@ -97,7 +97,7 @@ private:
   }
 
   void let_wait(const QueuedPair& pair, Rejection cause) {
-    surface_.run().refuse({pair.first, pair.second}, cause);
+    surface_.run().reject({pair.first, pair.second}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
     const auto* const guard = surface_.guards().with_obstacles(cause);

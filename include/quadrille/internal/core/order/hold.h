@@ -39,7 +39,7 @@ public:
     }
   }
 
-  /// Do enough pairs wait that have been refused for it?
+  /// Do enough pairs wait that have been rejected for it?
   bool is_awake(std::size_t waiting) const {
     const Status& status = surface_.status();
     return least_part * waiting >= surface_.pairs().count(status.faces, status.vertices);

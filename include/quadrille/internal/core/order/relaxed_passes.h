@@ -257,7 +257,7 @@ private:
     });
   }
 
-  // Contracts a pair unless it is refused. False if the quota is too small for it.
+  // Contracts a pair unless it is rejected. False if the quota is too small for it.
   bool contract_within(std::size_t& quota, const Proposal& proposal, Worker& worker) {
     if (quota == 0)
       return false;
@@ -346,7 +346,7 @@ private:
                             stars_.touch(ends[1]);
                           });
     if (attempt.outcome == Outcome::rejected)
-      surface_.run().refuse_in_pass(ends, attempt.cause, attempt.error, scratch);
+      surface_.run().reject_in_pass(ends, attempt.cause, attempt.error, scratch);
     else if (attempt.outcome == Outcome::deferred)
       ++scratch.counters.left;
     return attempt.outcome != Outcome::put_back;

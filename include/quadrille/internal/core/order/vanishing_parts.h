@@ -100,8 +100,8 @@ public:
            cost > DeferredPairs::dearest_exact * static_cast<double>(*waiting_price_);
   }
 
-  /// Lets the part that has_below() has found vanish, unless it is refused, and calls gone(v) for
-  /// each of its vertices. It is refused, too, if it spoils the shape of the whole and is_end().
+  /// Lets the part that has_below() has found vanish, unless it is rejected, and calls gone(v) for
+  /// each of its vertices. It is rejected, too, if it spoils the shape of the whole and is_end().
   /// False if the stop policy is satisfied without.
   template <class Gone, class IsEnd>
   bool vanish_next(Gone gone, IsEnd is_end) {
@@ -110,13 +110,13 @@ public:
     waiting_price_.reset();
     surface_.progress().announce(parts()[part].radius);
     if (distance_stop_.is_too_far(2 * parts()[part].radius)) {
-      refuse(Rejection::distance);
+      reject(Rejection::distance);
       return true;
     }
     if (surface_.progress().is_enough())
       return false;
     if (strain(parts()[part]) > 1 && is_end()) {
-      refuse(Rejection::destruction);
+      reject(Rejection::destruction);
       return true;
     }
     const std::span<const Index> vertices = this->vertices(part);
@@ -190,8 +190,8 @@ private:
     return part;
   }
 
-  void refuse(Rejection cause) {
-    surface_.run().refuse({none, none}, cause);
+  void reject(Rejection cause) {
+    surface_.run().reject({none, none}, cause);
     has_met_distance_ |= cause == Rejection::distance;
     has_met_destruction_ |= cause == Rejection::destruction;
   }

@@ -19,9 +19,9 @@ namespace quadrille::internal {
 /// Rejected pairs, each listed at both of its ends until the neighbourhood of one changes; and at
 /// the face that obstructed it, if any, until that changes. They leave in the order in which they
 /// came.
-class RefusedPairs {
+class RejectedPairs {
 public:
-  explicit RefusedPairs(std::size_t vertices, Workspace* workspace = nullptr)
+  explicit RejectedPairs(std::size_t vertices, Workspace* workspace = nullptr)
       : last_entry_(vertices, none, workspace) {}
 
   /// `is_held`: is it one of those that held() counts? `face`: what was in its way.
@@ -40,14 +40,14 @@ public:
     return last_entry_[vertex] != none;
   } ///< any, perhaps one that has left
 
-  /// Empties the list of a vertex and calls visit(pair) for each pair that was still refused; or
+  /// Empties the list of a vertex and calls visit(pair) for each pair that was still rejected; or
   /// stops after the first `most` of these. Returns whether the list is empty.
   template <class Visit>
   bool release(Index vertex, std::size_t most, Visit visit) {
     return release_list(last_entry_[vertex], most, visit);
   }
 
-  /// Have any been refused for a face that was in their way?
+  /// Have any been rejected for a face that was in their way?
   bool has_behind() const { return !last_behind_.empty(); }
   /// Visits those pairs.
   template <class Visit>
@@ -77,7 +77,7 @@ private:
     std::array<Index, 3> next; // in the lists of the ends and of a face; the first follows the last
     std::int16_t count;        // of the lists that it is in
     bool is_held;
-    bool is_refused; // while it has left none
+    bool is_rejected; // while it has left none
   };
 
   Index new_slot() {
@@ -123,9 +123,9 @@ private:
   bool release_list(Index& last, std::size_t most, Visit visit) {
     while (last != none && most > 0) {
       Slot& slot = slots_[unlink_first(last)];
-      if (!slot.is_refused)
+      if (!slot.is_rejected)
         continue;
-      slot.is_refused = false; // the other lists forget it later
+      slot.is_rejected = false; // the other lists forget it later
       --size_;
       --most;
       held_ -= slot.is_held;
@@ -139,7 +139,7 @@ private:
     if (last_behind_.size() <= face)
       last_behind_.resize(face + std::size_t{1}, none);
     Index& last = last_behind_[face];
-    while (last != none && !slots_[next(last) / lists].is_refused)
+    while (last != none && !slots_[next(last) / lists].is_rejected)
       unlink_first(last);
     ++slots_[slot].count;
     link(last, lists * slot + 2);
@@ -164,17 +164,17 @@ public:
   static constexpr std::size_t all = ~std::size_t{0};
 
   explicit WaitingPairs(const TriangleComplex& complex)
-      : complex_(complex), refused_(complex.vertex_capacity(), complex.workspace()) {}
+      : complex_(complex), rejected_(complex.vertex_capacity(), complex.workspace()) {}
 
   /// `is_held`: see held(). `face`: what was in its way.
   void add(const QueuedPair& pair, bool is_held = false, Index face = none) {
-    refused_.add(pair, is_held, face);
+    rejected_.add(pair, is_held, face);
   }
-  /// How many wait that were refused for what holds the surface.
-  std::size_t held() const { return refused_.held(); }
+  /// How many wait that were rejected for what holds the surface.
+  std::size_t held() const { return rejected_.held(); }
   /// Some pairs of a vertex of many faces have been added, and others are in the queue.
   void note_left_behind(Index v) { left_behind_.push_back(v); }
-  bool empty() const { return refused_.size() == 0; }
+  bool empty() const { return rejected_.size() == 0; }
 
   /// Returns the number of pairs of a vertex that visit few² faces together; all of them if there
   /// are few.
@@ -184,23 +184,23 @@ public:
   }
 
   /// All pairs of a vertex are outdated.
-  void forget(Index v) { refused_.forget(v); }
+  void forget(Index v) { rejected_.forget(v); }
 
   /// The surroundings of a vertex have changed, so the answer of a filter may. Calls push(pair) for
   /// pairs that are to be looked at once more.
   template <class Push>
   void release(Index v, Push push) {
-    if (refused_.has(v))
+    if (rejected_.has(v))
       release_some(v, push);
   }
 
   /// Do pairs wait for faces?
-  bool has_behind() const { return refused_.has_behind(); }
+  bool has_behind() const { return rejected_.has_behind(); }
   /// A face has changed, or is gone, so it may be in the way no more. Calls push(pair) as
   /// release().
   template <class Push>
   void release_behind(Index face, Push push) {
-    refused_.release_behind(face, push);
+    rejected_.release_behind(face, push);
   }
 
   /// Calls push(pair) for all of them.
@@ -208,7 +208,7 @@ public:
   void release_all(Push push) {
     left_behind_.clear();
     for (Index v = 0; v < complex_.vertex_capacity(); ++v)
-      refused_.release(v, all, push);
+      rejected_.release(v, all, push);
   }
 
   /// Releases the remaining pairs, some at a time. Returns false if there are none, or if the last
@@ -219,7 +219,7 @@ public:
       return false;
     std::size_t released = 0;
     for (Index v : std::exchange(left_behind_, {}))
-      refused_.release(v, all, [&](const QueuedPair& pair) {
+      rejected_.release(v, all, [&](const QueuedPair& pair) {
         ++released;
         push(pair);
       });
@@ -227,17 +227,17 @@ public:
     return released > 0;
   }
 
-  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const { refused_.prefetch(v); }
+  QUADRILLE_ALWAYS_INLINE void prefetch(Index v) const { rejected_.prefetch(v); }
 
 private:
   template <class Push>
   QUADRILLE_NOINLINE void release_some(Index v, Push push) { // seldom
-    if (!refused_.release(v, most_pairs(v), push))
+    if (!rejected_.release(v, most_pairs(v), push))
       left_behind_.push_back(v);
   }
 
   const TriangleComplex& complex_;
-  RefusedPairs refused_;
+  RejectedPairs rejected_;
   std::vector<Index> left_behind_; // vertices of some of them
   std::uint32_t time_to_release_ = 0;
 };

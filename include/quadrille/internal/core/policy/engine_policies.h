@@ -45,13 +45,13 @@ public:
   /// Returns the cause with which the first filter rejects the contraction, of which this is a
   /// view.
   template <class Contraction>
-  std::optional<Rejection> refusal(const ContractionView<N>& view, const Contraction& contraction,
-                                   const Numbering& numbering, const Scale<N>& scale) const {
+  std::optional<Rejection> rejection(const ContractionView<N>& view, const Contraction& contraction,
+                                     const Numbering& numbering, const Scale<N>& scale) const {
     if (!normal_flip_.allows(view))
       return NormalFlip::cause;
     if (others_.empty())
       return std::nullopt;
-    return refusal_by_others(view, contraction, numbering, scale);
+    return rejection_by_others(view, contraction, numbering, scale);
   }
 
 private:
@@ -63,8 +63,8 @@ private:
 
   template <class Contraction>
   QUADRILLE_NOINLINE std::optional<Rejection>
-  refusal_by_others(const ContractionView<N>& view, const Contraction& contraction,
-                    const Numbering& numbering, const Scale<N>& scale) const {
+  rejection_by_others(const ContractionView<N>& view, const Contraction& contraction,
+                      const Numbering& numbering, const Scale<N>& scale) const {
     const IndexedContraction<N> indexed(view, contraction.star(), contraction.first(),
                                         contraction.second(), numbering);
     for (const Other& other : others_)
@@ -110,9 +110,9 @@ public:
     record_ = [](void* r, const RecordedContraction& contraction) {
       static_cast<R*>(r)->record(contraction);
     };
-    if constexpr (requires(const RecordedRefusal& refusal) { recorder.refuse(refusal); })
-      refuse_ = [](void* r, const RecordedRefusal& refusal) {
-        static_cast<R*>(r)->refuse(refusal);
+    if constexpr (requires(const RecordedRejection& rejection) { recorder.reject(rejection); })
+      reject_ = [](void* r, const RecordedRejection& rejection) {
+        static_cast<R*>(r)->reject(rejection);
       };
     end_ = [](void* r, StopReason reason) {
       if constexpr (requires { static_cast<R*>(r)->stop(reason); })
@@ -121,18 +121,18 @@ public:
     };
   }
 
-  bool hears_refusals() const { return refuse_ != nullptr; }
+  bool asks_for_rejections() const { return reject_ != nullptr; }
 
   void begin(RecordedSurface surface) const { begin_(recorder_, std::move(surface)); }
   void record(const RecordedContraction& contraction) const { record_(recorder_, contraction); }
-  void refuse(const RecordedRefusal& refusal) const { refuse_(recorder_, refusal); }
+  void reject(const RecordedRejection& rejection) const { reject_(recorder_, rejection); }
   void end(StopReason reason) const { end_(recorder_, reason); }
 
 private:
   void* recorder_;
   void (*begin_)(void*, RecordedSurface&&) = nullptr;
   void (*record_)(void*, const RecordedContraction&) = nullptr;
-  void (*refuse_)(void*, const RecordedRefusal&) = nullptr;
+  void (*reject_)(void*, const RecordedRejection&) = nullptr;
   void (*end_)(void*, StopReason) = nullptr;
 };
 

@@ -33,24 +33,24 @@
 namespace quadrille::internal {
 
 /// The rejections of a thread in a stage of a pass, block by block.
-class Refusals {
+class RejectionLog {
 public:
-  /// Refusals belong to that block from here on.
-  void begin_block(std::size_t number) { blocks_.push_back({number, refusals_.size()}); }
-  void add(const RecordedRefusal& refusal) {
-    refusals_.push_back(refusal);
-    blocks_.back().end = refusals_.size();
+  /// Rejections belong to that block from here on.
+  void begin_block(std::size_t number) { blocks_.push_back({number, rejections_.size()}); }
+  void add(const RecordedRejection& rejection) {
+    rejections_.push_back(rejection);
+    blocks_.back().end = rejections_.size();
   }
   void clear() {
-    refusals_.clear();
+    rejections_.clear();
     blocks_.clear();
   }
 
-  using OfBlock = std::pair<std::size_t, std::span<const RecordedRefusal>>;
+  using OfBlock = std::pair<std::size_t, std::span<const RecordedRejection>>;
   void append_to(std::vector<OfBlock>& by_block) const {
     std::size_t begin = 0;
     for (const Block& block : blocks_) {
-      by_block.emplace_back(block.number, std::span(refusals_).subspan(begin, block.end - begin));
+      by_block.emplace_back(block.number, std::span(rejections_).subspan(begin, block.end - begin));
       begin = block.end;
     }
   }
@@ -61,30 +61,30 @@ private:
     std::size_t end; // from where those of the block before it end
   };
 
-  std::vector<RecordedRefusal> refusals_;
+  std::vector<RecordedRejection> rejections_;
   std::vector<Block> blocks_;
 };
 
 /// The contractions of a thread in a pass that have not yet been reported to a recorder.
 struct RecordScratch {
   RecordBuffer contractions;
-  Refusals refusals; // where a recorder wants to know
+  RejectionLog rejections; // where a recorder wants to know
 };
 
 /// Reports all rejections of threads in a stage, by block, and clears them. Each block belongs to
 /// one thread.
 template <class Recorder>
-void tell_refusals(const Recorder& recorder, std::vector<RecordScratch>& scratches) {
-  std::vector<Refusals::OfBlock> blocks;
+void report_rejections(const Recorder& recorder, std::vector<RecordScratch>& scratches) {
+  std::vector<RejectionLog::OfBlock> blocks;
   for (const RecordScratch& scratch : scratches)
-    scratch.refusals.append_to(blocks);
+    scratch.rejections.append_to(blocks);
   std::sort(blocks.begin(), blocks.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [number, refusals] : blocks)
-    for (const RecordedRefusal& refusal : refusals)
-      recorder.refuse(refusal);
+  for (const auto& [number, rejections] : blocks)
+    for (const RecordedRejection& rejection : rejections)
+      recorder.reject(rejection);
   for (RecordScratch& scratch : scratches)
-    scratch.refusals.clear();
+    scratch.rejections.clear();
 }
 
 /// The place at which a contraction of a stage is recorded, and its cost.
@@ -217,26 +217,26 @@ public:
     state_.policies.recorder->record(removal);
   }
 
-  void refuse(const std::array<Index, 2>& ends, Rejection cause, double error) override {
-    if (state_.policies.recorder->hears_refusals())
-      state_.policies.recorder->refuse(refusal(ends, cause, error));
+  void reject(const std::array<Index, 2>& ends, Rejection cause, double error) override {
+    if (state_.policies.recorder->asks_for_rejections())
+      state_.policies.recorder->reject(rejection(ends, cause, error));
   }
-  void refuse_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
+  void reject_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                       Scratch& scratch) override {
-    if (state_.policies.recorder->hears_refusals())
-      scratches_[scratch.number].refusals.add(refusal(ends, cause, error));
+    if (state_.policies.recorder->asks_for_rejections())
+      scratches_[scratch.number].rejections.add(rejection(ends, cause, error));
   }
 
   void begin_block(std::size_t number, Scratch& scratch) override {
     scratches_[scratch.number].contractions.begin_block(number);
-    scratches_[scratch.number].refusals.begin_block(number);
+    scratches_[scratch.number].rejections.begin_block(number);
   }
   void end_stage() override {
     std::vector<RecordedWedge> wedges;
     for (const RecordPlace& place : places_in_order_of_cost(scratches_))
       state_.policies.recorder->record(
           scratches_[place.thread].contractions.list.contraction(place.number, wedges));
-    tell_refusals(*state_.policies.recorder, scratches_);
+    report_rejections(*state_.policies.recorder, scratches_);
     for (RecordScratch& scratch : scratches_) {
       scratch.contractions.list = empty_list();
       scratch.contractions.costs.clear();
@@ -248,7 +248,8 @@ public:
 
 private:
   // By input indices.
-  RecordedRefusal refusal(const std::array<Index, 2>& ends, Rejection cause, double error) const {
+  RecordedRejection rejection(const std::array<Index, 2>& ends, Rejection cause,
+                              double error) const {
     return {input_vertex(ends[0]), input_vertex(ends[1]), cause, error};
   }
   Index input_vertex(Index v) const { return v == none ? none : state_.numbering.vertices[v]; }

@@ -303,7 +303,7 @@ private:
     });
   }
 
-  // A pair that has been refused is tried again and again, at several places, and mostly meets
+  // A pair that has been rejected is tried again and again, at several places, and mostly meets
   // faces that it met before, or that a pair of the same vertex did.
   bool meets_one_met_before(Index vertex) {
     if (is_beside(last_met_) && is_met(last_met_)) {
