@@ -118,7 +118,7 @@ requires internal::FaceGraph<Mesh> Report simplify(Mesh& mesh, const Arguments&.
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_face_graph(mesh, policies, carried, named);
   } else {
-    return internal::refuse<2, void(Mesh&), Cost, Placement, Arguments...>();
+    return internal::reject<2, void(Mesh&), Cost, Placement, Arguments...>();
   }
 }
 
@@ -150,7 +150,7 @@ requires internal::PointContainer<Points> && internal::TriangleContainer<Triangl
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(points, triangles, policies, carried, named);
   } else {
-    return internal::refuse<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
+    return internal::reject<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
   }
 }
 
@@ -186,7 +186,7 @@ requires internal::BufferedSoup<std::remove_reference_t<Points>,
     const auto named = internal::pick_named(arguments...);
     return internal::simplify_soup(rows_of_points, rows_of_triangles, policies, carried, named);
   } else {
-    return internal::refuse<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
+    return internal::reject<3, void(Points&, Triangles&), Cost, Placement, Arguments...>();
   }
 }
 

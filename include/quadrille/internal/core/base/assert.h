@@ -2,10 +2,10 @@
 #define QUADRILLE_INTERNAL_CORE_BASE_ASSERT_H
 
 /// \file
-/// QUADRILLE_ASSERT(condition) ends the program, with a message of the C++ library's, where what
-/// always holds does not: a fault of Quadrille's, never of the user's input, which gets exceptions.
-/// It is on where QUADRILLE_ASSERTIONS is defined, as it is in the presets that say so, and costs
-/// nothing elsewhere: not even in a user's debug build, unless the user asks for it.
+/// QUADRILLE_ASSERT(condition) ends the program, with a message of the C++ library's, if the
+/// condition is false: a fault of Quadrille's, never of the user's input, which gets exceptions. It
+/// is enabled if QUADRILLE_ASSERTIONS is defined, as in the presets that say so, and costs nothing
+/// otherwise: not even in a user's debug build, unless the user asks for it.
 
 #ifdef QUADRILLE_ASSERTIONS
 #ifdef NDEBUG

@@ -15,7 +15,7 @@ using Lanes = double __attribute__((vector_size(16)));
 /// The result of a comparison of Lanes.
 using LaneMask = decltype(Lanes{} < Lanes{});
 
-/// In each lane `a` where the condition holds, else `b`.
+/// Returns in each lane `a` if the condition is true, else `b`.
 inline Lanes select(LaneMask condition, Lanes a, Lanes b) {
   return condition ? a : b;
 }
@@ -69,8 +69,8 @@ inline double select(bool condition, double a, double b) {
   return condition ? a : b;
 }
 
-/// Does a condition hold for no number, so that there is nothing to go on with? Of lanes that is
-/// not asked: going on costs less.
+/// Is a condition false for all numbers, so that the rest can be skipped? This is not checked for
+/// lanes: continuing costs less.
 constexpr bool is_nowhere(bool condition) {
   return !condition;
 }

@@ -21,7 +21,7 @@ using Held = typename HeldBy<std::remove_cvref_t<T>>::type;
 template <class T>
 concept IsOptional = !std::same_as<Held<T>, std::remove_cvref_t<T>>;
 
-/// Calls use(value), unless that is a std::optional which holds nothing.
+/// Calls use(value), unless the value is an empty std::optional.
 template <class T, class Use>
 void if_given(const T& value, Use use) {
   if constexpr (!IsOptional<T>)
@@ -30,7 +30,7 @@ void if_given(const T& value, Use use) {
     use(*value);
 }
 
-/// Returns use(value), or use(Default{}) of a std::optional that holds nothing.
+/// Returns use(value), or use(Default{}) for an empty std::optional.
 template <class Default, class T, class Use>
 auto use_or_default(const T& value, Use use) {
   if constexpr (!IsOptional<T>)

@@ -68,7 +68,7 @@ concept LooksLikeCost = requires {
   cost.face(p, p, p);
 };
 
-/// Is a type meant to be a placement? What it gives for a pair is something, if not a position.
+/// Is a type meant to be a placement? Its result for a pair is not void, even if it is no position.
 template <class T, class Cost>
 concept LooksLikePlacement = requires(const T placement,
                                       const typename SeenByPlacement<T, Cost>::Costs cost,
@@ -266,7 +266,7 @@ concept Fitting =
     CostPolicy<CostOf<Cost, Arguments...>> && AllAreKnown<Unknown<0, Cost, Arguments...>> &&
     PlacementPolicy<PlacementOf<Cost, Placement, Arguments...>, CostOf<Cost, Arguments...>>;
 
-/// The recorder of a call, as policies hold it; nothing if there is none.
+/// The type-erased recorder of a call; empty if there is none.
 template <class Cost, class... Arguments>
 std::optional<RecorderHandle> pick_recorder([[maybe_unused]] const Arguments&... arguments) {
   std::optional<RecorderHandle> handle;

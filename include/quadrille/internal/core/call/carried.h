@@ -122,7 +122,7 @@ auto pick_carried(const Arguments&... arguments) {
                  splits_vertices>{labels, channels};
 }
 
-/// How much the borders between labels weigh.
+/// The weight of boundaries between labels.
 template <class Carried>
 double label_border_weight([[maybe_unused]] const Carried& carried) {
   double weight = 1;

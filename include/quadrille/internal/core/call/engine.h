@@ -51,8 +51,8 @@ StopReason contract(WorkingSurface<Policies>& surface, Report& report, StopWatch
   return loop.run();
 }
 
-/// Throws if there are tolerances and nothing that holds them, or the other way round. Are those of
-/// faces given?
+/// Throws if there are tolerances and no policy enforces them, or the other way round. Are
+/// tolerances of faces given?
 template <class Input>
 void check_tolerances(const Input& input, const StopRule& stop, bool have_faces) {
   if (stop.needs().tolerance && !have_faces && input.tolerances.size() < input.positions.size())

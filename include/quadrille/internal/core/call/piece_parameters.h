@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-/// The named parameters of a piece of a surface: see vertex_is_shared_map.
+/// The named parameters of a chunk of a surface: see vertex_is_shared_map.
 
 namespace quadrille::internal {
 
-/// Shares the vertices that other pieces have as well, if any do.
+/// Fixes the vertices that other chunks have as well, if there are any.
 template <class Reader, class Input, class NamedParameters>
 void share_vertices(Reader& reader, Input& input, const NamedParameters& named) {
   with_map<parameters::vertex_is_shared_t>(named, [&](const auto& map) {
@@ -33,7 +33,7 @@ void share_vertices(Reader& reader, Input& input, const NamedParameters& named) 
   });
 }
 
-/// Names the borders of a mesh between vertices that are shared.
+/// Marks the boundary edges of a mesh between vertices that are shared.
 template <class Reader, class Input, class NamedParameters>
 void name_borders(Reader& reader, Input& input, const NamedParameters& named) {
   with_map<parameters::edge_is_border_t>(named, [&](const auto& map) {

@@ -14,7 +14,7 @@
 #include <utility>
 
 /// \file
-/// How a triangle complex builds its lists, and makes room behind those of hubs.
+/// A triangle complex builds its lists here, and reserves places after those of hubs.
 
 namespace quadrille::internal {
 

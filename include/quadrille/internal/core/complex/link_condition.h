@@ -280,9 +280,9 @@ private:
            is_seen_from(b, a, star.second, star.first);
   }
 
-  // Does the spine go on behind one end of an edge, and not back to it? The next vertex on it is
-  // that of as many faces as the edge has, all of which are among these unless it is opposite to
-  // it.
+  // Does the spine continue beyond one end of an edge, without returning to it? The next vertex on
+  // it belongs to as many faces as the edge has, all of which are among these unless it is opposite
+  // to it.
   static bool goes_on_behind(const AppendBuffer<StarFace>& faces,
                              const AppendBuffer<StarFace>& shared, VertexLabels& labels) {
     const Index pages = static_cast<Index>(shared.size());

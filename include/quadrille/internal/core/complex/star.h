@@ -56,14 +56,15 @@ struct PairStar {
     StarFace* const both = shared.extend(complex.degree_bound(a));
     StarFace* const theirs = second.extend(complex.degree_bound(b));
     std::size_t our_count = 0, both_count = 0, their_count = 0;
-    complex.prune_corners(a, [&](Index face, Index i) { // without a branch, which would be hard to predict
-      const StarFace f = star_face_at(complex, face, i);
-      const bool is_shared = (f.second == b) | (f.third == b);
-      ours[our_count].set(f);
-      both[both_count].set(f);
-      both_count += is_shared;
-      our_count += !is_shared;
-    });
+    complex.prune_corners(
+        a, [&](Index face, Index i) { // without a branch, which would be hard to predict
+          const StarFace f = star_face_at(complex, face, i);
+          const bool is_shared = (f.second == b) | (f.third == b);
+          ours[our_count].set(f);
+          both[both_count].set(f);
+          both_count += is_shared;
+          our_count += !is_shared;
+        });
     complex.prune_corners(b, [&](Index face, Index i) {
       const StarFace f = star_face_at(complex, face, i);
       theirs[their_count].set(f);
@@ -136,7 +137,7 @@ private:
 
   void add(Index face) { faces_.add_if(true, star_face_from(complex_, face, hub_)); }
 
-  // The first at both v and the hub for which is(f) holds, if there is any.
+  // Returns the first face at both v and the hub that satisfies is(f), if there is one.
   template <class Is>
   void add_first(Index v, Is is) {
     const Index few = fewer(v, hub_);

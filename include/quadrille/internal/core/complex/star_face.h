@@ -16,7 +16,7 @@ struct StarFace {
   /// Returns the one of the other two vertices that is not v.
   Index other_than(Index v) const { return second == v ? third : second; }
 
-  // Part by part: see PairQueue::append.
+  // Assigns member by member: see PairQueue::append.
   void set(const StarFace& f) { face = f.face, second = f.second, third = f.third; }
 };
 

@@ -37,7 +37,7 @@ inline Array<Index> component_roots(const TriangleComplex& complex) {
   return parent;
 }
 
-/// How many parts there are.
+/// Counts the connected components.
 inline std::size_t count_components(const TriangleComplex& complex) {
   const Array<Index> root = component_roots(complex);
   std::size_t components = 0;

@@ -155,8 +155,9 @@ public:
   const Hubs& hubs() const { return hubs_; }
   /// From here on, none counts as such.
   void forget_hubs() { hubs_.forget(); }
-  /// To be called after each contraction. Once these may have taken a part of the faces of the
-  /// hubs, drops those that are gone, and calls visit(v) for each vertex that has been a hub.
+  /// This must be called after each contraction. Once contractions may have removed a certain
+  /// fraction of the faces of the hubs, it drops the removed ones, and calls visit(v) for each
+  /// vertex that has been a hub.
   template <class Visit>
   void review_hubs(Visit visit);
 
@@ -209,7 +210,7 @@ public:
     }
   }
 
-  /// Does is(face, i) hold for any of them? Asks no further then.
+  /// Does is(face, i) hold for any of them? Stops at the first.
   template <class Is>
   bool any_corner(Index vertex, Is is) const {
     const Index* const corners = pool_.data() + lists_[vertex].begin;
@@ -238,7 +239,7 @@ public:
       reserve_corners(lists_[kept].size + lists_[gone].size);
   }
   /// Moves all faces of `gone` to `kept`, whose list is then free of removed ones unless it is a
-  /// hub. Faces that hold both must have been removed already.
+  /// hub. Faces with both vertices must have been removed already.
   void merge(Index kept, Index gone) {
     reserve_for_merge(kept, gone); // no walk may see the pool move
     if (hubs_.has(kept)) {
@@ -340,7 +341,7 @@ private:
 
   bool are_lists_right() const;
 
-  // Behind the list of a hub: places of the pool that hold no corner.
+  // Is there room after the list of a hub for so many corners?
   bool has_room_behind(Index hub, std::size_t corners) const;
   void make_room_behind(Index hub, std::size_t corners);
   void append_to_hub(Index hub, Index gone);

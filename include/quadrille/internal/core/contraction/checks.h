@@ -35,9 +35,9 @@ public:
                             (state.scale.writes_floats() && state.policies.stop.needs().distance)) {
   }
 
-  /// Why the contraction must not be done, if so. Where only filters reject it, and another place
-  /// that costs the same suits them, it goes there. Where there are guards, or distances are
-  /// bounded, it goes to a place that can be written as it is.
+  /// Returns why the contraction must not be done, if it must not. If only filters reject it, and
+  /// they accept another position of the same cost, it gets that position. If there are guards, or
+  /// distances are bounded, it gets a position that can be written unchanged.
   std::optional<Rejection> rejection(Contraction& contraction) const {
     const PairStar& star = contraction.star();
     const Index a = contraction.first(), b = contraction.second();

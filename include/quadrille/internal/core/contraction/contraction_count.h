@@ -12,9 +12,10 @@
 
 namespace quadrille::internal {
 
-/// How many contractions a pass may do without asking the stop policy, and what each counts as.
-/// Where topology is free, duplicate faces go too, and all faces at an edge, and what is isolated
-/// then: such a contraction counts as several. Where faces have backs, these go with them.
+/// Determines how many contractions a pass may do without asking the stop policy, and what each
+/// counts as. With free topology, duplicate faces are removed too, and all faces at an edge, and
+/// vertices that are isolated then: such a contraction counts as several. If faces have reverses,
+/// these are removed with them.
 class ContractionCount {
 public:
   /// `backs`: of the surface; it stays where it is.

@@ -14,7 +14,7 @@ namespace quadrille::internal {
 template <class Cost, class ChannelsLeft>
 struct FinishedSurface {
   Scale<Cost::dimension> scale;
-  bool is_closed; ///< it had no border, and has none
+  bool is_closed; ///< it had no boundary, and has none
   TriangleComplex complex;
   Array<Vector<Cost::dimension>> positions;
   Array<unsigned char> is_moved;

@@ -62,7 +62,8 @@ struct DistanceNeeds {
   const std::vector<double>& tolerances;
 };
 
-/// The measured distances of a surface, as an observer of its contractions, if anybody asks.
+/// The measured distances of a surface, as an observer of its contractions, if a policy asks for
+/// them.
 template <class Policies>
 class OptionalDistances {
 public:

@@ -70,7 +70,7 @@ public:
   void announce_cost(double cost) { status_.next_cost = cost; }
   /// Announces the distance from the input to the surface.
   void announce_distance_back(double distance) { status_.next_distance_back = distance; }
-  /// And of the part of its tolerance that a point will have used.
+  /// Announces the fraction of its tolerance that a point will have used.
   void announce_tolerance(double part) { status_.next_tolerance = part; }
   /// Returns the total displacement of contractions up to now: see Displacement.
   std::uint64_t moved() const { return total_.moved; }

@@ -34,7 +34,7 @@ public:
   virtual void after(const Contraction& contraction, Index kept, Index gone, double error,
                      bool is_in_pass) = 0;
   virtual void vanished(const PartEvent& event) = 0;
-  /// A pair of these ends, or a part, which has none.
+  /// Reports a rejected pair with these ends, or a component, which has none.
   virtual void reject(const std::array<Index, 2>& ends, Rejection cause, double error) = 0;
   virtual void reject_in_pass(const std::array<Index, 2>& ends, Rejection cause, double error,
                               Scratch& scratch) = 0;
@@ -62,7 +62,7 @@ public:
       recording_ = needs.state.policies.optional.make_recording(needs);
   }
 
-  /// nullptr if nobody is.
+  /// nullptr if there is no recorder.
   Recording<Policies>* get() const { return recording_.get(); }
 
   template <class Event>

@@ -45,7 +45,7 @@ public:
       inputs[back] = complex().backs().input_face(faces_[back]);
     return inputs;
   }
-  /// The input index of what a vertex of the input has become part of.
+  /// Returns the input index of the vertex into which a vertex of the input was merged.
   Index image(Index input) const { return surface_.numbering.image(input); }
 
   TriangleComplex::Triangle corners(Index face) const {

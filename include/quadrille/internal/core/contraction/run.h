@@ -29,7 +29,7 @@
 
 namespace quadrille::internal {
 
-/// How many edges the faces have for which counts(face) holds, each edge once however many faces it
+/// Counts the edges of the faces that satisfy counts(face), each edge once however many faces it
 /// has. In linear time.
 template <class Counts>
 std::size_t count_edges(const TriangleComplex& complex, VertexLabels& labels, Counts counts) {
@@ -114,7 +114,7 @@ inline Loss count_unselected(const TriangleComplex& complex, const InputIndices&
 /// the faces up to a cost are those that a run up to it would have taken; in a pass by its own key.
 class CountedCosts {
 public:
-  /// `histogram` is null if nobody asks.
+  /// `histogram` is null if it is not needed.
   CountedCosts(CostHistogram* histogram, const TriangleComplex& complex)
       : histogram_(histogram), complex_(complex) {}
 
@@ -147,8 +147,8 @@ public:
   CountedEdges(bool is_asked, const TriangleComplex& complex, Scratch& scratch)
       : is_asked_(is_asked), complex_(complex), scratch_(scratch) {}
 
-  /// How many edges selected faces have: what the target counts. `is_selected` is of each input
-  /// face, or empty if all are. As many as can be where nobody asks.
+  /// Counts the edges of selected faces, which the target counts. `is_selected` is of each input
+  /// face, or empty if all are. It returns the largest number if edges need not be counted.
   std::size_t count(const InputIndices& input_faces, const std::vector<bool>& is_selected) const {
     if (!is_asked_)
       return (std::numeric_limits<std::size_t>::max)();

@@ -58,8 +58,8 @@ inline std::vector<Index> regions_of(const TriangleComplex& complex, const Array
   return parent;
 }
 
-/// Measures what contractions of great error do to the shape of large parts of a surface, and of
-/// large regions of labels: those from a twentieth of its diagonal.
+/// Measures how contractions of great error affect the shape of large components of a surface, and
+/// of large regions of labels: those from a twentieth of its diagonal.
 template <class Policies>
 class ShapeCheck {
 public:
@@ -76,12 +76,12 @@ public:
     return spoiling_part * Parts<dimension>::least_large * state_.scale.diagonal();
   }
 
-  /// Is there anything that a contraction could spoil? Parts have to be measured before.
+  /// Is there anything that a contraction could spoil? Components must have been measured before.
   bool has_any() const { return state_.parts.size() > 1 || !state_.labels().empty(); }
 
-  /// How far the contraction goes beyond what a large part or region bears: more than 1 if it
-  /// spoils the shape of one. A part is looked at where there are several, by the error and by what
-  /// is measured; a region of labels by the error.
+  /// Returns the ratio of the contraction's error to the error that a large component or region
+  /// tolerates: more than 1 if it spoils the shape of one. A component is checked if there are
+  /// several, by the error and by measurement; a region of labels by the error.
   double strain(const Contraction& contraction) {
     return (std::max)(strain_of_part(contraction), strain_of_region(contraction));
   }
@@ -92,12 +92,12 @@ public:
                ? part.isolation * part.radius / (spoiling_part * state_.scale.diagonal())
                : 0;
   }
-  /// The key of what spoils a shape: behind all that spoils nothing, of which keys are at most
-  /// about 2^80 (see Scale), and in the order of cost and fourth power of the strain.
-  static float dearer(double cost, double strain) { return behind(0x1p85, cost, strain); }
+  /// Returns the key of a contraction that spoils a shape: above the keys of all others, which are
+  /// at most about 2^80 (see Scale), and in the order of cost and fourth power of the strain.
+  static float costlier(double cost, double strain) { return behind(0x1p85, cost, strain); }
   /// Returns the cost of a contraction with its strain: shrinking a large component comes after all
   /// components that may vanish, too.
-  static float dearer(const Contraction& contraction, double strain) {
+  static float costlier(const Contraction& contraction, double strain) {
     return behind(strain > melting ? 0x1p100 : 0x1p85, contraction.key(), strain);
   }
   bool spoils(const Contraction& contraction) { return strain(contraction) > 1; }
@@ -143,7 +143,7 @@ private:
       return 0;
   }
 
-  // In which both ends lie; to join parts spoils none.
+  // Returns the component of both ends; joining components spoils none.
   const Part<dimension>* large_part(const Contraction& contraction) const {
     if (state_.parts.size() < 2)
       return nullptr;

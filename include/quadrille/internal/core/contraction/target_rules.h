@@ -40,7 +40,8 @@ public:
     return internal::is_passed(state_.policies.stop, after);
   }
 
-  /// In which way the stop policy stops, if it does: have contractions gone beyond its target?
+  /// Returns the reason why the stop policy stops, if it does: have contractions gone beyond its
+  /// target?
   StopReason reason_of_stop(const Status& status) const {
     const bool is_passed = status.vertices < status.initial_vertices &&
                            internal::is_passed(state_.policies.stop, status);

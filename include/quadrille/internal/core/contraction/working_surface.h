@@ -108,8 +108,8 @@ public:
   /// first.
   ///
   /// In a pass, contractions have no end in common, end_pass() is called after the last, and those
-  /// whose stars have no vertex in common may be done at the same time. Where topology is free, no
-  /// end of an earlier one may be cut off: see any_cut_off().
+  /// whose stars have no vertex in common may be done at the same time. With free topology, no end
+  /// of an earlier one may be cut off: see any_cut_off().
   template <class Mode>
   Index apply(const Contraction& contraction, const Mode& mode) {
     const auto [kept, gone] = kept_and_gone(contraction, state_.geometry);

@@ -50,18 +50,18 @@ public:
   /// A contraction has been done: the vertex that is kept has its place. The star is as it was
   /// before.
   virtual void follow(const GuardedPair<N>& pair, Index kept) = 0;
-  /// These faces are about to go, with the whole part that they belong to.
+  /// These faces are about to be removed, with their whole component.
   virtual void forget(std::span<const Index> /*faces*/) {}
   /// Faces that are removed are about to lose their numbers, in a pass.
   virtual void pack() {}
-  /// The surface is as it is behind the last contraction.
+  /// The surface is as it is after the last contraction.
   virtual void end(Report& report) = 0;
 
   /// Does it reject pairs because of other faces, so that they may have another turn when these
   /// have changed, or another place is tried?
   virtual bool has_obstacles() const { return false; }
-  /// The face that was in the way of the last pair that it was asked about; none if it is of the
-  /// star, or there was none.
+  /// Returns the face that obstructed the last pair that it was asked about; none if it is in the
+  /// star, or if there was none.
   virtual Index obstacle() const { return none; }
 };
 

@@ -124,7 +124,7 @@ private:
     PlacedFace(const Triangle& c, Index o) : corners(c), input(o) {}
   };
 
-  // By their lowest vertices: first into parts, which fit into a cache, then inside of each.
+  // Sorts by their lowest vertices: first into ranges that fit into a cache, then inside each.
   template <std::size_t N>
   static void sort_faces(SurfaceInput<N>& surface, Threads threads) {
     constexpr unsigned part_bits = 12;

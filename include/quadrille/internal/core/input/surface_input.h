@@ -47,8 +47,8 @@ struct SurfaceInput {
   /// The tolerance of each vertex, in the mesh's units; empty if there are none. See
   /// ToleranceLimit.
   std::vector<double> tolerances;
-  /// May it have faces on the same three vertices? Of those one is left, or with may_have_backs one
-  /// of each way round.
+  /// May it have faces on the same three vertices? One of those is left, or with may_have_backs one
+  /// of each orientation.
   bool has_duplicate_faces = false;
   bool may_have_backs = false;
 
@@ -84,7 +84,7 @@ struct SurfaceInput {
     is_fixed[v] = true;
   }
 
-  /// Fixes a vertex that other pieces have as well.
+  /// Fixes a vertex that other chunks have as well.
   void share(Index v) {
     is_shared.resize(positions.size(), false);
     is_shared[v] = true;

@@ -38,10 +38,10 @@ struct MemoryNeeds {
   std::size_t least, most;
 };
 
-/// The memory of one simplification, for its arrays, by one thread: one block, of which each takes
-/// a part and gives it back. So the pages of those that are gone serve those that come, and the
-/// system can hand out large ones. There is no block where that is not worth it, or where none is
-/// to be had.
+/// The arena of one simplification: one block of memory for its arrays, used by one thread, from
+/// which each array takes a range and returns it. So the pages of released arrays serve later ones,
+/// and the system can provide large pages. There is no block if it is not worthwhile, or if none is
+/// available.
 class Workspace {
 public:
   static constexpr std::size_t unit = 64; ///< parts begin at multiples of it: a line of a cache
@@ -66,7 +66,7 @@ public:
     ::operator delete(begin_, alignment);
   }
 
-  /// A part of the block, the smallest that fits; or nothing where there is none.
+  /// Returns the smallest range of the block that fits; nullptr if there is none.
   void* allocate(std::size_t bytes) {
     const std::size_t size = rounded_up(bytes);
     Gap** best = nullptr;
@@ -94,14 +94,15 @@ public:
       join_with_next(before);
   }
 
-  /// Is this a part of the block?
+  /// Does this belong to the block?
   bool owns(const void* part) const {
     return begin_ && !std::less<const void*>()(part, begin_) &&
            std::less<const void*>()(part, end_);
   }
 
 private:
-  // Between parts that have been given. The list of all, in order, lies in the gaps themselves.
+  // A gap between allocated ranges. The list of all gaps, in order, is stored in the gaps
+  // themselves.
   struct Gap {
     std::size_t size;
     Gap* next;

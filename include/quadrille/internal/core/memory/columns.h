@@ -12,12 +12,13 @@
 #include <vector>
 
 /// \file
-/// A column is an array with a value for each vertex. A part of the engine names its columns once:
+/// A column is an array with a value for each vertex. A component of the engine names its columns
+/// once:
 ///
 ///     static auto vertex_columns(auto& self) { return std::tie(self.positions_, self.reach_); }
 ///
-/// All that is done with each column of a part is done by the functions here, of a list of parts as
-/// a tuple of references. Parts of other kinds may be in the list. A part may say:
+/// The functions here process the columns of a list of components, a tuple of references. Other
+/// components may be in the list. A component may say:
 ///
 ///     static constexpr bool is_seldom_there = true; // its columns are mostly empty
 ///     static constexpr bool is_made_anew = true;    // they are computed once more after packing
@@ -37,7 +38,7 @@ inline constexpr bool is_made_anew = requires {
   requires Part::is_made_anew;
 };
 
-/// The columns of a part; none if it names none.
+/// Returns the columns of a component; none if it names none.
 template <class Part>
 auto columns_of([[maybe_unused]] Part& part) {
   if constexpr (HasColumns<Part>)
@@ -46,8 +47,8 @@ auto columns_of([[maybe_unused]] Part& part) {
     return std::tuple<>();
 }
 
-/// Leaves out all vertices but those of an ascending list, which get the numbers 0, 1, …, of the
-/// columns of all parts.
+/// Keeps only the vertices of an ascending list, which get the numbers 0, 1, …, in the columns of
+/// all components.
 template <class... Part>
 void pack_columns(const std::tuple<Part&...>& parts, const Array<Index>& left) {
   const auto pack_all = [&left](auto&... column) { (pack(column, left), ...); };
@@ -71,7 +72,7 @@ void pack_others(const std::tuple<Part&...>& parts, const Array<Index>& left, Is
   std::apply([&](auto&... part) { (pack_part(part), ...); }, parts);
 }
 
-/// Has each column of all parts a value for each of that many vertices? Some may be empty.
+/// Has each column of all components a value for each of that many vertices? Some may be empty.
 template <class... Part>
 bool have_rows(const std::tuple<Part&...>& parts, std::size_t vertices) {
   const auto fit = [vertices](const auto&... column) {
@@ -94,7 +95,7 @@ QUADRILLE_ALWAYS_INLINE inline void prefetch_each(const Columns& columns, [[mayb
                                                   std::index_sequence<I...>) {
   (prefetch_value(std::get<I>(columns), v), ...);
 }
-/// Asks for all that a part holds of a vertex.
+/// Prefetches all data of a vertex in a component.
 template <class Part>
 QUADRILLE_ALWAYS_INLINE inline void prefetch_columns(const Part& part, Index v) {
   const auto columns = Part::vertex_columns(part);
@@ -115,7 +116,7 @@ QUADRILLE_ALWAYS_INLINE inline void prefetch_each_part(const Parts& parts, Index
   (prefetch_part(std::get<I>(parts), v), ...);
 }
 
-/// Asks for all that parts hold of a vertex, or for what their prefetch(v) asks for.
+/// Prefetches all data of a vertex in the components, or what their prefetch(v) selects.
 template <class... Part>
 QUADRILLE_ALWAYS_INLINE inline void prefetch_parts(const std::tuple<Part&...>& parts, Index v) {
   prefetch_each_part(parts, v, std::index_sequence_for<Part...>());
@@ -133,7 +134,7 @@ struct RowOf<std::tuple<Column&...>> {
   static constexpr std::size_t bytes = (bytes_a_value<Column> + ... + 0);
 };
 
-/// How much the columns of a part take for each vertex.
+/// Returns how many bytes the columns of a component take for each vertex.
 template <class Part>
 inline constexpr std::size_t bytes_a_vertex =
     RowOf<decltype(columns_of(std::declval<Part&>()))>::bytes;

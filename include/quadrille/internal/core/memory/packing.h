@@ -16,7 +16,8 @@ Array<Index> indices_of(const Values& values, Condition condition) {
       static_cast<std::size_t>(std::count_if(values.begin(), values.end(), condition));
   Array<Index> indices(count + 1, values.get_allocator());
   std::size_t found = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch, which would be hard to predict
+  for (std::size_t i = 0; i < values.size();
+       ++i) { // without a branch, which would be hard to predict
     indices[found] = static_cast<Index>(i);
     found += condition(values[i]);
   }
@@ -24,12 +25,12 @@ Array<Index> indices_of(const Values& values, Condition condition) {
   return indices;
 }
 
-/// Moves the values of numbers for which is_left(number) holds to the front. No memory is given
-/// back.
+/// Moves the values of numbers that satisfy is_left(number) to the front. No memory is released.
 template <class Values, class IsLeft>
 void pack_if(Values& values, IsLeft is_left) {
   std::size_t left = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) { // without a branch, which would be hard to predict
+  for (std::size_t i = 0; i < values.size();
+       ++i) { // without a branch, which would be hard to predict
     values[left] = values[i];
     left += is_left(static_cast<Index>(i));
   }

@@ -46,7 +46,7 @@ public:
   explicit Judge(WorkingSurface<Policies>& surface) : surface_(surface) {}
 
   /// With which cost does the pair go back, if it now costs more than it may?
-  std::optional<float> dearer(const Candidate&) { return std::nullopt; }
+  std::optional<float> costlier(const Candidate&) { return std::nullopt; }
   /// Is it certain to be too far from the input, before its star is known?
   bool is_beyond_hub(const Candidate&) { return false; }
   /// Would it take more than there is left for it? Then it goes back as it is.
@@ -79,7 +79,7 @@ QUADRILLE_ALWAYS_INLINE inline Attempt attempt(WorkingSurface<Policies>& surface
   using Placement = typename Policies::Placement;
   using Cost = typename Policies::Cost;
   Candidate<Cost> candidate = surface.evaluator().evaluate(first, second); // the target, its cost
-  if (const auto key = judge.dearer(candidate))
+  if (const auto key = judge.costlier(candidate))
     return Attempt::put_back(*key);
   if (judge.is_beyond_hub(candidate))
     return Attempt::rejected(Rejection::distance);
@@ -90,7 +90,7 @@ QUADRILLE_ALWAYS_INLINE inline Attempt attempt(WorkingSurface<Policies>& surface
   if constexpr (looks_at_star<Placement>) { // which determines the target
     if (!surface.evaluator().settle(candidate, contraction.star()))
       return {Outcome::rejected, Placement::cause, 0, candidate.error};
-    if (const auto key = judge.dearer(candidate))
+    if (const auto key = judge.costlier(candidate))
       return Attempt::put_back(*key);
   }
 

@@ -27,9 +27,9 @@ public:
   }
   /// Is that more than meeting the target exactly is worth, by what the first of the pairs here
   /// costs?
-  bool is_too_dear(double cost) const { return !empty() && cost > highest_cost_; }
+  bool is_too_costly(double cost) const { return !empty() && cost > highest_cost_; }
 
-  /// Takes out the first for which is_left(pair) holds.
+  /// Takes out the first pair that satisfies is_left(pair).
   template <class IsLeft>
   std::optional<QueuedPair> take(IsLeft is_left) {
     while (!empty())

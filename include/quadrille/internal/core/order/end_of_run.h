@@ -16,8 +16,8 @@
 
 namespace quadrille::internal {
 
-/// Does the stop policy stop at a count of something, whatever the distance and the cost? Where
-/// these alone stop it, they are rule enough.
+/// Does the stop policy stop at a count, whatever the distance and the cost? If only distance and
+/// cost stop it, they are sufficient rules.
 template <class Policies>
 bool stops_at_a_count(const WorkingSurface<Policies>& surface) {
   Status status = surface.status();
@@ -61,7 +61,7 @@ public:
     return waiting > 0 && has_count_ && hold_.is_awake(waiting) && hold_.is_of_most();
   }
 
-  /// Would the contraction destroy what is left free? `waiting` pairs are held.
+  /// Would the contraction destroy what constraints leave free? `waiting` constrained pairs wait.
   bool is_destroyed_by(const Contraction& contraction, std::size_t waiting) {
     return waiting > 0 && has_count_ && destroys(contraction, waiting);
   }

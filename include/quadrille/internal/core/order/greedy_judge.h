@@ -75,7 +75,7 @@ public:
   void begin(const QueuedPair& pair) { queued_cost_ = pair.cost; }
 
   // By more than a little at a hub, where each contraction makes all pairs more costly.
-  std::optional<float> dearer(const Candidate& candidate, bool has_moved = false) {
+  std::optional<float> costlier(const Candidate& candidate, bool has_moved = false) {
     this->surface().progress().announce(candidate.error);
     constexpr bool may_rise = has_local_terms<Cost> || looks_at_star<Placement>;
     const bool is_at_hub =
@@ -106,7 +106,7 @@ public:
       return Attempt::put_back(*key);
     if (!moves_to_end(contraction, cause))
       return Attempt::rejected(cause);
-    if (const auto key = dearer(contraction.candidate(), true))
+    if (const auto key = costlier(contraction.candidate(), true))
       return Attempt::put_back(*key);
     return std::nullopt;
   }
@@ -137,8 +137,9 @@ private:
     return this->surface().guards().with_obstacles(cause) != nullptr;
   }
 
-  // To an end, where faces are in the way of the place of least cost, which ends seldom are: shells
-  // and walls close together would soon hold each other. And where ends are tried: see PairSupply.
+  // Moves to an end if faces obstruct the position of least cost, which rarely happens at ends:
+  // shells and walls close together would otherwise soon obstruct each other. It does so as well if
+  // ends are tried: see PairSupply.
   bool moves_to_end(Contraction& contraction, Rejection cause) {
     return ((!looks_at_star<Placement> && is_for_obstacle(cause)) || supply_.tries_ends()) &&
            internal::moves_to_end(this->surface().evaluator(), contraction,
@@ -157,8 +158,8 @@ private:
     return key > tolerated_rise<Cost> * queued_cost_ ? std::optional(key) : std::nullopt;
   }
 
-  // Would it spoil the shape of a large part or region, while others may meet the target? It goes
-  // behind these.
+  // Would it spoil the shape of a large component or region, while others may meet the target? Then
+  // it comes after these.
   std::optional<float> key_behind_others(const Contraction& contraction) {
     if (contraction.error() <= least_spoiling_) [[likely]]
       return std::nullopt;
@@ -170,12 +171,12 @@ private:
     if (!surface.shape_check().has_any())
       least_spoiling_ = no_limit;
     const double strain = surface.shape_check().strain(contraction);
-    const float key = ShapeCheck<Policies>::dearer(contraction, strain);
+    const float key = ShapeCheck<Policies>::costlier(contraction, strain);
     return strain > 1 && key > queued_cost_ ? std::optional(key) : std::nullopt;
   }
 
-  // Does it move the surface further than its error says? It goes behind those that cost less than
-  // what is measured.
+  // Does it move the surface further than its error says? Then it comes after those that cost less
+  // than the measured value.
   std::optional<float> measured_key(Contraction& contraction) {
     if (!end_of_run_.is_near(supply_.waiting().held()))
       return std::nullopt;
@@ -211,8 +212,8 @@ private:
   // Would it go beyond the target, where another pair might meet it? Or is it such another one, but
   // costs too much more than the first that would have had its turn?
   bool misses_target(const Contraction& contraction) {
-    return supply_.deferred().is_too_dear(contraction.cost()) ||
-           parts_.is_too_dear(contraction.key()) ||
+    return supply_.deferred().is_too_costly(contraction.cost()) ||
+           parts_.is_too_costly(contraction.key()) ||
            this->surface().run().target_rules().overshoots(contraction, this->surface().status());
   }
 
@@ -221,8 +222,8 @@ private:
   DistanceStop<Policies> distance_stop_;
   CostStop<Policies> cost_stop_;
   EndOfRun<Policies> end_of_run_;
-  // Errors up to this one spoil no part. Nothing does where the stop policy stops at no count, or
-  // where parts may join.
+  // Errors up to this one spoil no component. Nothing does if the stop policy stops at no count, or
+  // if components may join.
   double least_spoiling_;
   float queued_cost_ = 0; // of the pair at hand
 };

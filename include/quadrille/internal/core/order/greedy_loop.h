@@ -81,7 +81,8 @@ private:
                    });
   }
 
-  // Once all parts have vanished that are cheaper; none if the stop policy is satisfied by that.
+  // Returns the cheapest pair once all cheaper components have vanished; none if the stop policy is
+  // satisfied by that.
   std::optional<QueuedPair> cheapest_pair() {
     std::optional<QueuedPair> next = supply_.take();
     while (parts_.has_below(next ? static_cast<double>(next->cost) : no_limit,

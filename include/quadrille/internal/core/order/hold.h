@@ -14,14 +14,14 @@
 
 namespace quadrille::internal {
 
-/// Is most of a surface held by what is to be kept, so that contractions have to be in the rest of
-/// it, whatever that does to the shape? This does not ask for the target.
+/// Is most of a surface constrained, so that contractions must take place in the rest of it,
+/// whatever that does to the shape? This does not depend on the target.
 template <class Policies>
 class Hold {
 public:
   explicit Hold(WorkingSurface<Policies>& surface) : surface_(surface) {}
 
-  /// May that cause hold, whatever place a vertex would go to? Flips, distances and hulls do not.
+  /// May that cause constrain a pair whatever its position? Flips, distances and hulls do not.
   static bool is_by(Rejection cause) {
     switch (cause) {
     case Rejection::topology:
@@ -39,14 +39,14 @@ public:
     }
   }
 
-  /// Do enough pairs wait that have been rejected for it?
+  /// Are there enough waiting pairs that have been rejected for this?
   bool is_awake(std::size_t waiting) const {
     const Status& status = surface_.status();
     return least_part * waiting >= surface_.pairs().count(status.faces, status.vertices);
   }
 
-  /// Is more than half of the edges held? Once it is so, it is taken to stay so; before, they are
-  /// looked at once more when a tenth of the faces is gone: in linear time in all.
+  /// Are more than half of the edges constrained? Once they are, they are taken to stay so; before,
+  /// they are checked again when a tenth of the faces is gone: in linear time in all.
   bool is_of_most() {
     const Status& status = surface_.status();
     if (!is_of_most_ && 10 * status.faces < 9 * faces_counted_) {
@@ -96,7 +96,8 @@ private:
   }
 
   WorkingSurface<Policies>& surface_;
-  std::optional<Scratch> scratch_; // that of the surface holds the contraction at hand
+  std::optional<Scratch>
+      scratch_; // the scratch space of the surface is in use for the current contraction
   std::size_t faces_counted_ = ~std::size_t{0} / 16;
   bool is_of_most_ = false;
 };

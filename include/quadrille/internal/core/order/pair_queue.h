@@ -125,7 +125,8 @@ private:
     std::push_heap(heap_.begin(), heap_.end(), later);
   }
 
-  // Part by part: a copy of the whole would wait until the parts, just computed, have been written.
+  // Copies member by member: a copy of the whole would wait until the members, just computed, have
+  // been written.
   QUADRILLE_ALWAYS_INLINE void append(std::size_t index, QueuedPair pair) {
     Bucket& bucket = buckets_[index];
     if (bucket.size == Block::capacity)

@@ -18,11 +18,11 @@
 
 namespace quadrille::internal {
 
-/// Asks for what contracting the pairs that come next will read, one thing after the other: what
-/// the parts of the surface hold of their ends, the corners of these, the faces, what is held of
-/// their neighbours. Pairs lie anywhere, so most of the time would go into waiting for memory.
-/// peek(n) points to the pair that comes n pairs later, or nowhere; also(w) asks for what the
-/// caller will read of a neighbour.
+/// Prefetches the data that contracting the next pairs will read, step by step: the data of their
+/// ends in all components, the corners of these, the faces, and the data of their neighbours. Pairs
+/// are anywhere in memory, so most of the time would otherwise be spent waiting for it. peek(n)
+/// points to the pair that comes n pairs later, or to none; also(w) prefetches what the caller will
+/// read of a neighbour.
 template <class Surface, class Peek, class Also>
 QUADRILLE_ALWAYS_INLINE inline void look_ahead(const Surface& surface, Peek peek, Also also) {
   const auto& complex = surface.complex();

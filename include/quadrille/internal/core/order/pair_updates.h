@@ -136,7 +136,7 @@ private:
         waiting_.release(v, push_again());
   }
 
-  // Faces that have changed or are gone may have been in the way of pairs anywhere.
+  // Faces that have changed or are gone may have obstructed pairs anywhere.
   QUADRILLE_NOINLINE void release_behind(const PairStar& star) {
     for (const auto* faces : {&star.first, &star.second, &star.shared})
       for (const StarFace& f : *faces)

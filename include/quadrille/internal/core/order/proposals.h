@@ -52,7 +52,7 @@ public:
     }
   }
 
-  /// Calls is_left(proposal) for each, in order, and returns those for which it holds.
+  /// Calls is_left(proposal) for each, in order, and returns those for which it is true.
   template <class IsLeft>
   std::vector<Proposal> left_by(IsLeft is_left) {
     others_.clear();

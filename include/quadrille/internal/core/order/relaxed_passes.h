@@ -148,7 +148,7 @@ private:
     Proposals proposals;
   };
 
-  // A pass of fewer contractions, or of a lesser part of the vertices, does not pay.
+  // A pass of fewer contractions, or of a smaller fraction of the vertices, is not worthwhile.
   static constexpr std::size_t least_contractions = 64, least_part = 32;
   static constexpr std::size_t block_size = 4096; // vertices: what they need fits into a cache
   static constexpr std::size_t joined_blocks = BlockStars::joined_blocks;
@@ -339,7 +339,7 @@ private:
     const Attempt attempt =
         internal::attempt(surface_, ends[0], ends[1], scratch, judge,
                           [&](const Contraction& c) QUADRILLE_ALWAYS_INLINE_LAMBDA {
-                            // Other blocks look at the vertices whose stars reach into them.
+                            // Other blocks read the vertices whose stars extend into them.
                             const auto is_inside = [this](Index v) { return stars_.is_inside(v); };
                             surface_.apply(c, InPass{is_inside});
                             stars_.touch(ends[0]);

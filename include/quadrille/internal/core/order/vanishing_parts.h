@@ -26,7 +26,7 @@
 
 namespace quadrille::internal {
 
-/// The vertices of each part of a surface.
+/// The vertices of each component of a surface.
 class PartLists {
 public:
   PartLists() = default;
@@ -94,15 +94,15 @@ public:
   bool has_below(double limit, bool is_last_resort) {
     return !heap_.empty() && has_cheap(static_cast<float>(limit), is_last_resort);
   }
-  /// Is that more than meeting the target exactly is worth, where a part has to wait?
-  bool is_too_dear(double cost) const {
+  /// Is that more than meeting the target exactly is worth, if a component has to wait?
+  bool is_too_costly(double cost) const {
     return waiting_price_ &&
            cost > DeferredPairs::dearest_exact * static_cast<double>(*waiting_price_);
   }
 
-  /// Lets the part that has_below() has found vanish, unless it is rejected, and calls gone(v) for
+  /// Removes the component that has_below() has found, unless it is rejected, and calls gone(v) for
   /// each of its vertices. It is rejected, too, if it spoils the shape of the whole and is_end().
-  /// False if the stop policy is satisfied without.
+  /// Returns false if the stop policy is satisfied without.
   template <class Gone, class IsEnd>
   bool vanish_next(Gone gone, IsEnd is_end) {
     cost_stop_.announce(static_cast<double>(heap_.front().first));
@@ -141,7 +141,7 @@ private:
     const double distance = shape.isolation * shape.isolation * shape.squared_radius;
     const float price = price_(vertices(part), shape.centre, distance);
     const double strain = this->strain(shape);
-    return strain > 1 ? ShapeCheck<Policies>::dearer(static_cast<double>(price), strain) : price;
+    return strain > 1 ? ShapeCheck<Policies>::costlier(static_cast<double>(price), strain) : price;
   }
   double strain(const Part<Cost::dimension>& shape) const {
     return has_count_ ? surface_.shape_check().strain(shape) : 0;

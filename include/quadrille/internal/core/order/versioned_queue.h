@@ -14,8 +14,9 @@
 
 namespace quadrille::internal {
 
-/// Since when the costs of the pairs of each vertex hold. A pair that was put into the queue before
-/// that is outdated: so a change of a vertex takes its pairs out of the queue without a search.
+/// The time since which the costs of the pairs of each vertex are valid. A pair that was put into
+/// the queue before that is outdated: so a change of a vertex takes its pairs out of the queue
+/// without a search.
 class PairVersions {
 public:
   PairVersions(std::size_t vertices, Workspace* workspace) : versions_(vertices, 0, workspace) {}

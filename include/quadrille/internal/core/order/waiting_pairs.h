@@ -24,7 +24,7 @@ public:
   explicit RejectedPairs(std::size_t vertices, Workspace* workspace = nullptr)
       : last_entry_(vertices, none, workspace) {}
 
-  /// `is_held`: is it one of those that held() counts? `face`: what was in its way.
+  /// `is_held`: is it one of those that held() counts? `face`: the face that obstructed it.
   void add(const QueuedPair& pair, bool is_held = false, Index face = none) {
     const Index slot = new_slot();
     slots_[slot] = {pair, {none, none, none}, 2, is_held, true};
@@ -47,7 +47,7 @@ public:
     return release_list(last_entry_[vertex], most, visit);
   }
 
-  /// Have any been rejected for a face that was in their way?
+  /// Have any been rejected because a face obstructed them?
   bool has_behind() const { return !last_behind_.empty(); }
   /// Visits those pairs.
   template <class Visit>
@@ -134,7 +134,7 @@ private:
     return last == none;
   }
 
-  // A face may stay in the way for long: what has left in another way makes room.
+  // A face may obstruct pairs for long: pairs that have left in another way make room.
   QUADRILLE_NOINLINE void add_behind(Index face, Index slot) {
     if (last_behind_.size() <= face)
       last_behind_.resize(face + std::size_t{1}, none);
@@ -148,7 +148,7 @@ private:
   std::vector<Slot> slots_;
   std::vector<Index> free_;
   Array<Index> last_entry_;        // of the list of each vertex
-  std::vector<Index> last_behind_; // the same of faces, once one was in the way
+  std::vector<Index> last_behind_; // the same for faces, once one obstructed a pair
   std::size_t size_ = 0, held_ = 0;
 };
 
@@ -166,11 +166,11 @@ public:
   explicit WaitingPairs(const TriangleComplex& complex)
       : complex_(complex), rejected_(complex.vertex_capacity(), complex.workspace()) {}
 
-  /// `is_held`: see held(). `face`: what was in its way.
+  /// `is_held`: see held(). `face`: the face that obstructed it.
   void add(const QueuedPair& pair, bool is_held = false, Index face = none) {
     rejected_.add(pair, is_held, face);
   }
-  /// How many wait that were rejected for what holds the surface.
+  /// Counts the waiting pairs that were rejected for the sake of constraints.
   std::size_t held() const { return rejected_.held(); }
   /// Some pairs of a vertex of many faces have been added, and others are in the queue.
   void note_left_behind(Index v) { left_behind_.push_back(v); }
@@ -196,8 +196,8 @@ public:
 
   /// Do pairs wait for faces?
   bool has_behind() const { return rejected_.has_behind(); }
-  /// A face has changed, or is gone, so it may be in the way no more. Calls push(pair) as
-  /// release().
+  /// A face has changed, or is gone, so it may no longer obstruct pairs. Calls push(pair) as
+  /// release() does.
   template <class Push>
   void release_behind(Index face, Push push) {
     rejected_.release_behind(face, push);

@@ -76,7 +76,7 @@ public:
 
   /// Would a face be folded like the middle of a letter Z, as it is not now? Then it is turned by
   /// more than 90 degrees from one neighbour over a ridge, and from another over a valley: no sharp
-  /// part of a surface looks like that.
+  /// feature of a surface looks like that.
   ///
   /// Only faces that would look away from the mean of all by more than 60 degrees are looked at,
   /// and none around vertices of very many faces.
@@ -215,7 +215,7 @@ public:
       : ContractionView<N>(view), first_(first), second_(second),
         shared_(star.shared.begin(), star.shared.end()), numbering_(numbering) {}
 
-  /// The ends. A vertex that others have become part of still has an index of its own.
+  /// The ends. A vertex that others were merged into still has an index of its own.
   std::size_t first() const { return numbering_.vertices[first_]; }
   std::size_t second() const { return numbering_.vertices[second_]; }
 

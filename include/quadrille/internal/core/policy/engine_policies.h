@@ -171,10 +171,10 @@ struct OptionalParts {
       nullptr;
   /// The initial states of vertices, used instead of those that their faces would give, if present.
   const GivenStates<typename Policies::Cost::State>* states = nullptr;
-  /// How far each input face is from the input of all pieces, at the beginning and then at the end;
-  /// where a stop policy asks for distances.
+  /// The distance of each input face from the input of all chunks, at the beginning and then at the
+  /// end; used if a stop policy asks for distances.
   std::vector<FaceBound>* bounds = nullptr;
-  /// The greatest tolerance of the input of all pieces, in the mesh's units, where bounds have
+  /// The greatest tolerance of the input of all chunks, in the mesh's units, if bounds have
   /// tolerances at the beginning.
   std::optional<double> greatest_tolerance = {};
   /// Counts what contractions cost.

@@ -20,7 +20,7 @@ struct PassSettings {
   unsigned threads;
 };
 
-/// The order of a call: greedy, behind passes if there are any.
+/// The order of a call: greedy, after passes if there are any.
 struct CallOrder {
   std::optional<PassSettings> passes = {};
 

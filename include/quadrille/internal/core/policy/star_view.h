@@ -32,7 +32,7 @@ public:
     visit_all(star_.second, second_, visit);
     visit_all(star_.shared, first_, visit);
   }
-  /// Does holds(p, q, r) of each? Asks no further where it does not.
+  /// Does holds(p, q, r) return true for each? Stops at the first that does not.
   template <class Holds>
   bool all_faces(Holds holds) const {
     return all(star_.first, first_, holds) && all(star_.second, second_, holds) &&

@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-/// The visitor of a call, as policies hold it: a function of no target where there is none.
+/// The type-erased visitor of a call: an empty function if there is none.
 
 namespace quadrille::internal {
 

@@ -14,7 +14,7 @@
 
 namespace quadrille::internal {
 
-/// A box in space, of floats. Where these are coordinates that have been rounded, boxes that meet
+/// A box in space, of floats. If these are coordinates that have been rounded, boxes that meet
 /// still do: rounding keeps the order.
 struct FloatBox {
   std::array<float, 3> low, high;
@@ -90,8 +90,8 @@ struct EightBoxes {
 };
 
 /// Boxes in a tree: eight neighbours have a box around them, eight of those another one, and so on.
-/// They may move, and the boxes around them follow. The tree is about an eighth as large as what it
-/// holds, and needs no pointers: box s of a level is in box s/8 of the next one.
+/// They may move, and the boxes around them follow. The tree is about an eighth as large as its
+/// leaves, and needs no pointers: box s of a level is in box s/8 of the next one.
 class BoxTree {
 public:
   static constexpr std::size_t width = EightBoxes::width;

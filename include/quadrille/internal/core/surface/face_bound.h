@@ -3,9 +3,9 @@
 
 namespace quadrille::internal {
 
-/// How far the points of a face are from the input at most, and the input points that have come to
-/// lie in it from the face, in the engine's unit: see DistanceBounds. With a tolerance both are
-/// parts of that. Where it is written to a file it is these bytes.
+/// Upper limits of the distance from the points of a face to the input, and from the input points
+/// that have come to lie in the face to it, in the engine's unit: see DistanceBounds. With a
+/// tolerance both are fractions of it. Files store these bytes.
 struct FaceBound {
   float from_input = 0, to_input = 0;
   float tolerance = 0; ///< the least of what the face stands for, see Tolerances; 0 without any

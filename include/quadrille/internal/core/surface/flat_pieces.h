@@ -110,7 +110,7 @@ inline double squared_height(const FlatPoint& y, const FlatTriangle& t) {
   return squared_length(d);
 }
 
-/// The part of a triangle that lies over another one in the plane: a convex polygon.
+/// The intersection of a triangle with another one in the plane: a convex polygon.
 class FlatPiece {
   static constexpr std::size_t most_corners = 12; // even if roundings cut each edge
 

@@ -41,8 +41,8 @@ public:
   float squared_reach(Index v) const { return squared_reach_[v]; }
   /// Was an edge very close to another, as in thin features, when the vertex took its place?
   bool is_thin(Index v) const { return ways_[v] != not_thin; }
-  /// How far places in thin parts that have been contracted to the vertex are from the faces around
-  /// it, at most: see feature_loss_of.
+  /// An upper limit of the distance from places in thin features that have been contracted to the
+  /// vertex to the faces around it: see feature_loss_of.
   double feature_loss(Index v) const { return static_cast<double>((std::max)(0.0f, ways_[v])); }
   bool is_fixed(Index v) const { return !is_fixed_.empty() && is_fixed_[v]; }
   void fix(Index v) {

@@ -104,8 +104,8 @@ public:
     merged_into_ = std::move(by_input);
   }
 
-  /// The input index of what a vertex of the input has become part of. By input indices only.
-  /// See follow_merges.
+  /// Returns the input index of the vertex into which a vertex of the input was merged. It needs
+  /// input indices. See follow_merges.
   Index image(Index input) const { return follow_merges(merged_into_, input); }
 
   InputIndices vertices, faces;

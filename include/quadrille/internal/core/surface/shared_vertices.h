@@ -36,7 +36,7 @@ public:
   bool is_any() const { return !is_shared_.empty(); }
   bool has(Index v) const { return !is_shared_.empty() && is_shared_[v]; }
 
-  /// Is an edge of one face none of a border?
+  /// Is an edge of one face a seam, and no boundary?
   bool is_seam(Index v, Index w) const {
     if (!has(v) || !has(w))
       return false;
