@@ -44,7 +44,7 @@ inline double doubled_area(const Vector<2>& p, const Vector<2>& q, const Vector<
 /// A symmetric 2 × 2 matrix, of two attributes: xx, xy, yy.
 using Matrix2 = std::array<double, 3>;
 
-/// The attributes of a wedge: weight, maps, and what holds the border of a chart: a weight of two
+/// The attributes of a wedge: weight, maps, and the boundary constraint of a chart: a weight of two
 /// attributes together, 0 elsewhere.
 struct WedgeMap {
   double weight = 0;

@@ -156,7 +156,7 @@ public:
                     Index w) const {
     return has_seam(complex, face, other, v, w) || has_fold(complex, face, other, v, w);
   }
-  /// Must charts hold their borders, and no face turn over in the texture?
+  /// Are chart boundaries constrained, and may no face turn over in the texture?
   bool holds_charts() const { return is_texture_ && (are_seams_kept() || are_seams_soft()); }
   double border_weight() const { return border_weight_.value_or(0); } ///< see ChannelOptions
   bool is_border_weight_given() const { return border_weight_.has_value(); }
@@ -243,8 +243,7 @@ public:
           wedge_normals(table_, wedge_count(complex.vertex_capacity()), positions, complex));
   }
 
-  /// Leaves out all vertices but those of an ascending list, and the faces for which is_left does
-  /// not hold.
+  /// Keeps only the vertices of an ascending list, and the faces for which is_left is true.
   template <class IsLeft>
   void pack(const Array<Index>& vertices, IsLeft is_left) {
     records_.pack(table_.pack(vertices, is_left));

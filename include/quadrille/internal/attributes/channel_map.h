@@ -61,8 +61,8 @@ struct MapOfSource<IndexedValues<Values, Triples>> {
   static type of(const IndexedValues<Values, Triples>& source) { return {source.values}; }
 };
 
-/// Which attributes a kind of channel holds, and how many components, as <quadrille/channels.h>
-/// says of those that it has.
+/// The attributes of a kind of channel, and the number of components, for the kinds in
+/// <quadrille/channels.h>.
 template <class Channel>
 struct ChannelKind;
 

@@ -28,8 +28,8 @@ struct ReportedChannel {
   std::size_t of_backs; ///< which channel has the values of backs; itself if they have the same
 };
 
-/// All channels of a surface. Where backs have values of their own these are further wedges of the
-/// channel. `back_channels`: see BackValues; empty if there are no backs.
+/// Returns all channels of a surface. If reverse faces have values of their own these are further
+/// wedges of the channel. `back_channels`: see BackChannels; empty if there are no reverse faces.
 inline std::vector<ReportedChannel> reported_channels(std::span<const Channel> channels,
                                                       const std::vector<std::size_t>& back_channels,
                                                       std::size_t vertices) {

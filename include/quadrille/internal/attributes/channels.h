@@ -164,8 +164,8 @@ public:
       : complex_(complex), geometry_(geometry), states_(states), forms_(complex.workspace()),
         traces_(complex.workspace()) {}
 
-  /// Reads what an adapter has read; where backs have values of their own, these are channels
-  /// behind the others. `labels`: of each face; or empty.
+  /// Takes the data of an adapter; if reverse faces have values of their own, these are channels
+  /// after the others. `labels`: of each face; or empty.
   void read(std::vector<ChannelInput> inputs, const Numbering& numbering,
             const Array<Index>& labels, const Scale<Cost::dimension>& scale, bool are_pairs_edges) {
     if (!complex_.backs().is_empty())
@@ -207,8 +207,8 @@ public:
                          });
   }
 
-  /// Holds charts where they end, of a surface that has seams of other kinds or not: a border of
-  /// the surface holds no chart where there is no seam.
+  /// Constrains charts at their ends, whether a surface has seams of other kinds or not: a boundary
+  /// of the surface constrains no chart if there is no seam.
   void hold_borders(const Array<Index>& labels, bool has_other_seams) {
     for (Channel& channel : channels_) {
       if (!channel.holds_charts() ||
@@ -321,8 +321,8 @@ public:
 
   static constexpr bool is_seldom_there = true;
   static auto vertex_columns(auto& self) { return std::tie(self.forms_, self.traces_); }
-  /// Leaves out wedges of faces for which is_left does not hold, and of other vertices than those
-  /// of an ascending list.
+  /// Leaves out wedges of faces for which is_left is false, and of vertices that are not in an
+  /// ascending list.
   template <class IsLeft>
   void pack(const Array<Index>& vertices, IsLeft is_left) {
     for (Channel& channel : channels_)

@@ -49,7 +49,7 @@ public:
   }
   Index& identity(Index wedge) { return identities_[wedge]; }
 
-  /// Does a wedge hold the border of a chart?
+  /// Does a wedge constrain the boundary of a chart?
   bool holds_border(Index wedge) const {
     return !borders_.empty() && borders_[wedge][0] + borders_[wedge][2] > 0;
   }
@@ -84,7 +84,7 @@ public:
                ? value(wedge, c)
                : existing_[origins_[wedge] * components_ + c];
   }
-  /// All values become those of their origins. Where only existing values may be.
+  /// Replaces all values by those of their origins. It is used if only existing values are allowed.
   void restore_existing() {
     for (Index wedge = 0; wedge < origins_.size(); ++wedge)
       for (std::size_t c = 0; c < components_; ++c)
@@ -127,8 +127,8 @@ public:
     return {one.gradient + part * (other.gradient - one.gradient),
             one.value + part * (other.at(-1.0 * to_second) - one.value)};
   }
-  /// Joins the wedges of two ends without borders, `to_second` apart, and moves the map to a
-  /// target, given from the first: `kept`, which is one of them, has it then.
+  /// Joins the wedges of two ends without boundaries, `to_second` apart, and moves the map to a
+  /// target, given from the first: it is stored in `kept`, which is one of them.
   void join(Index first, Index second, const Vector<3>& to_second, const Vector<3>& target,
             Index kept, const std::vector<double>& squared_weights) {
     bool is_first = origins_[first] != none, is_second = origins_[second] != none;
@@ -232,9 +232,9 @@ private:
   std::size_t components_;
   Array<double> weights_;
   Array<AffineMap> maps_;  // one a component
-  Array<Matrix2> borders_; // empty if no chart is held
+  Array<Matrix2> borders_; // empty if no chart is constrained
   Array<Index> origins_;
-  Array<Index> identities_; // empty if nobody asks
+  Array<Index> identities_; // empty if they are not needed
   Array<double> existing_;  // the values of the input, if only these may be
 };
 

@@ -22,8 +22,8 @@ namespace quadrille::internal {
 /// A few wedges.
 using WedgeList = boost::container::small_vector<Index, 8>;
 
-/// The wedges of a channel: corners around a vertex that have one value. The first wedge of a
-/// vertex has its number; others follow behind. A table of one wedge a vertex holds nothing.
+/// The wedges of a channel: corners around a vertex with one value. The first wedge of a vertex has
+/// its number; others follow. A table of one wedge per vertex stores nothing.
 class WedgeTable {
 public:
   using Corners = std::array<Index, 3>;
@@ -35,8 +35,8 @@ public:
   bool has_one(Index vertex) const { return !has_seams() || next_[vertex] == none; }
 
   /// Makes wedges of corners: those around a vertex that are connected by edges at which
-  /// are_equal(value_at(face, i), value_at(face', j)) holds of both corners at v, or all of them,
-  /// if it holds of all. Calls found(wedge, value) with the value of a corner of each wedge.
+  /// are_equal(value_at(face, i), value_at(face', j)) is true of both corners at v, or all of them,
+  /// if it is true of all. Calls found(wedge, value) with the value of a corner of each wedge.
   template <class ValueAt, class AreEqual, class Found>
   void build(const TriangleComplex& complex, ValueAt value_at, AreEqual are_equal, Found found) {
     const auto are_one = [&](Index face, Index i, Index other, Index j) {
@@ -62,7 +62,7 @@ public:
       });
     }
   }
-  /// As few as there are vertices, if the table holds no more.
+  /// Stores nothing, if there are only as many wedges as vertices.
   void simplify_if_possible(std::size_t vertices) {
     if (next_.size() == vertices) {
       corners_ = Array<Corners>(corners_.get_allocator());
@@ -111,8 +111,8 @@ public:
     wedge = renamed(wedge);
   }
 
-  /// Leaves out what belongs to faces for which is_left does not hold and to vertices that are not
-  /// in an ascending list. Returns the old numbers of what is left, by the new ones.
+  /// Leaves out the data of faces for which is_left is false and of vertices that are not in an
+  /// ascending list. Returns the old numbers of the rest, by the new ones.
   template <class IsLeft>
   Array<Index> pack(const Array<Index>& vertices, IsLeft is_left) {
     Array<Index> old(vertices.begin(), vertices.end(), vertices.get_allocator());
@@ -168,7 +168,7 @@ private:
     return wedge;
   }
 
-  // The corners around a vertex, in parts that are connected by edges.
+  // The corners around a vertex, in groups that are connected by edges.
   class Fans {
   public:
     using Corner = std::pair<Index, Index>; // face, place
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    // Calls visit(corners) for each part, in the order of its first corner.
+    // Calls visit(corners) for each group, in the order of its first corner.
     template <class Visit>
     void for_each(Visit visit) {
       if (is_one_ && !corners_.empty())
@@ -233,7 +233,7 @@ private:
 
     std::vector<Corner> corners_, part_;
     std::vector<std::pair<Index, Index>> sides_; // the other end of an edge, the corner
-    std::vector<std::pair<Index, Index>> order_; // the part, the corner
+    std::vector<std::pair<Index, Index>> order_; // the group, the corner
     std::vector<Index> parent_;
     bool is_one_ = false; // do all corners have one value?
   };

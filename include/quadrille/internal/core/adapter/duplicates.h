@@ -88,7 +88,7 @@ private:
     }
   }
 
-  // The vertices for which is_wanted(number) holds. False if there are none.
+  // Lists the vertices that satisfy is_wanted(number). Returns false if there are none.
   template <class IsWanted>
   bool leave(IsWanted is_wanted) {
     for (Vertex v : vertices(donor_))

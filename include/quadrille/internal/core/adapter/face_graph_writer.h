@@ -141,7 +141,7 @@ private:
         halfedges_.push_back(inputs[result.input_side(i, k)]);
   }
 
-  // The edges that were on the border, by the vertices that their ends have become.
+  // Adds the edges that were on the boundary, by the vertices into which their ends were merged.
   template <class Result>
   void collect_border(const Result& result) {
     std::vector<std::pair<Side, Edge>> border;

@@ -51,7 +51,8 @@ public:
   }
 
 private:
-  // Closes the loop of a face. The other halves of its open sides have no face: the border.
+  // Closes the loop of a face. The other halves of its open sides have no face: they are the
+  // boundary.
   template <class VertexAt>
   void link_face(Index face, VertexAt vertex_at) {
     const Face f = faces_[face];

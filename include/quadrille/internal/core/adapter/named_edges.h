@@ -11,12 +11,12 @@
 
 namespace quadrille::internal {
 
-/// The edges of a mesh that should be left between two vertices: fixed ones, and on the border
-/// those that were there. No edge is left to two sides.
+/// The edges of a mesh that should remain between two vertices: fixed ones, and on the boundary
+/// those that existed. No edge is given to two sides.
 template <class Edge>
 class NamedEdges {
 public:
-  /// Behind the last, sort() is called.
+  /// After the last one, sort() must be called.
   void add(Index v, Index w, Edge edge, bool is_fixed) {
     edges_.push_back({(std::min)(v, w), (std::max)(v, w), edge, is_fixed});
   }
@@ -43,7 +43,7 @@ public:
         e.owner = index;
   }
 
-  /// The edge that should be left to a side and its mate (`none` on the border) instead of the
+  /// Returns the edge that a side and its mate (`none` on the boundary) should get instead of the
   /// side's own, or null.
   const Edge* take(Index index, Index mate, const Side& side) {
     Named* best = nullptr;

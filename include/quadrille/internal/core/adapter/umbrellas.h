@@ -20,17 +20,17 @@ struct Side {
 
 /// How the faces of a triangle set hang together when at most two may share an edge.
 ///
-/// Sides that run against each other along an edge become *mates*, in pairs; a side without a mate
-/// is on the border. The corners that mates connect round a vertex form an *umbrella*, closed or
-/// open. A halfedge mesh holds any number of open umbrellas at one vertex, or a single closed one,
-/// so every further one gets a duplicate of the vertex: for the given mates, these are the fewest.
+/// Sides of opposite directions along an edge become *mates*, in pairs; a side without a mate is on
+/// the boundary. The corners that mates connect around a vertex form an *umbrella*, closed or open.
+/// A halfedge mesh allows any number of open umbrellas at one vertex, or a single closed one, so
+/// every further one gets a duplicate of the vertex: for the given mates, these are the fewest.
 class Umbrellas {
 public:
   explicit Umbrellas(Workspace* workspace = nullptr)
       : mate_(workspace), vertex_(workspace), border_(workspace), duplicates_(workspace) {}
 
   /// Builds all of it in linear time. Vertices are below vertex_count; duplicates are counted from
-  /// there. Sides of which were_mates(i, j) holds are mated before any others.
+  /// there. Sides that satisfy were_mates(i, j) are mated before any others.
   template <class WereMates>
   void build(const Array<Side>& sides, std::size_t vertex_count, WereMates were_mates) {
     vertex_count_ = static_cast<Index>(vertex_count);
@@ -45,8 +45,8 @@ public:
   /// The vertex that each duplicate is one of: vertex_count + i duplicates duplicates()[i].
   const Array<Index>& duplicates() const { return duplicates_; }
 
-  /// Pairs of sides: along the border, the other half of the first is followed by that of the
-  /// second.
+  /// Returns pairs of sides: along the boundary, the other half of the first is followed by that of
+  /// the second.
   const std::vector<std::pair<Index, Index>>& border_links() const { return border_links_; }
 
 private:
@@ -196,8 +196,8 @@ private:
     return vertex_count_ + static_cast<Index>(duplicates_.size() - 1);
   }
 
-  // The border comes to the vertex along the open side that leaves it, and goes on along the open
-  // side that leads to it; between two umbrellas it goes from one to the other.
+  // The boundary reaches the vertex along the open side that leaves it, and continues along the
+  // open side that leads to it; between two umbrellas it goes from one to the other.
   void link_border(Index vertex, Index in, Index out) {
     Border& border = border_[vertex];
     if (border.first_out == none)

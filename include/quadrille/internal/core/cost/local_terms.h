@@ -103,8 +103,8 @@ public:
         take_out_of_hub(contraction.star(), contraction.first());
   }
 
-  /// Adds the faces that the contraction has left. In a pass the remaining vertex takes part in
-  /// nothing more until all terms are summed up again.
+  /// Adds the faces that the contraction has left. In a pass the remaining vertex is not used again
+  /// until all terms are summed up.
   template <class Event>
   void after(const Event& event) {
     if constexpr (Event::is_in_pass) {
@@ -271,7 +271,8 @@ private:
   const LinkCondition& link_condition_;
   const SharedVertices& shared_;
   Array<Current> terms_;
-  Array<unsigned char> on_boundary_; // may a vertex be on a boundary? for topologies in which the link condition does not show it
+  Array<unsigned char> on_boundary_; // may a vertex be on a boundary? for topologies in which the
+                                     // link condition does not show it
   LocalStar<Cost> last_star_;
   EdgeStar edges_;
 };

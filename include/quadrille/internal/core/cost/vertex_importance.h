@@ -44,13 +44,13 @@ inline std::vector<float> relative_importances(std::span<const double> importanc
 
 /// How much costs of pairs at a vertex count: see vertex_importance_map.
 ///
-/// A pair counts as the more important of its ends, and so does the vertex that a contraction
-/// leaves: that of a vertex is the greatest of all that have become part of it, in whatever order,
-/// so that what is important does not fade where it meets the rest, and a key never falls while a
-/// pair waits.
+/// A pair has the importance of the more important of its ends, and so does the vertex that a
+/// contraction leaves: the importance of a vertex is the greatest of all that were merged into it,
+/// in any order, so that an important feature does not fade where it meets the rest, and a key
+/// never falls while a pair waits.
 class VertexImportance {
 public:
-  /// Parts of the greatest; empty if all count alike.
+  /// Takes fractions of the greatest importance; empty if all are equal.
   explicit VertexImportance(std::vector<float> of)
       : of_(std::move(of)), is_any_given_(!of_.empty()) {}
 

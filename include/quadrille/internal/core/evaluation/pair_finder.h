@@ -48,8 +48,8 @@ public:
     visit_found(tools, [&](Index, Index w, float key) { visit(w, key); });
   }
 
-  /// Calls visit(v, w, key) for each pair of a vertex v of `vertices` with another vertex w for
-  /// which is_wanted(v, w) holds.
+  /// Calls visit(v, w, key) for each pair of a vertex v of `vertices` with another vertex w that
+  /// satisfies is_wanted(v, w).
   template <class IsWanted, class Visit>
   void for_each_of(PairTools& tools, const std::vector<Index>& vertices, IsWanted is_wanted,
                    Visit visit) {

@@ -42,8 +42,8 @@ QUADRILLE_ALWAYS_INLINE inline LaneForm both(const QuadricForm<3>& a, const Quad
                   Lanes{a.constant(), b.constant()});
 }
 
-/// A value where the matrix is not singular and the position no further than √reach from the first
-/// or the second point of the pair; no number elsewhere.
+/// Returns the value if the matrix is not singular and the position no further than √reach from the
+/// first or the second point of the pair; otherwise NaN.
 inline Lanes value_if_found(Lanes value, const Factorization<3, Lanes>& factorization,
                             const LaneVector& x, const LaneVector& to_second, Lanes squared_reach) {
   const LaneVector e = x - to_second;

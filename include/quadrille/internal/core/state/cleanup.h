@@ -79,8 +79,8 @@ public:
     remove_duplicates();
   }
 
-  /// A vertex whose last face is gone with the contraction of the star is gone too. Where the list
-  /// of a vertex that has been contracted is not up to date, none of these may be cut off.
+  /// A vertex whose last face was removed with the contraction of the star is removed too. If the
+  /// list of a vertex that has been contracted is not up to date, none of these may be cut off.
   void remove_isolated_vertices(Index b) {
     const PairStar& star = scratch_.star;
     for_each_cut_off(star, b, [&](Index v) { remove_if_isolated(v); });

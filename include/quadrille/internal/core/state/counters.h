@@ -16,12 +16,12 @@ struct Counters {
   std::size_t faces = 0, vertices = 0; // that are gone
   std::size_t edges = 0;               // the same, where they are counted: see CountedEdges
   std::size_t contractions = 0, non_edge_contractions = 0;
-  // Pairs that a pass leaves to the greedy order behind it: where attributes are noise, nearly all.
+  // Pairs that a pass leaves to the greedy order after it: nearly all if attributes are noise.
   std::size_t left = 0;
   std::size_t doubled_faces = 0, doubled_labels = 0, vanished_parts = 0; // see Report
   std::array<std::size_t, rejection_causes> rejections{};
   double error = 0;          // the greatest
-  double vanished_size = 0;  // the same of parts
+  double vanished_size = 0;  // of components
   std::uint64_t moved = 0;   // see Displacement
   bool loses_points = false; // of the input, which BackDeviation finds no face for
 

@@ -101,8 +101,8 @@ struct Trace {
   double radius;
 };
 
-/// How far the points of parts that are gone lie from what is left, at most about: the distance of
-/// a centre and the radius, at right angles to each other.
+/// Returns about the greatest distance of the points of vanished components from the remaining
+/// surface: the distance of a centre and the radius, at right angles to each other.
 template <std::size_t N>
 double distance_of(const std::vector<Trace>& gone, const TriangleComplex& complex,
                    const Geometry<N>& geometry) {

@@ -17,11 +17,11 @@
 
 namespace quadrille::internal {
 
-/// How much of a surface a contraction moves, times the square of how far, as a part of the fourth
-/// power of the diagonal: its error² · reach², or its cost where that is less, as it is of narrow
-/// faces. (Lines along boundaries weigh much in a cost, so it is no measure by itself.) A whole
-/// number, so that the sum of many does not depend on their order, and threads may add them up in
-/// any.
+/// The extent of the surface that a contraction moves, times the square of the distance, as a
+/// fraction of the fourth power of the diagonal: its error² · (one-ring radius)², or its cost if
+/// that is less, as it is for narrow faces. (Lines along boundaries weigh much in a cost, so it is
+/// no measure by itself.) It is an integer, so that the sum of many does not depend on their order,
+/// and threads may add them up in any.
 class Displacement {
 public:
   /// `diagonal` of the surface in the mesh's unit, `length` the same in the engine's.
@@ -36,7 +36,7 @@ public:
     return part > 0 && part < most ? static_cast<std::uint64_t>(part) : 0; // else it is no distance
   }
 
-  /// A sum of them as a part of the fourth power of the diagonal.
+  /// Returns a sum of displacements as a fraction of the fourth power of the diagonal.
   static double part(std::uint64_t sum) { return static_cast<double>(sum) / one; }
 
 private:

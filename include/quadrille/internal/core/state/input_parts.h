@@ -17,8 +17,8 @@
 
 namespace quadrille::internal {
 
-/// The parts of a surface whose topology is free, as they were in the input: nobody lets one vanish
-/// on purpose, but each may, as faces that come to lie on each other go.
+/// The components of a surface with free topology, as they were in the input: none is removed on
+/// purpose, but each may vanish as faces that come to lie on each other are removed.
 class InputParts {
 public:
   InputParts() = default;

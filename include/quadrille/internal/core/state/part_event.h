@@ -14,7 +14,7 @@ namespace quadrille::internal {
 /// surface is removed: all vertices that are left of it, and all their faces.
 struct PartEvent {
   std::span<const Index> vertices, faces;
-  double radius, size; // of the part as it was in the input, in the mesh's unit: see Part
+  double radius, size; // of the component as it was in the input, in the mesh's unit: see Part
 };
 
 template <class Observer>
@@ -23,7 +23,7 @@ void tell_vanished(Observer& observer, const PartEvent& event) {
     observer.vanished(event);
 }
 
-/// All faces of the vertices of a part, each once.
+/// Returns all faces of the vertices of a component, each once.
 inline std::vector<Index> faces_of(const TriangleComplex& complex,
                                    std::span<const Index> vertices) {
   std::vector<Index> faces;

@@ -25,14 +25,15 @@
 
 namespace quadrille::internal {
 
-/// How many of its radii the centre of each part lies away from the faces of all parts of higher
-/// ranks: from 1 to `farthest`. Boxes of what is looked for stand in a tree, and shrink as it is
-/// found; so a face costs a logarithm of the count of parts, and nothing of all faces is kept.
+/// Computes the distance of the centre of each component from the faces of all components of higher
+/// ranks, in its radii: from 1 to `farthest`. The search boxes are in a tree, and shrink as faces
+/// are found; so a face costs a logarithm of the number of components, and no list of all faces is
+/// kept.
 class Isolation {
 public:
   static constexpr double farthest = 4;
 
-  /// A radius of 0 stands for a part that nobody asks about.
+  /// A radius of 0 marks a component that need not be measured.
   Isolation(std::vector<Trace> parts, std::vector<Index> ranks)
       : parts_(std::move(parts)), ranks_(std::move(ranks)), order_(parts_.size()),
         tree_(parts_.size()) {
@@ -47,7 +48,7 @@ public:
     tree_.fit();
   }
 
-  /// Looks at a face of a part with this rank.
+  /// Measures a face of a component with this rank.
   void see(const std::array<Vector<3>, 3>& face, Index rank) {
     FloatBox box = FloatBox::empty();
     for (const Vector<3>& p : face)
@@ -87,8 +88,8 @@ private:
   std::vector<double> distances_; // of slots
 };
 
-/// A part of a surface, what no vertex connects with the rest, as it was in the input: a sphere
-/// around the centre of its bounding box.
+/// A connected component of a surface as it was in the input: a sphere around the centre of its
+/// bounding box.
 template <std::size_t N>
 struct Part {
   Box<N> box = Box<N>::none();
@@ -106,17 +107,17 @@ Trace trace_of(const Part<N>& part, const Scale<N>& scale) {
   return {space(part.centre), scale.length_from_mesh(part.radius)};
 }
 
-/// Which vertices belong to which part. Contractions of edges keep that.
+/// The component of each vertex. Contractions of edges keep it.
 template <std::size_t N>
 class Parts {
 public:
   Parts() = default;
-  /// In linear time. Parts are numbered in the order of their first vertices.
+  /// Numbers components in the order of their first vertices, in linear time.
   Parts(const TriangleComplex& complex, const Geometry<N>& geometry, const Scale<N>& scale,
         double diagonal)
       : part_(component_roots(complex)) {
     number(complex);
-    if (parts_.size() == 1) { // it is all there is, and nobody asks for more
+    if (parts_.size() == 1) { // it is the only one, and needs no measurement
       parts_.front().is_large = true;
       return;
     }
@@ -162,13 +163,13 @@ public:
   /// Returns the number of components of the input; 0 if components may not vanish.
   std::size_t size() const { return parts_.size(); }
   const Part<N>& operator[](Index part) const { return parts_[part]; }
-  /// The part of a vertex; `none` where it had no faces.
+  /// Returns the component of a vertex; `none` if it had no faces.
   Index of(Index v) const { return part_[v]; }
-  /// Is it certain that the part of a vertex stays?
+  /// Is it certain that the component of a vertex stays?
   bool stays(Index v) const { return parts_.empty() || stays(parts_[part_[v]]); }
   static bool stays(const Part<N>& part) { return part.is_fixed || part.is_large; }
 
-  /// From which part of the diagonal of the whole surface a part is large.
+  /// A component is large from this fraction of the diagonal of the whole surface on.
   static constexpr double least_large = 1. / 20;
 
   /// Returns the components in which no vertex has faces.
@@ -201,7 +202,7 @@ private:
     return rank;
   }
 
-  // From the vertices that stand for parts to numbers.
+  // Maps the vertices that represent components to numbers.
   void number(const TriangleComplex& complex) {
     Array<Index> number(part_.size(), none);
     for (Index v = 0; v < part_.size(); ++v) {

@@ -11,8 +11,8 @@
 
 namespace quadrille::internal {
 
-/// Memory that contractions share, one after the other. Threads that work on parts of a surface
-/// with no vertex in common have one each.
+/// Scratch space that contractions share, one after the other. Threads that work in regions of a
+/// surface with no vertex in common have one each.
 struct Scratch : PairTools {
   using PairTools::PairTools;
 

@@ -49,7 +49,7 @@ public:
 
   explicit NamedCreases(std::vector<Edge> edges) : edges_(std::move(edges)) {}
 
-  /// Their ends have become parts of other vertices.
+  /// Replaces their ends by the vertices into which they were merged.
   void follow(const Numbering& numbering) {
     for (auto& [v, w] : edges_)
       v = numbering.image(v), w = numbering.image(w);

@@ -196,7 +196,7 @@ private:
     }
   }
 
-  // Whole, or else by parts of like normals.
+  // Measures a sheet whole, or else in groups of similar normals.
   template <class IsTooFar>
   std::optional<double> compare_sheet(std::span<FaceOfStar* const> sheet, IsTooFar is_too_far) {
     const auto changed = std::count_if(sheet.begin(), sheet.end(),
@@ -253,8 +253,8 @@ private:
     return std::nullopt;
   }
 
-  // Into pieces, unless all points go less far to one face. That is looked at where it matters:
-  // where pieces are too far, or where they are next to nothing, which may be nothing at all.
+  // Measures by polygons, unless all points move less far to one face. That is checked if it
+  // matters: if polygons are too far, or if they are very small, which may be pure rounding.
   template <class IsTooFar>
   void cut(const FaceOfStar& f, std::size_t i, const PieceTable* table, IsTooFar is_too_far) {
     pieces_.clear();

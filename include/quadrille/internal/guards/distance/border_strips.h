@@ -47,7 +47,7 @@ public:
   struct Strip {
     FlatTriangle triangle; // to the left
     Vector<3> from, to;    // the edge of the border that is there on the other side
-    double bound;          // of the faces at the border
+    double bound;          // of the faces at the boundary
     Index neighbour;       // of the pair, at which the new edge ends
   };
 
@@ -90,7 +90,7 @@ public:
     spokes_.erase(spokes_.begin() + static_cast<std::ptrdiff_t>(count), spokes_.end());
   }
 
-  /// Leaves the edges of just one face, at ends for which is_seen(end) holds.
+  /// Keeps the edges of just one face, at ends that satisfy is_seen(end).
   template <class IsSeen>
   void keep_open_ones(IsSeen is_seen) {
     std::erase_if(spokes_, [&](const Spoke& s) { return s.faces != 1 || !is_seen(s.end); });
@@ -103,7 +103,7 @@ public:
                        [&](const Spoke& s) { return s.neighbour == neighbour; });
   }
 
-  /// How far a contraction to x moves the points of the border, at most.
+  /// Returns an upper limit of how far a contraction to x moves the points of the boundary.
   FaceDeviation deviation(const std::array<Vector<3>, 2>& ends, const Vector<3>& x) const {
     FaceDeviation deviation;
     for_each_path(ends, x, [&](const Path& path) {
@@ -150,17 +150,17 @@ private:
     Vector<3> point;
     const Spoke* spoke; // null on the edge ab
   };
-  // Along the border from where a spoke begins to the point that is nearest to x.
+  // The path along the boundary from the start of a spoke to the point that is nearest to x.
   struct Path {
     std::array<Vector<3>, 4> points;
     std::size_t size;
     bool is_left; // of the new spoke
-    double bound; // of all faces at the border
+    double bound; // of all faces at the boundary
     Index neighbour;
   };
 
-  // An edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
-  // Edges of two faces in opposite directions are no border.
+  // Adds the edge of a face from a neighbour to an end of the pair (turn 1), or the other way (−1).
+  // Edges of two faces in opposite directions are no boundary.
   void add_spoke(Index neighbour, std::size_t end, int turn, const Vector<3>& position,
                  double bound) {
     spokes_.push_back({position, bound, neighbour, end, turn, 1});
@@ -229,7 +229,7 @@ private:
     return nearest;
   }
 
-  // Between the path along the border and the new spoke.
+  // Adds the strip between the path along the boundary and the new spoke.
   template <Side side, class Flatten>
   void add_strip(const Path& path, const FlatPoint& x, Flatten flatten) {
     const FlatPoint begin = flatten(path.points[0]);

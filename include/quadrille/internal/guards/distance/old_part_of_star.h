@@ -18,14 +18,14 @@ namespace quadrille::internal {
 /// Faces of one sheet of a star, wound alike, of which old ones are compared with new ones: the
 /// same the other way round.
 ///
-/// As long as no old face is turned over in the plane, the pieces leave nothing out, whatever the
-/// new faces look like: each point lies under a new face or under a strip beyond the new border.
+/// As long as no old face is turned over in the plane, the polygons leave nothing out, whatever the
+/// new faces look like: each point lies under a new face or under a strip beyond the new boundary.
 class OldPartOfStar : public PartOfStar {
 public:
-  /// The faces that a table is about lie behind this one.
+  /// The faces of a table come after this one.
   void look_up_from(const Face* first) { first_ = first; }
 
-  /// Takes old faces that are turned over, or are nearly, out of the part. Were there any?
+  /// Takes old faces that are turned over, or are nearly, out of the region. Were there any?
   bool leaves_steep_old_ones() {
     return std::erase_if(faces_, [](const Face* f) {
              const double flat = flat_area(f->flat);
@@ -42,17 +42,17 @@ public:
           new_.push_back({f, now});
   }
 
-  /// Are the pieces of all its new faces in a table?
+  /// Are the polygons of all its new faces in a table?
   bool has_all_pieces(const PieceTable& table) const {
     return std::all_of(faces_.begin(), faces_.end(), [&](const Face* f) {
       return f->is_shared || table.is_complete(index_of(*f));
     });
   }
 
-  /// How far the points of an old face are from new ones, by its pieces, each of which lies under
-  /// one new face, or under a strip beyond the new border: visit(face, distance) for the new face
-  /// at hand. False if a distance is not less than what is known, or if no new face is at hand.
-  /// Pieces of the whole sheet that are in a table are not cut again.
+  /// Measures how far the points of an old face are from new ones, by its polygons, each of which
+  /// lies under one new face, or under a strip beyond the new boundary: visit(face, distance) for
+  /// the current new face. Returns false if a distance is not less than the known one, or if there
+  /// is no new face. Polygons of the whole sheet that are in a table are not cut again.
   template <class Visit>
   bool measure_old(const Face& face, double known, const PieceTable* table, Visit visit) const {
     double covered = 0;
@@ -101,8 +101,8 @@ private:
     return may_be_noise(piece.distance) ? nullptr : &piece;
   }
 
-  // The piece of an old face that lies under a part of the new ones, if there is one: take(new
-  // face, its area, distance).
+  // Finds the polygon of an old face that lies under some of the new ones, if there is one:
+  // take(new face, its area, distance).
   template <class Squared, class Take>
   bool cut(const Face& face, const FlatTriangle& part, const Face* now, Squared squared,
            Take take) const {
@@ -132,7 +132,7 @@ private:
     return most;
   }
 
-  // A new face in which all of a piece lies, but for roundings; or none.
+  // Returns a new face that contains the whole polygon, up to roundings; or none.
   const Face* new_face_at(const FlatPiece& piece) const {
     const double enough = rounding(extent_) * rounding(extent_);
     for (const NewFace& f : new_)

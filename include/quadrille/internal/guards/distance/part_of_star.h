@@ -52,11 +52,11 @@ private:
 
 /// Faces of one sheet of a star, wound alike, of which new ones are compared with old ones.
 ///
-/// A new face is cut into pieces, each of which lies over one old face, or over one strip along the
-/// rim of the part (see BorderStrips), in the plane of their mean normal: the distance of a piece
-/// to that face is greatest at one of its corners. As long as no new face is turned over in this
-/// plane, the pieces leave nothing out, whatever the old faces look like. For the other way round
-/// see OldPartOfStar.
+/// A new face is cut into polygons, each of which lies over one old face, or over one strip along
+/// the boundary of the region (see BorderStrips), in the plane of their mean normal: the distance
+/// of a polygon to that face is greatest at one of its corners. As long as no new face is turned
+/// over in this plane, the polygons leave nothing out, whatever the old faces look like. For the
+/// other direction see OldPartOfStar.
 class PartOfStar {
 public:
   using Face = FaceOfStar;
@@ -76,7 +76,7 @@ public:
     faces_.assign(faces.begin(), faces.end());
     kept_ = nullptr;
   }
-  /// Puts the pieces that measure() finds into a table, by the places of faces behind the first.
+  /// Adds the polygons that measure() finds to a table, by the places of faces after the first.
   void keep_pieces(PieceTable& table, const Face* first) {
     kept_ = &table;
     first_ = first;
@@ -115,7 +115,7 @@ public:
     return true;
   }
 
-  /// Takes new faces that are turned over, or are nearly, out of the part. Were there any?
+  /// Takes new faces that are turned over, or are nearly, out of the region. Were there any?
   bool leaves_steep_ones() {
     return std::erase_if(faces_, [this](const Face* f) {
              if (f->is_shared)
@@ -126,7 +126,7 @@ public:
            }) > 0;
   }
 
-  /// Finds the strips along its rim, which measure() needs.
+  /// Finds the strips along its boundary, which measure() needs.
   template <BorderStrips::Side side = BorderStrips::Side::of_new>
   void find_strips() {
     rim_.clear();
@@ -142,8 +142,8 @@ public:
     strips_ = &rim_.strips(ends_, x_, 0, [this](const Vector<3>& p) { return plane_.flat(p); });
   }
 
-  /// How far one of them that changes comes to lie, by its pieces; anything beyond what is known,
-  /// once it is beyond.
+  /// Returns how far a changed face comes to lie, by its polygons; anything beyond the known
+  /// distance, once it is beyond.
   FaceDeviation measure(const Face& face, double known) const {
     const FaceDeviation plain =
         kept_ ? measure_and_keep(face, known)
@@ -160,9 +160,9 @@ public:
 protected:
   static constexpr double steepest = 0x1p-3; // of a face: cosine of its angle to the plane
 
-  // By how much pieces are wider than what they lie over, so that roundings leave no gaps. Where a
-  // strip is left out that is narrower than half of it, the new face is no further off than the
-  // next piece by rounding(), since it is not steep.
+  // The width by which polygons are enlarged, so that roundings leave no gaps. If a strip is left
+  // out that is narrower than half of it, the new face is no further off than the next polygon by
+  // rounding(), since it is not steep.
   double tolerance() const { return 0x1p-50 * extent_; }
 
   std::size_t index_of(const Face& face) const { return static_cast<std::size_t>(&face - first_); }
@@ -180,7 +180,7 @@ protected:
   const std::vector<BorderStrips::Strip>* strips_ = nullptr;
 
 private:
-  // By pieces, which are put into the table.
+  // Measures by polygons, which are added to the table.
   FaceDeviation measure_and_keep(const Face& face, double known) const {
     const auto put = [&](const FlatPiece&, double area, const Face* old, const FaceDeviation& d) {
       if (old)
@@ -231,8 +231,8 @@ private:
     return deviation;
   }
 
-  // The distance of a piece to any face of the part, if that is next to nothing, else what is
-  // known.
+  // Returns the distance of a polygon to any face of the region, if that is very small, otherwise
+  // the known distance.
   FaceDeviation nearest_to(const FlatPiece& piece, const FaceDeviation& known) const {
     const double enough = rounding(extent_) * rounding(extent_);
     for (const Face* f : faces_) {

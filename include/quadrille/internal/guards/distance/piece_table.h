@@ -6,8 +6,9 @@
 
 namespace quadrille::internal {
 
-/// The pieces of the new faces of a star over its old ones, so that who compares old faces with new
-/// ones need not cut them again: the heights over a piece are the same from both sides.
+/// The polygons into which the new faces of a star are cut over its old ones, so that a comparison
+/// of old faces with new ones need not cut them again: the heights over a polygon are the same from
+/// both sides.
 class PieceTable {
 public:
   struct Piece {
@@ -37,7 +38,7 @@ public:
     return pieces_[now * size_ + old];
   }
 
-  /// All pieces of a new face are here.
+  /// All polygons of a new face have been added.
   void complete(std::size_t now) { is_complete_[now] = true; }
   bool is_complete(std::size_t now) const { return size_ > 0 && is_complete_[now]; }
 

@@ -9,11 +9,11 @@
 
 namespace quadrille::internal {
 
-/// Faces of which something has held lately, so that it may hold again: they are asked first. A
-/// face that is asked in vain moves to the back.
+/// Faces for which a condition was true recently, so that it may be true again: they are tested
+/// first. A face for which it is false moves to the end.
 class RecentFaces {
 public:
-  /// Does is(face, i) hold for one of them that is at the vertex, in place i of its corners?
+  /// Is is(face, i) true for one of them that is at the vertex, in place i of its corners?
   template <class Is>
   bool any_at(const TriangleComplex& complex, Index vertex, Is is) {
     for (std::size_t n = 0; n < faces_.size(); ++n)

@@ -19,13 +19,13 @@ namespace quadrille::internal {
 /// a union-find whose links also store whether a face is turned against the one to which it links.
 class WoundPieces {
 public:
-  /// To the first face of a piece; is the other one wound the other way?
+  /// A link to the first face of a component; is the other one oriented the other way?
   struct Link {
     Index face;
     bool is_turned;
   };
 
-  /// Each face is a piece of its own.
+  /// Each face is a component of its own.
   void reset(std::size_t faces) {
     links_.resize(faces);
     for (std::size_t i = 0; i < faces; ++i)
@@ -46,8 +46,8 @@ public:
     return link;
   }
 
-  /// Makes one piece of those of two faces, which are wound alike or not. False where they are of
-  /// one piece that says otherwise: it has but one side.
+  /// Joins the components of two faces, which are oriented alike or not. Returns false if both are
+  /// in one component with the other orientation: it has only one side.
   bool join(Index f, Index g, bool are_alike) {
     Link first = first_of(f), second = first_of(g);
     const bool differ = are_alike == (first.is_turned != second.is_turned);
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  std::vector<Link> links_; // to a face of the same piece, at last the first of it
+  std::vector<Link> links_; // to a face of the same component, finally the first of it
 };
 
 /// The sheets of a star: faces that hang together by edges of two faces, at the ends of the pair.
@@ -119,8 +119,8 @@ private:
       add(f.second, 1, true);
   }
 
-  // Faces wound alike have their common edge in opposite directions. Where a sheet has but one side
-  // some edge is left at which they differ.
+  // Faces of the same orientation have their common edge in opposite directions. If a sheet has
+  // only one side some edge is left at which they differ.
   void join(const Corner& c, const Corner& d) {
     pieces_.join(c.face, d.face, c.is_towards_end != d.is_towards_end);
   }

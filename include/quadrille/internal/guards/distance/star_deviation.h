@@ -24,12 +24,12 @@ namespace quadrille::internal {
 
 /// How far a contraction takes the faces around a pair away from those that were there, at most.
 ///
-/// A new face is compared with the face that it was: the distance to a triangle is convex, so it is
-/// greatest at the corner that has moved. Or it is cut into pieces: see PartOfStar.
+/// A new face is compared with its former self: the distance to a triangle is convex, so it is
+/// greatest at the corner that has moved. Or it is cut into polygons: see PartOfStar.
 ///
-/// Each sheet between borders and junction lines is compared with itself, and has a border where it
-/// meets others: see SheetsOfStar. Where some new face is turned over in the plane of a sheet, at a
-/// sharp crease, faces of like normals are compared apart in the same way.
+/// Each sheet between boundaries and junction lines is compared with itself, and has a boundary
+/// where it meets others: see SheetsOfStar. If some new face is turned over in the plane of a
+/// sheet, at a sharp crease, faces of similar normals are compared separately in the same way.
 class StarDeviation {
 public:
   /// If more faces change, cutting polygons would take long: each face may meet each.
@@ -71,7 +71,7 @@ public:
     part_.begin(ends_, b, x, extent_);
     pieces_.clear();
   }
-  /// Keeps the pieces of those sheets that are compared whole.
+  /// Keeps the polygons of those sheets that are compared whole.
   void keep_pieces() { pieces_.begin(faces_.size()); }
   const PieceTable& pieces() const { return pieces_; }
 
@@ -89,8 +89,8 @@ public:
     return greatest;
   }
 
-  /// The faces that change, in the order of the star, and behind them those that go. Whoever lays
-  /// them flat for a comparison of its own begins its part here.
+  /// Returns the faces that change, in the order of the star, and after them those that are
+  /// removed. A caller that projects them for a comparison of its own begins its region here.
   std::vector<FaceOfStar>& faces() { return faces_; }
   std::size_t changed() const { return changed_; }
   void begin(PartOfStar& part) const { part.begin(ends_, b_, x_, extent_); }
@@ -127,7 +127,7 @@ public:
     return std::nullopt;
   }
 
-  /// Measures how far the border moves, to either side. If that is too far, returns how far it is.
+  /// Measures how far the boundary moves, to either side. If that is too far, returns the distance.
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_border(IsTooFar is_too_far) {
     border_.clear();
@@ -138,14 +138,14 @@ public:
     of_border_ = border_.deviation(ends_, x_);
     return is_too_far(of_border_.from_input) ? std::optional(of_border_) : std::nullopt;
   }
-  /// Adds it to what is known of the faces at the border.
+  /// Adds it to the known deviations of the faces at the boundary.
   void add_border() {
     for (std::size_t i = 0; i < changed_; ++i)
       if (border_.has(faces_[i].second) || border_.has(faces_[i].third))
         deviations_[i].raise_to(of_border_);
   }
 
-  /// Compares them by pieces. Once a face is too far either way, returns how far that is.
+  /// Compares them by polygons. Once a face is too far either way, returns the distance.
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_sheets(bool is_one_sheet, IsTooFar is_too_far) {
     if (is_one_sheet && changed_ > most_faces)
@@ -163,7 +163,7 @@ public:
 private:
   using Face = FaceOfStar;
 
-  // Whole, or else by parts of like normals.
+  // Compares the sheet whole, or else in groups of similar normals.
   template <class IsTooFar>
   std::optional<FaceDeviation> compare_sheet(std::span<Face* const> sheet, IsTooFar is_too_far) {
     const auto changed =

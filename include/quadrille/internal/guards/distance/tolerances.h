@@ -15,15 +15,15 @@
 
 namespace quadrille::internal {
 
-/// The tolerances of the faces around a pair: the least of them holds for all. A bound is then the
-/// part of it that is used; where there are no tolerances it is a distance, and all of this does
-/// nothing.
+/// The tolerances of the faces around a pair: the least of them applies to all. A bound is then the
+/// fraction of it that is used; without tolerances it is a distance, and all of this does nothing.
 struct StarTolerance {
   bool is_given = false;
   double least = 1;    // in the engine's unit
-  float used = 0;      // the greatest part that a face of the star has used
+  float used = 0;      // the greatest fraction that a face of the star has used
   double rounding = 0; // what uses nothing
-  double greatest = 1; // of all faces at the beginning: a part of it is no less than that of any
+  double greatest =
+      1; // of all faces at the beginning: a fraction of it is no less than that of any
 
   /// A bound as a length that what a contraction adds can be added to.
   double length_of(float bound) const { return static_cast<double>(bound) * least; }

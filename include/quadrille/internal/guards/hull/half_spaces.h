@@ -21,7 +21,7 @@ struct HalfSpace {
 /// least: a quadratic programme in three unknowns.
 ///
 /// Violated half-spaces are taken one after the other, the farthest first, into a basis of at most
-/// three whose planes hold the point. For a basis and one more, each subset with the new one is
+/// three whose planes contain the point. For a basis and one more, each subset with the new one is
 /// tried for the conditions of Karush, Kuhn and Tucker: there are seven. The value grows with each
 /// step, so no basis comes twice. O(n) for each step, of which there are three or four as a rule.
 ///
@@ -52,7 +52,8 @@ public:
   }
 
 private:
-  // A half-space that may hold the point, and where its plane is pushed from: H⁻¹ normal.
+  // A half-space whose plane may contain the point, and the direction in which its plane is moved:
+  // H⁻¹ normal.
   struct Row {
     Vector<3> normal, push;
     double offset; // from where the search has begun

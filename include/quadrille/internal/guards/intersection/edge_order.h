@@ -13,10 +13,10 @@
 
 namespace quadrille::internal {
 
-/// The faces around an edge. Where solids touch along it there are four or more, and what lies
-/// between two of them is within a solid and without, in turn: so they run up the edge and down it
-/// in turn. Faces that change places there meet nowhere else, and turn a solid inside out. Decided
-/// exactly.
+/// The faces around an edge. If solids touch along it there are four or more, and the space between
+/// two of them is inside a solid and outside, alternately: so they run up the edge and down it
+/// alternately. Faces that change places there meet nowhere else, and turn a solid inside out. This
+/// is decided exactly.
 class EdgeOrder {
 public:
   EdgeOrder(const Vector<3>& from, const Vector<3>& to) : from_(point(from)), to_(point(to)) {}

@@ -179,7 +179,7 @@ private:
   }
 
   // Turns s so that its first corner is alone in front of the plane of t, and another one behind
-  // it; t is turned over if that is its back. False if no corner is.
+  // it; t is turned over if that is on its other side. Returns false if no corner is.
   static bool begin_alone(std::array<Point, 3>& s, std::array<Point, 3>& t) {
     for (int i = 0; i < 3; ++i) {
       const CGAL::Orientation side = CGAL::orientation(t[0], t[1], t[2], s[0]),
